@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWi
 
 from skinsource.method_comparison.table import Row
 from skinsource.rendering.check import N_SAMPLES
-from skinsource_gui.accuracy_page.bench_table import OURS
+from skinsource_gui.accuracy_page.bench_table import OURS, on_limb
 from skinsource_gui.accuracy_page.memory_use import resident_bytes
 from skinsource_gui.status.edit_times import milliseconds, most_within
 from skinsource_gui.status.error_label import PROMISED, VISIBLE, one_digit_up
@@ -124,7 +124,7 @@ class AccuracyFigures(QScrollArea):
         if not found:
             return _BY_BENCHMARK
         worst = max(found)
-        return f"{worst:.1e} in the benchmark" if worst else "exactly 0 in the benchmark"
+        return f"{f'{worst:.1e}' if worst else 'exactly 0'} in the benchmark{on_limb(self._rows)}"
 
     def _table(self) -> QGridLayout:
         grid = QGridLayout()

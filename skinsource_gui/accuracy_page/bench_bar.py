@@ -5,8 +5,10 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QWidget
 
 from skinsource.job import left_in_words
 from skinsource_gui.accuracy_page.bench_job import Measured
+from skinsource_gui.accuracy_page.bench_limb import BenchLimb
 from skinsource_gui.accuracy_page.bench_run import BenchRun
 from skinsource_gui.accuracy_page.bench_table import verdict
+from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobProgress
 from skinsource_gui.widgets.page_button import page_button
 
@@ -24,12 +26,14 @@ class BenchBar(QWidget):
     ----------
     run
         What is started here, and whose state is shown.
+    document
+        Has the design, on whose limb can be measured.
     """
 
     #: Another benchmark was asked for: what the last one has written is gone.
     began = Signal()
 
-    def __init__(self, run: BenchRun, parent: QWidget | None = None) -> None:
+    def __init__(self, run: BenchRun, document: Document, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._run = run
         self._words = QLabel(_INTRODUCTION)
@@ -38,12 +42,14 @@ class BenchBar(QWidget):
         self._progress = QProgressBar()
         self._progress.setObjectName("bench_progress")
         self._progress.setAccessibleName("Progress of the benchmark")
+        self._limb = BenchLimb(document)
         self._measure = page_button("measure", "Measure now", "Run skinsource bench --quick")
         self._cancel = page_button("cancel_measuring", "Cancel", "End the benchmark")
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.addWidget(self._words, 1)
         row.addWidget(self._progress, 1)
+        row.addWidget(self._limb)
         row.addWidget(self._measure)
         row.addWidget(self._cancel)
         self._measure.clicked.connect(self._start)
@@ -59,9 +65,12 @@ class BenchBar(QWidget):
         self._words.setText(words)
 
     def _start(self) -> None:
+        if self._limb.missing:
+            self.say(self._limb.missing)
+            return
         self._progress.setRange(0, 0)
         self.say("Starting…")
-        self._run.start()
+        self._run.start(self._limb.limb)
         self.began.emit()
         if self._run.running:
             self._show_running(True)
@@ -91,5 +100,6 @@ class BenchBar(QWidget):
         self._progress.setVisible(running)
         self._cancel.setVisible(running)
         self._measure.setVisible(not running)
+        self._limb.setVisible(not running)
         if had_keyboard and not running:
             self._measure.setFocus(Qt.FocusReason.OtherFocusReason)

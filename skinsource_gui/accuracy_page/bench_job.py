@@ -4,6 +4,7 @@ import os
 import re
 import subprocess
 import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from queue import Empty, Queue
@@ -41,8 +42,17 @@ class Measured:
     no_plot: str
 
 
-def measure(folder: Path, *, progress: Progress, stop: Stop) -> Measured:
+def measure(folder: Path, limb: str, *, progress: Progress, stop: Stop) -> Measured:
     """Measure, and write report, table and plot into ``folder``.
+
+    Parameters
+    ----------
+    folder
+        Where to write; there already.
+    limb
+        Name of the limb that is measured on; empty: made-up responses.
+    progress, stop
+        As of each job.
 
     Raises
     ------
@@ -52,15 +62,16 @@ def measure(folder: Path, *, progress: Progress, stop: Stop) -> Measured:
         ``stop`` said so: the process has ended.
     """
     try:
-        return _measured(folder, progress, stop)
+        return _measured(folder, limb, progress, stop)
     except BaseException:
         rmtree(folder, ignore_errors=True)
         raise
 
 
-def _measured(folder: Path, progress: Progress, stop: Stop) -> Measured:
+def _measured(folder: Path, limb: str, progress: Progress, stop: Stop) -> Measured:
     with TemporaryFile() as complaints:
-        code = _run(folder, complaints, progress, stop)
+        words = [str(folder), *(("--limb", limb) if limb else ())]
+        code = _run(words, complaints, progress, stop)
         complaints.seek(0)
         said = complaints.read().decode(errors="replace").strip()
     reason = said.splitlines()[-1].removeprefix(_SPEAKER) if said else ""
@@ -75,10 +86,10 @@ def _measured(folder: Path, progress: Progress, stop: Stop) -> Measured:
     return Measured(rows, "" if (folder / PLOT_NAME).is_file() else reason)
 
 
-def _run(folder: Path, complaints: IO[bytes], progress: Progress, stop: Stop) -> int:
+def _run(words: Sequence[str], complaints: IO[bytes], progress: Progress, stop: Stop) -> int:
     try:
         process = subprocess.Popen(  # noqa: S603  ourselves
-            [*COMMAND, str(folder)],
+            [*COMMAND, *words],
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=complaints,

@@ -68,8 +68,8 @@ class BenchRun(QObject):
         """The plot of the latest run."""
         return next((path for path in self.files if path.name == PLOT_NAME), None)
 
-    def start(self) -> None:
-        """Forget the latest run and begin another."""
+    def start(self, limb: str) -> None:
+        """Forget the latest run and begin another, on this limb; empty: on made-up responses."""
         self.close()
         try:
             # The job removes what is in there itself when it is stopped or fails.
@@ -82,7 +82,7 @@ class BenchRun(QObject):
                 "again."
             )
             return
-        self._job = Job(_TITLE, partial(measure, Path(self._folder.name)))
+        self._job = Job(_TITLE, partial(measure, Path(self._folder.name), limb))
         self._runner.add(self._job)
 
     def cancel(self) -> None:

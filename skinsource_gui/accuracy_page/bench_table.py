@@ -12,9 +12,11 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QColor, QFont
 
+from skinsource.method_comparison.compared_limb import MADE_UP
 from skinsource.method_comparison.every_scene import any_scene
 from skinsource.method_comparison.pareto import pareto_front
 from skinsource.method_comparison.table import Row
+from skinsource.own_limbs import facts_of
 from skinsource_gui.theme import LIGHT, Theme
 
 #: Name of the engine whose promises are this program's own.
@@ -112,20 +114,27 @@ def verdict(rows: Sequence[Row]) -> str:
     broken = [row for row in held if row.promise != "kept"]
     failed = sum(bool(row.failure) for row in rows)
     last = f" {failed} of {len(rows)} rows could not be measured." if failed else ""
+    on = on_limb(rows)
     if broken:
         what = broken[0].promise.removeprefix("broken: ")
         return (
-            f"This program breaks its promises in {len(broken)} of {len(held)} rows; the first: "
-            f"{broken[0].scene}, {broken[0].setting}: {what}.{last}"
+            f"This program breaks its promises in {len(broken)} of {len(held)} rows{on}; the "
+            f"first: {broken[0].scene}, {broken[0].setting}: {what}.{last}"
         )
-    return f"This program keeps its promises in {len(held)} of {len(held)} rows.{last}"
+    return f"This program keeps its promises in {len(held)} of {len(held)} rows{on}.{last}"
+
+
+def on_limb(rows: Sequence[Row]) -> str:
+    """Words for the limb that was measured on; none for made-up responses."""
+    limb = rows[0].limb if rows else MADE_UP
+    return "" if limb == MADE_UP else f" on {facts_of(limb.name).title}"
 
 
 def _cells(row: Row) -> tuple[str, ...]:
     deviation = "" if row.t_mad_ms is None else f" ± {row.t_mad_ms:.2g}"
     promise = "failed" if row.failure else row.promise.partition(":")[0]
     return (
-        f"{row.scene}: {any_scene(row.scene).title}",
+        f"{row.scene}: {any_scene(row.scene, row.limb).title}",
         row.engine,
         row.precision,
         row.setting,

@@ -15,6 +15,7 @@ from skinsource_gui.accuracy_page.bench_table import BenchTable
 from skinsource_gui.accuracy_page.bench_table_view import bench_table_view
 from skinsource_gui.accuracy_page.picture_view import PictureView
 from skinsource_gui.accuracy_page.report_saving import ask_and_save
+from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.status.status_line import StatusLine
@@ -38,6 +39,8 @@ class AccuracyPage(QDialog):
         Gives the colours in use.
     preferences
         Know where files were last written.
+    document
+        Has the design, on whose limb can be measured.
     """
 
     def __init__(
@@ -46,6 +49,7 @@ class AccuracyPage(QDialog):
         status: StatusLine,
         theme: Callable[[], Theme],
         preferences: Preferences,
+        document: Document,
         parent: QWidget,
     ) -> None:
         super().__init__(parent)
@@ -65,7 +69,7 @@ class AccuracyPage(QDialog):
         self._tabs.addTab(self._figures, "Promised and measured")
         self._tabs.addTab(self._table, "Benchmark: table")
         self._tabs.addTab(self._plot, "Benchmark: plot")
-        self._bar = BenchBar(self.run)
+        self._bar = BenchBar(self.run, document)
         self._save = page_button(
             "save_report", "Save…", "Save the report, table and plot of the benchmark"
         )

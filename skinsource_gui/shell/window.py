@@ -168,7 +168,7 @@ class MainWindow(QMainWindow):
         keys = self.document, self.panels, self.preferences, self.files, *desk
         self.presenter = Presenter(self, *keys, lambda: self.actions_by_name)
         theme = partial(getattr, self, "theme")
-        measured = self.runner, self.status_line, theme, self.preferences
+        measured = self.runner, self.status_line, theme, self.preferences, self.document
         self.pages = Pages(
             self,
             ACTIONS,

@@ -37,7 +37,7 @@ def test_without_matplotlib_table_and_report_are_written(tmp_path, monkeypatch, 
 
     monkeypatch.setattr(commands, "EVERY_SCENE", (scene_of("S1"),))
     monkeypatch.setattr(commands, "EVERY_ENGINE", (engine_of("this program"),))
-    monkeypatch.setattr(commands, "measure", lambda cases, effort, progress, keep: [])
+    monkeypatch.setattr(commands, "measure", lambda *_, **__: [])
     monkeypatch.setattr(commands, "write_plots", refuse)
     assert main(["bench", "--quick", "--out", str(tmp_path)]) == 1
     assert sorted(path.name for path in tmp_path.iterdir()) == ["report.md", "work_precision.csv"]
@@ -53,7 +53,7 @@ def test_other_programs_can_read_how_far_the_work_is(tmp_path, monkeypatch, caps
     assert capsys.readouterr().out.splitlines()[:2] == ["0/2 S1 direct", "1/2 S1 this program"]
 
 
-def tell_and_find_nothing(cases, effort, progress, keep):
+def tell_and_find_nothing(cases, effort, progress, **_):
     progress(0, 2, "S1 direct")
     progress(1, 2, "S1 this program")
     return []
@@ -79,7 +79,7 @@ def test_what_was_measured_until_it_is_stopped_stands_in_table_and_report(
 def measure_until(n_processes):
     """Measure, and press Ctrl+C after so many processes."""
 
-    def stopped(cases, effort, progress, keep):
+    def stopped(cases, effort, progress, keep, **_):
         left = iter(range(n_processes))
 
         def start(task, timeout_s):

@@ -11,13 +11,13 @@ import pytest
 from skinsource.errors import FileFormatError
 from skinsource.files.assets import data_folder
 from skinsource.limb import N_TAPS
+from skinsource.method_comparison.compared_limb import sha256_of
 from skinsource.method_comparison.made_up import (
     DRIVE_EXPONENT,
     RESPONSE_EXPONENT,
     made_up_drive,
     made_up_limb,
     made_up_response,
-    responses_sha256,
     whole_drive,
     whole_response,
 )
@@ -37,7 +37,7 @@ def script():
 
 
 def test_responses_are_the_same_bits_on_every_machine():
-    assert responses_sha256() == RESPONSES_SHA256
+    assert sha256_of(made_up_limb()) == RESPONSES_SHA256
 
 
 def test_responses_and_drives_are_whole_numbers_that_float64_holds():

@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.arrays import Floats, Integers
-from skinsource.limb import N_OUTPUTS
 from skinsource.method_comparison.references import Reference
 
 #: First sample, and samples of each row.
@@ -15,6 +14,7 @@ Block = tuple[int, NDArray[np.floating]]
 
 #: Windows quieter than this share of the channel's peak (-126 dB) are promised nothing.
 QUIETEST = 5e-7
+_LEAST = float(np.finfo(np.float64).tiny)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,7 +54,7 @@ def picked(reference: Reference, rows: Integers, blocks: Iterable[Block]) -> Flo
     ValueError
         A channel of the reference is not among ``rows``.
     """
-    place = np.full(3 * N_OUTPUTS, -1)
+    place = np.full(1 + max(rows.max(), reference.channels.max()), -1)
     place[rows] = np.arange(rows.size)
     row = place[reference.channels]
     if (row < 0).any():
@@ -70,11 +70,12 @@ def picked(reference: Reference, rows: Integers, blocks: Iterable[Block]) -> Flo
 def errors_of(reference: Reference, values: Floats) -> Errors:
     """Errors of ``values``, (n_channels, n_windows, n_samples)."""
     deviation = np.abs((values - reference.high) - reference.low)
-    channel_peak = reference.peaks.max(axis=1)
+    # A channel without a response is exactly silent: any sound there is an error beyond measure.
+    channel_peak = np.maximum(reference.peaks.max(axis=1), _LEAST)
     by_window = deviation.max(axis=2)
     heard = reference.peaks >= QUIETEST * channel_peak[:, None]
     silent = reference.peaks == 0.0
-    norm = np.sqrt(np.square(reference.high).sum(axis=(1, 2)))
+    norm = np.maximum(np.sqrt(np.square(reference.high).sum(axis=(1, 2))), _LEAST)
     relative = by_window / channel_peak[:, None]
     return Errors(
         peak=float(relative.max()),
@@ -93,4 +94,4 @@ def rounding_ratio(
     the sum, are (n_channels,).
     """
     bound = float(np.finfo(precision).eps) * np.log2(max(n_times, 2)) * scale
-    return float((deviation / bound).max())
+    return float((deviation / np.maximum(bound, _LEAST)).max())

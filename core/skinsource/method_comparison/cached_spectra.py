@@ -7,9 +7,9 @@ from scipy import fft
 
 from skinsource.method_comparison.accuracy import Block
 from skinsource.method_comparison.method import (
-    N_CHANNELS,
     Method,
     Prepared,
+    Unfit,
     all_channels,
     drives_of,
     require_bytes,
@@ -21,7 +21,7 @@ from skinsource.method_comparison.scenes import ComparedScene
 def prepare(scene: ComparedScene, method: Method) -> Prepared:
     """Transform the responses."""
     rank = method.setting.rank
-    n_kept = N_CHANNELS if rank is None else rank
+    n_kept = scene.limb.n_channels if rank is None else rank
     itemsize = np.dtype(method.precision).itemsize
     require_bytes(len(scene.players) * n_kept * scene.response_samples * itemsize)
     return _whole(scene, method) if rank is None else _of_low_rank(scene, method, rank)
@@ -42,24 +42,27 @@ def _whole(scene: ComparedScene, method: Method) -> Prepared:
             np.add(total, product, out=total)
         yield 0, fft.irfft(total, n_fft)[:, :n_times]
 
-    return Prepared(rows=all_channels(), run=run)
+    return Prepared(rows=all_channels(scene), run=run)
 
 
 def _of_low_rank(scene: ComparedScene, method: Method, rank: int) -> Prepared:
     """Each response as a combination of the ``rank`` shapes that explain most of the energy."""
     taps, drives = taps_of(scene, method), drives_of(scene, method)
+    n_channels = scene.limb.n_channels
+    if rank > taps.shape[-1]:
+        raise Unfit(f"responses of {taps.shape[-1]} samples have no {rank} shapes")
     n_times = drives.shape[-1] + taps.shape[-1] - 1
     n_fft = fft.next_fast_len(n_times, real=True)
     flat = taps.reshape(-1, taps.shape[-1]).astype(np.float64)
     _, vectors = np.linalg.eigh(flat.T @ flat)
     basis = vectors[:, ::-1][:, :rank]
-    shares = (flat @ basis).reshape(len(taps), N_CHANNELS, rank).transpose(1, 0, 2)
-    shares = np.ascontiguousarray(shares.reshape(N_CHANNELS, -1), dtype=method.precision)
+    shares = (flat @ basis).reshape(len(taps), n_channels, rank).transpose(1, 0, 2)
+    shares = np.ascontiguousarray(shares.reshape(n_channels, -1), dtype=method.precision)
     shapes = fft.rfft(np.ascontiguousarray(basis.T, dtype=method.precision), n_fft)
 
     def run(_: int) -> Iterator[Block]:
         spectra = fft.rfft(drives, n_fft)[:, None] * shapes
-        if shares.shape[1] < N_CHANNELS:
+        if shares.shape[1] < n_channels:
             played = fft.irfft(spectra, n_fft).reshape(shares.shape[1], -1)
             yield 0, (shares @ played)[:, :n_times]
         else:
@@ -67,4 +70,4 @@ def _of_low_rank(scene: ComparedScene, method: Method, rank: int) -> Prepared:
             total = shares @ spectra.reshape(shares.shape[1], -1).view(shares.dtype)
             yield 0, fft.irfft(total.view(spectra.dtype), n_fft)[:, :n_times]
 
-    return Prepared(rows=all_channels(), run=run)
+    return Prepared(rows=all_channels(scene), run=run)

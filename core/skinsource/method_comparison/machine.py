@@ -12,8 +12,9 @@ import numpy as np
 import scipy
 
 from skinsource.files.assets import data_folder
-from skinsource.method_comparison.made_up import responses_sha256
+from skinsource.method_comparison.compared_limb import MADE_UP, ComparedLimb, sha256_of
 from skinsource.method_comparison.references import FILE_NAME
+from skinsource.quoting import printable
 from skinsource.version import __version__
 
 _CPU_INFO = Path("/proc/cpuinfo")
@@ -28,8 +29,17 @@ class Fact:
     value: str
 
 
-def facts() -> tuple[Fact, ...]:
-    """Machine, versions and hashes, as lines of text."""
+def facts(limb: ComparedLimb = MADE_UP, references: Path | None = None) -> tuple[Fact, ...]:
+    """Machine, versions and hashes, as lines of text.
+
+    Parameters
+    ----------
+    limb
+        What was measured on.
+    references
+        File with the exact values; None: those that come with the program.
+    """
+    exact = data_folder() / FILE_NAME if references is None else references
     return (
         Fact(name="date", value=f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC"),
         Fact(name="SkinSource studio", value=__version__),
@@ -39,8 +49,18 @@ def facts() -> tuple[Fact, ...]:
         Fact(name="NumPy, SciPy", value=f"{np.__version__}, {scipy.__version__}"),
         Fact(name="linear algebra", value=_linear_algebra()),
         Fact(name="threads", value=_threads()),
-        Fact(name="SHA-256 of the responses", value=responses_sha256()),
-        Fact(name="SHA-256 of the exact values", value=_sha256(data_folder() / FILE_NAME)),
+        *_about(limb),
+        Fact(name="SHA-256 of the exact values", value=_sha256(exact)),
+    )
+
+
+def _about(limb: ComparedLimb) -> tuple[Fact, ...]:
+    if limb == MADE_UP:
+        return (Fact(name="SHA-256 of the responses", value=sha256_of(limb.load())),)
+    return (
+        Fact(name="limb", value=printable(limb.name)),
+        Fact(name="shape and rate", value=limb.size),
+        Fact(name="SHA-256 of the limb", value=limb.digest),
     )
 
 

@@ -5,8 +5,6 @@ machines.  These are sums of damped resonances that arrive later and weaker fart
 whole-number arithmetic, so that their convolutions are known exactly.
 """
 
-import hashlib
-
 import numpy as np
 
 from skinsource.arrays import Floats, Integers
@@ -78,14 +76,6 @@ def made_up_limb() -> Limb:
         map=nowhere,
         read_response=made_up_response,
     )
-
-
-def responses_sha256() -> str:
-    """Hash of all responses, (20, 72, 3, 522), as little-endian float64."""
-    digest = hashlib.sha256()
-    for location in range(1, N_INPUTS + 1):
-        digest.update(made_up_response(location).astype("<f8").tobytes())
-    return digest.hexdigest()
 
 
 def _ringing() -> Integers:

@@ -7,13 +7,15 @@ import subprocess
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.method_comparison.accuracy import Errors
-from skinsource.method_comparison.every_scene import Engine, Scene
+from skinsource.method_comparison.compared_limb import MADE_UP
+from skinsource.method_comparison.every_scene import Engine, Scene, limb_of
 from skinsource.method_comparison.method import Method
 from skinsource.method_comparison.promises import Outcome, broken_promises
 from skinsource.method_comparison.table import Row
@@ -91,6 +93,7 @@ def measure(
     start: Callable[[Task, float], dict[str, Any]] | None = None,
     stop: Stop = never,
     keep: Callable[[list[Row]], None] | None = None,
+    references: Path | None = None,
 ) -> list[Row]:
     """Rows of all ``cases``, in their order; those that failed are among them.
 
@@ -105,6 +108,8 @@ def measure(
         has not been for nothing.
     stop
         Asked before each process.
+    references
+        File with the exact values; None: those that come with the program.
 
     Raises
     ------
@@ -113,7 +118,7 @@ def measure(
     """
     run = in_fresh_process if start is None else start
     shuffle = random.Random(_SEED).shuffle  # noqa: S311, an order, not a secret
-    total = sum(min(effort.processes, case.scene.most_processes) for case in cases)
+    total = processes_of(cases, effort)
     done = 0
     rows: dict[int, Row] = {}
     for turn in range(effort.processes):
@@ -125,14 +130,25 @@ def measure(
             progress(done, total, f"{case.scene.key} {case.engine.name}")
             done += 1
             if not case.failure:
-                _measure_once(case, effort, run)
+                _measure_once(case, effort, run, references)
                 rows[k] = row_of(case)
                 if keep is not None:
                     keep([rows[each] for each in sorted(rows)])
     return [rows[k] for k in sorted(rows)]
 
 
-def _measure_once(case: Case, effort: Effort, run: Callable[[Task, float], dict[str, Any]]) -> None:
+def processes_of(cases: Sequence[Case], effort: Effort) -> int:
+    """How many processes `measure` starts if none fails."""
+    return sum(min(effort.processes, case.scene.most_processes) for case in cases)
+
+
+def _measure_once(
+    case: Case,
+    effort: Effort,
+    run: Callable[[Task, float], dict[str, Any]],
+    references: Path | None,
+) -> None:
+    limb = limb_of(case.scene)
     task = Task(
         scene=case.scene.key,
         engine=case.engine.name,
@@ -141,6 +157,9 @@ def _measure_once(case: Case, effort: Effort, run: Callable[[Task, float], dict[
         longest_s=effort.longest_s,
         most_runs=effort.most_runs,
         warm_ups=effort.warm_ups,
+        limb="" if limb == MADE_UP else limb.name,
+        digest=limb.digest,
+        references="" if references is None else str(references),
     )
     result = run(task, effort.timeout_s)
     if "unfit" in result:
@@ -189,6 +208,7 @@ def row_of(case: Case) -> Row:
         samples=scene.response_samples,
         reference=scene.reference,
         failure=case.failure,
+        limb=limb_of(scene),
     )
     if case.failure or not case.results:
         return row

@@ -8,9 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.arrays import Integers
-from skinsource.limb import N_AXES, N_OUTPUTS, N_TAPS
 from skinsource.method_comparison.accuracy import Block
-from skinsource.method_comparison.made_up import made_up_drive, made_up_response
+from skinsource.method_comparison.made_up import made_up_drive
 from skinsource.method_comparison.scenes import ComparedScene
 
 Real = NDArray[np.floating]
@@ -18,7 +17,6 @@ Precision = Literal["float64", "float32"]
 
 #: What an engine may hold at once.
 LARGEST_BYTES = 2 * 2**30
-N_CHANNELS = N_OUTPUTS * N_AXES
 _DB_PER_FACTOR_TEN = 20.0
 
 
@@ -39,9 +37,9 @@ class Setting:
     rank
         Responses are combinations of so many shapes; None: as they are.
     block
-        Length of the transforms of an engine that works in blocks.
+        Length of the transforms of an engine that works in blocks; None: what suits the responses.
     what
-        ``"all"`` 216 channels in time; ``"window"``: the map, and traces of six outputs;
+        ``"all"`` channels in time; ``"window"``: the map, and traces of at most six outputs;
         ``"library"``: all channels, by one call of the library that remembers nothing.
     promised
         Whether anything was promised for it.
@@ -50,7 +48,7 @@ class Setting:
     name: str = "exact"
     cut_db: float | None = None
     rank: int | None = None
-    block: int = 4096
+    block: int | None = None
     what: Literal["all", "window", "library"] = "all"
     promised: bool = True
 
@@ -94,15 +92,21 @@ class Prepared:
     lent_bytes: int = 0
 
 
-def all_channels() -> Integers:
-    """Every channel, (216,)."""
-    return np.arange(N_CHANNELS)
+def all_channels(scene: ComparedScene) -> Integers:
+    """Every channel of the limb, (n_channels,)."""
+    return np.arange(scene.limb.n_channels)
 
 
 def taps_of(scene: ComparedScene, method: Method) -> Real:
-    """Responses to the place of each input, (n_inputs, 216, n_taps), cut where asked."""
-    taps = np.array([made_up_response(player.location) for player in scene.players])
-    taps = taps.reshape(len(scene.players), N_CHANNELS, N_TAPS)
+    """Responses to the place of each input, (n_inputs, n_channels, n_taps), cut where asked.
+
+    Raises `Unfit` where they are too large.
+    """
+    require_bytes(response_bytes(scene))
+    limb = scene.limb.load()
+    taps = np.empty((len(scene.players), scene.limb.n_channels, scene.limb.n_taps))
+    for row, player in zip(taps, scene.players, strict=True):
+        row[:] = limb.response_to(player.location).reshape(row.shape)
     if method.setting.cut_db is not None:
         peak = np.abs(taps).max()
         lowest = peak * 10.0 ** (method.setting.cut_db / _DB_PER_FACTOR_TEN)
@@ -129,5 +133,11 @@ def require_bytes(needed: float) -> None:
 
 
 def output_bytes(scene: ComparedScene, method: Method) -> int:
-    """Size of all 216 channels of the response."""
-    return N_CHANNELS * scene.response_samples * np.dtype(method.precision).itemsize
+    """Size of all channels of the response."""
+    return scene.limb.n_channels * scene.response_samples * np.dtype(method.precision).itemsize
+
+
+def response_bytes(scene: ComparedScene) -> int:
+    """Size of the responses to all places that are played, as they are read."""
+    places = {player.location for player in scene.players}
+    return len(places) * scene.limb.n_channels * scene.limb.n_taps * np.dtype(np.float64).itemsize

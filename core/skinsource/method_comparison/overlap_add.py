@@ -7,26 +7,34 @@ from scipy import fft
 
 from skinsource.method_comparison.accuracy import Block
 from skinsource.method_comparison.method import (
-    N_CHANNELS,
     Method,
     Prepared,
+    Unfit,
     all_channels,
     drives_of,
+    require_bytes,
     taps_of,
 )
 from skinsource.method_comparison.scenes import ComparedScene
+
+#: Transforms are no shorter than that where none are asked for, nor than four responses.
+_LEAST_BLOCK = 4096
 
 
 def prepare(scene: ComparedScene, method: Method) -> Prepared:
     """Transform the responses at the length of a block."""
     taps, drives = taps_of(scene, method), drives_of(scene, method)
-    n_fft, overlap = method.setting.block, taps.shape[-1] - 1
+    overlap = taps.shape[-1] - 1
+    n_fft = method.setting.block or max(_LEAST_BLOCK, fft.next_fast_len(4 * overlap, real=True))
     step = n_fft - overlap
+    if step <= 0:
+        raise Unfit(f"blocks of {n_fft} samples are no longer than the responses")
+    require_bytes(taps[..., 0].size * n_fft * taps.itemsize)
     n_times = drives.shape[-1] + overlap
     responses = fft.rfft(taps, n_fft)
 
     def run(_: int) -> Iterator[Block]:
-        tail = np.zeros((N_CHANNELS, overlap), drives.dtype)
+        tail = np.zeros((taps.shape[1], overlap), drives.dtype)
         total = np.empty_like(responses[0])
         product = np.empty_like(total)
         for first in range(0, n_times, step):
@@ -40,4 +48,4 @@ def prepare(scene: ComparedScene, method: Method) -> Prepared:
             tail = samples[:, step:].copy()
             yield first, samples[:, : min(step, n_times - first)]
 
-    return Prepared(rows=all_channels(), run=run)
+    return Prepared(rows=all_channels(scene), run=run)

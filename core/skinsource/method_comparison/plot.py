@@ -12,6 +12,7 @@ import numpy as np
 from skinsource.errors import MissingExtraError
 from skinsource.extras import extra_line
 from skinsource.files import write_bytes
+from skinsource.method_comparison.compared_limb import MADE_UP
 from skinsource.method_comparison.every_scene import EVERY_ENGINE, any_scene, is_ours
 from skinsource.method_comparison.method import Precision
 from skinsource.method_comparison.pareto import pareto_front
@@ -83,12 +84,14 @@ def _figure(rows: Sequence[Row]) -> Any:
         _draw_scene(panel, [row for row in rows if row.scene == key])
     for panel in axes[len(keys) :]:
         panel.set_axis_off()
+    for limb in dict.fromkeys(row.limb for row in rows if row.limb != MADE_UP):
+        figure.suptitle(f"{limb.name}: {limb.size}", fontsize=10)
     _draw_legend(axes[-1], rows)
     return figure
 
 
 def _draw_scene(panel: Any, rows: Sequence[Row]) -> None:
-    scene = any_scene(rows[0].scene)
+    scene = any_scene(rows[0].scene, rows[0].limb)
     panel.set(xscale="log", yscale="log", ylim=_LIMITS)
     panel.set_title(f"{scene.key}: {scene.title}", fontsize=10, loc="left")
     panel.set_xlabel("fastest run, ms")

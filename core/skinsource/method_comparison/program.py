@@ -9,11 +9,9 @@ from numpy.typing import NDArray
 
 from skinsource.arrays import Floats
 from skinsource.design import Design, Input, track
-from skinsource.limb import N_AXES, N_OUTPUTS, SAMPLE_RATE_HZ
 from skinsource.method_comparison.accuracy import Block
-from skinsource.method_comparison.made_up import made_up_drive, made_up_limb
+from skinsource.method_comparison.made_up import made_up_drive
 from skinsource.method_comparison.method import (
-    N_CHANNELS,
     Method,
     Prepared,
     Unfit,
@@ -21,8 +19,9 @@ from skinsource.method_comparison.method import (
     drives_of,
     output_bytes,
     require_bytes,
+    response_bytes,
 )
-from skinsource.method_comparison.scenes import VISIBLE_OUTPUTS, ComparedScene, Player
+from skinsource.method_comparison.scenes import ComparedScene, Player
 from skinsource.quantities import new_graph, sources
 from skinsource.response import predict
 from skinsource.view import View
@@ -58,9 +57,10 @@ def prepare(scene: ComparedScene, method: Method) -> Prepared:
         raise Unfit("computes in float64 only")
     if method.setting.what == "library":
         return _library(scene, method)
-    graph, limb = new_graph(), made_up_limb()
+    require_bytes(response_bytes(scene))
+    graph, limb, n_channels = new_graph(), scene.limb.load(), scene.limb.n_channels
     whole = method.setting.what == "all"
-    outputs = tuple(range(1, N_OUTPUTS + 1)) if whole else VISIBLE_OUTPUTS
+    outputs = tuple(range(1, limb.n_outputs + 1)) if whole else scene.limb.visible_outputs
     chosen = () if scene.changed is None else (scene.changed + 1,)
     view = View(outputs=outputs, axes="xyz", selected_inputs=chosen)
     drives = [made_up_drive(player.seed, player.n_times) for player in scene.players]
@@ -71,13 +71,13 @@ def prepare(scene: ComparedScene, method: Method) -> Prepared:
             streamed = graph.evaluate({"streamed_vibration"}, given)["streamed_vibration"]
             if streamed is not None:
                 for first, block in streamed.blocks():
-                    yield first, block.reshape(N_CHANNELS, -1)
+                    yield first, block.reshape(n_channels, -1)
                 return
         wanted = {"axis_traces"} if whole else {"axis_traces", "output_rms"}
         traces: Floats = graph.evaluate(wanted, given)["axis_traces"]
         yield 0, traces.reshape(-1, traces.shape[-1])
 
-    rows = N_AXES * (np.array(outputs) - 1)[:, None] + np.arange(N_AXES)
+    rows = limb.n_axes * (np.array(outputs) - 1)[:, None] + np.arange(limb.n_axes)
     lent_bytes = sum(drive.nbytes for drive in drives)
     return Prepared(rows=rows.ravel(), run=run, lent_bytes=lent_bytes)
 
@@ -85,16 +85,16 @@ def prepare(scene: ComparedScene, method: Method) -> Prepared:
 def _design(scene: ComparedScene, drives: list[Floats], edition: int) -> Design:
     one = scene.changed
     inputs = tuple(
-        _input(player, drive, edition if one is None or one == k else 0)
+        _input(player, drive, scene.limb.sample_rate_hz, edition if one is None or one == k else 0)
         for k, (player, drive) in enumerate(zip(scene.players, drives, strict=True))
     )
-    return Design(limb="made-up", inputs=inputs, scaling="relative")
+    return Design(limb=scene.limb.name, inputs=inputs, scaling="relative")
 
 
-def _input(player: Player, drive: Floats, edition: int) -> Input:
+def _input(player: Player, drive: Floats, sample_rate_hz: float, edition: int) -> Input:
     noise = MadeUpNoise(
         seed=player.seed,
-        duration_s=player.n_times / SAMPLE_RATE_HZ,
+        duration_s=player.n_times / sample_rate_hz,
         edition=edition,
         drive=drive,
     )
@@ -102,13 +102,13 @@ def _input(player: Player, drive: Floats, edition: int) -> Input:
         location=player.location,
         waveform=noise,
         amplitude=player.amplitude,
-        onset_s=player.start / SAMPLE_RATE_HZ,
+        onset_s=player.start / sample_rate_hz,
     )
 
 
 def _library(scene: ComparedScene, method: Method) -> Prepared:
-    require_bytes(_LIBRARY_COPIES * output_bytes(scene, method))
-    limb = made_up_limb()
+    require_bytes(_LIBRARY_COPIES * output_bytes(scene, method) + response_bytes(scene))
+    limb = scene.limb.load()
     loud = [dataclasses.replace(player, amplitude=1.0) for player in scene.players]
     drives = drives_of(dataclasses.replace(scene, players=tuple(loud)), method)
     places = [player.location for player in scene.players]
@@ -116,6 +116,6 @@ def _library(scene: ComparedScene, method: Method) -> Prepared:
 
     def run(_: int) -> Iterator[Block]:
         field = predict(limb, drives, places, amplitudes, scaling="relative")
-        yield 0, field.reshape(N_CHANNELS, -1)
+        yield 0, field.reshape(scene.limb.n_channels, -1)
 
-    return Prepared(rows=all_channels(), run=run)
+    return Prepared(rows=all_channels(scene), run=run)

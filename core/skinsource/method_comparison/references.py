@@ -1,4 +1,4 @@
-"""Exact values at chosen samples of each scene, stored with the program."""
+"""Exact values at chosen samples of each scene: kept in a file, for the processes that compare."""
 
 import zlib
 from dataclasses import dataclass
@@ -25,12 +25,12 @@ _DAMAGE = (OSError, EOFError, KeyError, ValueError, BadZipFile, zlib.error)
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Reference:
-    """The response of a scene at chosen samples, exact to 2^-77.
+    """The response of a scene at chosen samples, exact to many more digits than float64 holds.
 
     Attributes
     ----------
     channels : (n_channels,)
-        Output and axis as 3 (output - 1) + axis.
+        Output and axis as n_axes (output - 1) + axis.
     starts : (n_windows,)
         First sample of each window of 100 ms.
     samples : (n_channels, n_windows, n_samples)
@@ -39,6 +39,8 @@ class Reference:
         Largest magnitude of all samples of the window, m/s².
     high, low : (n_channels, n_windows, n_samples)
         The values: nearest float64, and what is left over, m/s².
+    bound
+        How far a value may be off, over the channel's peak.
     """
 
     channels: Integers
@@ -47,10 +49,11 @@ class Reference:
     peaks: Floats
     high: Floats
     low: Floats
+    bound: float = 2.0**-77
 
 
 def load_reference(key: str, path: Path | None = None) -> Reference:
-    """Read the reference called ``key``.
+    """Read the reference called ``key``, by default of those that come with the program.
 
     Raises
     ------

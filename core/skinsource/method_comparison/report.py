@@ -1,17 +1,15 @@
 """The page of text: what was measured, which promises hold, and every figure."""
 
 from collections.abc import Iterable, Sequence
-from textwrap import dedent
 
-from skinsource.decibels import decibels
-from skinsource.method_comparison.accuracy import QUIETEST
+from skinsource.method_comparison.compared_limb import MADE_UP, ComparedLimb
 from skinsource.method_comparison.every_scene import any_scene, is_ours
 from skinsource.method_comparison.machine import Fact
 from skinsource.method_comparison.measure import Effort
 from skinsource.method_comparison.pareto import pareto_front
+from skinsource.method_comparison.reading import how_to_read
 from skinsource.method_comparison.signal_scenes import SignalScene
 from skinsource.method_comparison.table import Row
-from skinsource.method_comparison.timing import ONCE_FROM_S
 
 # Long times are written without a power of ten.
 _WHOLE_FROM = 1000.0
@@ -32,7 +30,12 @@ _HEADINGS = (
 
 
 def report_of(
-    rows: Sequence[Row], facts: Iterable[Fact], effort: Effort, *, n_cases: int | None = None
+    rows: Sequence[Row],
+    facts: Iterable[Fact],
+    effort: Effort,
+    *,
+    n_cases: int | None = None,
+    bound: float | None = None,
 ) -> str:
     """Return the report as Markdown.
 
@@ -42,6 +45,9 @@ def report_of(
         What was measured, on what, and how.
     n_cases
         How many rows there would be, where measuring was stopped; None: it was not.
+    bound
+        How far the exact values of a limb may be off, over the channel's peak; None: they are
+        those that come with the program.
     """
     keys = list(dict.fromkeys(row.scene for row in rows))
     parts = [
@@ -54,8 +60,12 @@ def report_of(
     for key in keys:
         parts += _scene([row for row in rows if row.scene == key])
     parts += ["## What could not be measured", _failures(rows)]
-    parts += ["## How to read this", _how_to_read(effort)]
+    parts += ["## How to read this", how_to_read(effort, _limb_of(rows), bound)]
     return "\n\n".join(parts) + "\n"
+
+
+def _limb_of(rows: Sequence[Row]) -> ComparedLimb:
+    return rows[0].limb if rows else MADE_UP
 
 
 def _stopped(rows: Sequence[Row], n_cases: int) -> str:
@@ -83,7 +93,7 @@ def _promises(rows: Sequence[Row]) -> str:
 
 
 def _scene(rows: Sequence[Row]) -> list[str]:
-    scene = any_scene(rows[0].scene)
+    scene = any_scene(rows[0].scene, rows[0].limb)
     measured = sorted((row for row in rows if not row.failure), key=lambda row: row.t_min_ms or 0.0)
     front = pareto_front(rows)
     if isinstance(scene, SignalScene):
@@ -122,44 +132,12 @@ def _cells(row: Row, on_front: bool) -> list[str]:
 
 def _has_ratio(row: Row) -> bool:
     """Only for convolutions the rounding that cannot be helped is known."""
-    return row.promise != "none" and not isinstance(any_scene(row.scene), SignalScene)
+    return row.promise != "none" and not isinstance(any_scene(row.scene, row.limb), SignalScene)
 
 
 def _failures(rows: Sequence[Row]) -> str:
     failed = [_line(row, row.failure) for row in rows if row.failure]
     return "\n".join(failed) or "Every method computed every scene."
-
-
-def _how_to_read(effort: Effort) -> str:
-    quietest_db = float(decibels(QUIETEST))
-    text = f"""\
-        Every row was measured in {effort.processes} fresh process(es), those of scenes S5, A and R
-        in one, all rows of a round in random order; in each process at most {effort.most_runs} runs
-        or {effort.longest_s:g} s, after up to {effort.warm_ups} runs that do not count. What runs
-        for {ONCE_FROM_S:g} s or longer is run once.
-        *fastest* is the least disturbed figure; the median stands with its median absolute
-        deviation; *first* is preparation and first run together. A row is *unstable* where 95 %
-        of the runs took up to more than three times the fastest. *memory* is what the process
-        held above idle, without drives that the program would have drawn itself.
-
-        All rows but *map and 6 traces* give all 216 channels in time. Between two runs the
-        drives change, so nothing but the spectra of the responses can be kept. *predict()* is one
-        call of the library, which keeps nothing. Responses and drives are made up in whole
-        numbers, without the normalisation of inputs.
-
-        Errors are against exact values, computed in fractions without rounding, at 8 samples of
-        each of up to 24 windows of 100 ms, the largest sample of each window among them, in 12
-        channels. *worst window*: largest error in a window over that window's own peak, for
-        windows down to {-quietest_db:.0f} dB below the channel's peak. *of the peak*: over the
-        channel's peak. *ratio*: error over eps log2(n) sum ||x|| ||h||.
-
-        Scenes A are actuators after a step of the voltage: acceleration, velocity, displacement
-        and current, each over its own peak. Scenes R are signals at another sample rate. There
-        all samples are compared, with exact values from elsewhere, and there is no *ratio*.
-
-        Rows in **bold** are those that nothing else beats in both time and worst window.
-        Settings that trade error for time (*cut*, *rank*) promise nothing."""
-    return dedent(text)
 
 
 def _line(row: Row, words: str) -> str:

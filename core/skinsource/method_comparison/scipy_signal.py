@@ -32,7 +32,7 @@ def _prepare(name: str, scene: ComparedScene, method: Method) -> Prepared:
             total += convolve(response, drive[None], axes=-1)
         yield 0, total
 
-    return Prepared(rows=all_channels(), run=run)
+    return Prepared(rows=all_channels(scene), run=run)
 
 
 prepare_fftconvolve = partial(_prepare, "fftconvolve")

@@ -16,12 +16,12 @@ from typing import Any
 import numpy as np
 
 from skinsource.arrays import Floats
-from skinsource.limb import N_TAPS
 from skinsource.method_comparison.accuracy import errors_of, picked, rounding_ratio
+from skinsource.method_comparison.compared_limb import MADE_UP, limb_called
 from skinsource.method_comparison.engines import engine_of
 from skinsource.method_comparison.every_scene import any_scene
-from skinsource.method_comparison.made_up import made_up_drive, made_up_response
-from skinsource.method_comparison.method import N_CHANNELS, Unfit
+from skinsource.method_comparison.made_up import made_up_drive
+from skinsource.method_comparison.method import Unfit
 from skinsource.method_comparison.references import Reference, load_reference
 from skinsource.method_comparison.scenes import ComparedScene
 from skinsource.method_comparison.signal_scenes import SignalScene
@@ -41,6 +41,10 @@ class Task:
         Names of the row.
     longest_s, most_runs, warm_ups
         See `skinsource.method_comparison.timing.repeated`.
+    limb, digest
+        Of the limb that the scene is computed on; empty: the made-up one.
+    references
+        File with the exact values; empty: those that come with the program.
     """
 
     scene: str
@@ -50,6 +54,9 @@ class Task:
     longest_s: float
     most_runs: int
     warm_ups: int
+    limb: str = ""
+    digest: str = ""
+    references: str = ""
 
     def words(self) -> list[str]:
         """Command-line words that `task_of` reads."""
@@ -58,7 +65,7 @@ class Task:
 
 def task_of(words: Sequence[str]) -> Task:
     """Read the words of `Task.words`."""
-    scene, engine, precision, setting, longest_s, most_runs, warm_ups = words
+    scene, engine, precision, setting, longest_s, most_runs, warm_ups, *limb = words
     return Task(
         scene=scene,
         engine=engine,
@@ -67,12 +74,14 @@ def task_of(words: Sequence[str]) -> Task:
         longest_s=float(longest_s),
         most_runs=int(most_runs),
         warm_ups=int(warm_ups),
+        **dict(zip(("limb", "digest", "references"), limb, strict=False)),
     )
 
 
 def measured(task: Task) -> dict[str, Any]:
     """Times and errors; or, under ``"unfit"``, why there are none."""
-    scene = any_scene(task.scene)
+    limb = limb_called(task.limb, task.digest) if task.limb else MADE_UP
+    scene = any_scene(task.scene, limb)
     if isinstance(scene, SignalScene):
         return measured_signal(
             scene,
@@ -83,7 +92,8 @@ def measured(task: Task) -> dict[str, Any]:
             warm_ups=task.warm_ups,
         )
     engine = engine_of(task.engine)
-    reference = load_reference(scene.reference)
+    path = Path(task.references) if task.references else None
+    reference = load_reference(scene.reference, path)
     idle = _peak_bytes()
     try:
         start = perf_counter()
@@ -120,9 +130,9 @@ def measured(task: Task) -> dict[str, Any]:
 
 def _bound_scale(scene: ComparedScene, reference: Reference) -> Floats:
     """Sum over inputs of the norms of drive and response, (n_channels,)."""
-    total = np.zeros(reference.channels.size)
+    total, limb = np.zeros(reference.channels.size), scene.limb.load()
     for player in scene.players:
-        response = made_up_response(player.location).reshape(N_CHANNELS, N_TAPS)
+        response = limb.response_to(player.location).reshape(scene.limb.n_channels, -1)
         drive = made_up_drive(player.seed, player.n_times) * player.amplitude
         taps = response[reference.channels]
         total += np.linalg.norm(drive) * np.linalg.norm(taps, axis=-1)

@@ -13,8 +13,9 @@ import os, sys, time
 from pathlib import Path
 from skinsource.method_comparison.table import Row, write_table
 
-mode, note, picture, folder = sys.argv[1], *map(Path, sys.argv[2:])
+mode, note, picture, folder = sys.argv[1], *map(Path, sys.argv[2:5])
 note.write_text(f"{os.getpid()} {folder}")
+note.with_name("limb").write_text(" ".join(sys.argv[5:]))
 print("0/3 S1 direct", flush=True)
 if mode == "hang":
     time.sleep(600)

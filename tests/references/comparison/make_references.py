@@ -24,18 +24,11 @@ from skinsource.method_comparison.made_up import (
     whole_response,
 )
 from skinsource.method_comparison.references import FILE_NAME, WINDOW_SAMPLES
-from skinsource.method_comparison.scenes import CHECKED_AXES, SCENES, VISIBLE_OUTPUTS, ComparedScene
+from skinsource.method_comparison.scenes import SCENES, ComparedScene
 
 MOST_WINDOWS, SAMPLES_PER_WINDOW = 24, 8
 HALF_BITS = 20
 SEED = 5
-
-
-def channels() -> np.ndarray:
-    """Channels that are checked, as 3 (output - 1) + axis."""
-    return np.array(
-        [3 * (output - 1) + axis for output in VISIBLE_OUTPUTS for axis in CHECKED_AXES]
-    )
 
 
 def window_starts(scene: ComparedScene) -> np.ndarray:
@@ -81,7 +74,7 @@ def exact_window(scene: ComparedScene, which: np.ndarray, first: int, n: int) ->
 
 def reference_of(scene: ComparedScene, starts: np.ndarray) -> dict[str, np.ndarray]:
     """Arrays as `skinsource.method_comparison.references.load_reference` reads them."""
-    which = channels()
+    which = np.array(scene.limb.checked_channels)
     shape = which.size, starts.size, SAMPLES_PER_WINDOW
     offsets = np.zeros(shape, np.uint8)
     high, low = np.zeros(shape), np.zeros(shape, np.float32)

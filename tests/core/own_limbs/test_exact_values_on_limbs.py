@@ -1,0 +1,123 @@
+"""Exact values on a limb of a lab, against other sums of the same."""
+
+import io
+from dataclasses import replace
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import pytest
+
+from skinsource.errors import InvalidInputError
+from skinsource.method_comparison.compared_limb import limb_called
+from skinsource.method_comparison.direct_sums import (
+    SAMPLES_PER_WINDOW,
+    exact_response,
+    write_references,
+)
+from skinsource.method_comparison.made_up import made_up_drive
+from skinsource.method_comparison.references import load_reference
+from skinsource.method_comparison.scenes import Player, scene_of
+from tests.core.own_limbs.compared import keep, tiny
+from tests.core.own_limbs.lab_bench import N_TAPS, response
+
+
+def response_at(scene, channel, sample):
+    """One sample of the response, by mpmath, from what the lab handed over."""
+    total = mpmath.mpf(0)
+    for player in scene.players:
+        taps = response(player.location).reshape(-1, N_TAPS)[channel]
+        drive = made_up_drive(player.seed, player.n_times)
+        end = sample - player.start
+        pairs = [
+            (mpmath.mpf(float(taps[k])), mpmath.mpf(float(drive[end - k])))
+            for k in range(N_TAPS)
+            if 0 <= end - k < drive.size
+        ]
+        total += mpmath.mpf(player.amplitude) * mpmath.fdot(pairs)
+    return total
+
+
+@pytest.mark.parametrize("key", ["S2", "S6"])
+def test_exact_values_of_a_limb_agree_with_sums_of_fifty_digits(lab, key):
+    scene = scene_of(key, limb_called("lab-1"))
+    reference = exact_response(scene)
+    random = np.random.default_rng(3)
+    with mpmath.workdps(50):
+        for _ in range(20):
+            c, w, k = (random.integers(0, n) for n in reference.high.shape)
+            channel, sample = int(reference.channels[c]), int(reference.samples[c, w, k])
+            exact = response_at(scene, channel, sample)
+            found = mpmath.mpf(reference.high[c, w, k]) + mpmath.mpf(reference.low[c, w, k])
+            assert abs(found - exact) <= reference.bound * reference.peaks[c].max()
+    assert reference.bound < 1e-30
+
+
+@pytest.mark.parametrize("key", ["S1", "S6"])
+def test_on_the_made_up_limb_they_are_what_comes_with_the_program(key):
+    found, kept = exact_response(scene_of(key)), load_reference(key)
+    for name in ("channels", "starts", "peaks"):
+        np.testing.assert_array_equal(getattr(found, name), getattr(kept, name))
+    # The other samples of each window were drawn in another order.
+    for name in ("samples", "high"):
+        largest, expected = getattr(found, name)[..., 0], getattr(kept, name)[..., 0]
+        np.testing.assert_array_equal(largest, expected)
+
+
+def test_what_is_left_out_of_tiny_taps_is_within_the_bound(user_data):
+    """One tap of 1, and after it taps so small that pieces of 120 bits leave them out."""
+    taps = np.zeros((1, 1, 1, 5))
+    taps[..., 0], taps[..., 1:] = 1.0, 2.0**-130 * np.array([1.0, -3.0, 1.7, 0.3])
+    limb = keep("steep", taps)
+    scene = replace(scene_of("S1", limb), players=(Player(location=1, seed=1, n_times=40),))
+    reference = exact_response(scene)
+    drive = [Fraction(float(x)) for x in made_up_drive(1, 40)]
+    deviations = []
+    for k, sample in enumerate(reference.samples[0, 0]):
+        exact = sum(
+            Fraction(float(tap)) * drive[sample - delay]
+            for delay, tap in enumerate(taps[0, 0, 0])
+            if 0 <= sample - delay < 40
+        )
+        high, low = (float(x[0, 0, k]) for x in (reference.high, reference.low))
+        deviations.append(abs(exact - Fraction(high) - Fraction(low)))
+    assert 0 < max(deviations) <= reference.bound * reference.peaks.max()
+    assert reference.bound < 1e-30
+
+
+def test_long_responses_are_summed_without_rounding(user_data):
+    taps = np.random.default_rng(2).standard_normal((1, 1, 1, 9000))
+    limb = keep("long", taps)
+    scene = replace(scene_of("S1", limb), players=(Player(location=1, seed=1, n_times=9000),))
+    reference = exact_response(scene)
+    drive = [Fraction(float(x)) for x in made_up_drive(1, 9000)]
+    window = int(np.abs(reference.starts - 9000).argmin())
+    sample = int(reference.samples[0, window, 0])
+    exact = sum(
+        Fraction(float(taps[0, 0, 0, k])) * drive[sample - k]
+        for k in range(9000)
+        if 0 <= sample - k < 9000
+    )
+    assert Fraction(reference.high[0, window, 0]) == Fraction(float(exact))
+    assert reference.low[0, window, 0] == float(exact - Fraction(float(exact)))
+
+
+def test_responses_that_are_no_numbers_have_no_exact_values(lab, monkeypatch):
+    scene = tiny(limb_called("lab-1"))
+    limb = scene.limb.load()
+    damaged = limb.response_to(7).copy()
+    damaged[0, 0, 3] = np.nan
+    monkeypatch.setattr(type(limb), "response_to", lambda *_: damaged)
+    with pytest.raises(InvalidInputError, match="lab-1: a response to input location 7 is not fin"):
+        exact_response(scene)
+
+
+def test_exact_values_are_the_same_bits_each_time(lab, tmp_path):
+    scene = tiny(limb_called("lab-1"))
+    contents = []
+    for name in ("a", "b"):
+        write_references(tmp_path / name, {"S1": exact_response(scene)})
+        with np.load(io.BytesIO((tmp_path / name).read_bytes())) as stored:
+            contents.append({key: stored[key].tobytes() for key in stored})
+    assert contents[0] == contents[1]
+    assert load_reference("S1").samples.shape[2] == SAMPLES_PER_WINDOW
