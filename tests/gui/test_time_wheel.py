@@ -1,11 +1,11 @@
 """What the wheel does to the part of the time that is seen."""
 
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QWheelEvent
+from PySide6.QtCore import QPointF, Qt
 
 from skinsource_gui.widgets.time.time_scale import TimeScale
 from skinsource_gui.widgets.time.time_wheel import range_by_wheel
+from tests.gui.wheel import wheel_event
 
 SCALE = TimeScale(shown_s=(0.4, 0.6), left_px=10.0, width_px=200.0)
 HELD = Qt.KeyboardModifier
@@ -13,9 +13,8 @@ _CTRL = HELD.ControlModifier
 
 
 def turned(x, y, held=HELD.NoModifier, at_px=60.0, whole_s=(0.0, 1.0)):
-    at, turn = QPointF(at_px, 5.0), QPoint(x, y)
-    no_button, phase = Qt.MouseButton.NoButton, Qt.ScrollPhase.NoScrollPhase
-    event = QWheelEvent(at, at, QPoint(), turn, no_button, held, phase, False)
+    at = QPointF(at_px, 5.0)
+    event = wheel_event(at, at, (x, y), held)
     return range_by_wheel(event, SCALE, whole_s)
 
 

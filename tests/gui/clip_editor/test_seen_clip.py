@@ -2,11 +2,10 @@
 
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
 
 from tests.gui.clip_editor.bench import LEFT, NONE, SHIFT, whole
+from tests.gui.wheel import NOTCH, turn_wheel
 
 
 @pytest.fixture
@@ -28,18 +27,7 @@ def length_of(range_s):
 
 def turn(bench, notches, held=NONE):
     viewport = bench.canvas.viewport()
-    at = QPointF(viewport.rect().center())
-    event = QWheelEvent(
-        at,
-        QPointF(viewport.mapToGlobal(at.toPoint())),
-        QPoint(),
-        QPoint(0, 120 * notches),
-        Qt.MouseButton.NoButton,
-        held,
-        Qt.ScrollPhase.NoScrollPhase,
-        False,
-    )
-    QApplication.sendEvent(viewport, event)
+    turn_wheel(viewport, viewport.rect().center(), (0, NOTCH * notches), held)
 
 
 def test_keys_show_the_middle_larger_and_all_of_it_again(tone):

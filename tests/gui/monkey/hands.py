@@ -9,7 +9,7 @@ from unittest.mock import patch
 
 import numpy as np
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt, QTimer
-from PySide6.QtGui import QContextMenuEvent, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QContextMenuEvent, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractScrollArea,
@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource_gui.widgets.pictures.picture_options import PictureDialog
+from tests.gui.wheel import NOTCH, turn_wheel
 
 NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
 CONTROL, ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
@@ -105,13 +106,7 @@ class Hands:
         QTest.mouseRelease(surface, button, held, end)
 
     def wheel(self, widget, at: QPoint, notches: int, held=NONE) -> None:
-        surface = _surface(widget)
-        where = QPointF(at)
-        event = QWheelEvent(
-            *(where, QPointF(surface.mapToGlobal(where)), QPoint(), QPoint(0, 120 * notches)),
-            *(Qt.MouseButton.NoButton, held, Qt.ScrollPhase.NoScrollPhase, False),
-        )
-        QApplication.sendEvent(surface, event)
+        turn_wheel(_surface(widget), at, (0, NOTCH * notches), held)
 
     def menu_of(self, widget, at: QPoint) -> str:
         """Press the right button, and choose a line of the menu that opens, or none."""

@@ -3,12 +3,13 @@
 import math
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QMouseEvent, QWheelEvent
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
 
 from skinsource.fields import NumberSpec
 from skinsource_gui.widgets.fields.number_field import NumberField
+from tests.gui.wheel import NOTCH, turn_wheel
 
 DURATION = NumberSpec(label="Duration", unit="s", minimum=0.001, maximum=600.0, step=0.01)
 
@@ -67,20 +68,7 @@ class Bench(QWidget):
         QTest.mouseRelease(self.field, Qt.MouseButton.LeftButton, modifiers, start)
 
     def turn(self, notches, modifiers=Qt.KeyboardModifier.NoModifier):
-        centre = QPointF(self.field.rect().center())
-        event = QWheelEvent(
-            centre,
-            QPointF(self.field.mapToGlobal(centre.toPoint())),
-            QPoint(),
-            QPoint(0, 120 * notches),
-            Qt.MouseButton.NoButton,
-            modifiers,
-            Qt.ScrollPhase.NoScrollPhase,
-            False,
-        )
-        event.ignore()
-        QApplication.sendEvent(self.field, event)
-        return event.isAccepted()
+        return turn_wheel(self.field, self.field.rect().center(), (0, NOTCH * notches), modifiers)
 
 
 def move_event(widget, here, modifiers):

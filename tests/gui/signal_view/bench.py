@@ -1,14 +1,13 @@
 """The plot of traces and spectra, without a panel."""
 
 import numpy as np
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QPointF
 
 from skinsource_gui.widgets.plot.axis_spec import (
     XAxis,
 )
 from skinsource_gui.widgets.plot.curves import Curves, output_names
+from tests.gui import wheel
 
 TIME = XAxis(titles=("Time (ms) and much more to say about it", "Time (ms)"), unit="ms", factor=1e3)
 
@@ -25,18 +24,8 @@ def waves(n_curves=2, n_points=651, amplitude=0.3):
 
 
 def turn_wheel(signals, x, modifiers, turned=120, *, aside=False):
-    at, plot = QPointF(x, 60), signals.plot
-    event = QWheelEvent(
-        at,
-        plot.mapToGlobal(at),
-        QPoint(),
-        QPoint(turned, 0) if aside else QPoint(0, turned),
-        Qt.MouseButton.NoButton,
-        modifiers,
-        Qt.ScrollPhase.NoScrollPhase,
-        False,
-    )
-    QApplication.sendEvent(plot.viewport(), event)
+    by = (turned, 0) if aside else (0, turned)
+    wheel.turn_wheel(signals.plot.viewport(), QPointF(x, 60), by, modifiers)
 
 
 def left_and_width(signals):

@@ -2,16 +2,16 @@
 
 from dataclasses import fields, replace
 
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QColor, QWheelEvent
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
 
 from skinsource.edits import Edit
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.state.start_design import start_design
+from tests.gui.wheel import NOTCH, turn_wheel
 
 LEFT, MIDDLE = Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton
 
@@ -80,18 +80,7 @@ def drag(widget, start, end, button=LEFT, modifiers=PLAIN):
 
 
 def wheel(widget, at, notches, modifiers=PLAIN):
-    event = QWheelEvent(
-        QPointF(at),
-        QPointF(widget.mapToGlobal(at)),
-        QPoint(),
-        QPoint(0, 120 * notches),
-        Qt.MouseButton.NoButton,
-        modifiers,
-        Qt.ScrollPhase.NoScrollPhase,
-        False,
-    )
-    QApplication.sendEvent(widget, event)
-    return event.isAccepted()
+    return turn_wheel(widget, at, (0, NOTCH * notches), modifiers)
 
 
 def pixel(picture, at):

@@ -2,7 +2,7 @@
 
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QContextMenuEvent, QWheelEvent
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
@@ -10,6 +10,7 @@ from skinsource import edits
 from skinsource_gui.panels.timeline.settings import show_gain_curves
 from skinsource_gui.widgets.drop_place import DropPlace
 from tests.gui.timeline.lanes_bench import LEFT
+from tests.gui.wheel import turn_wheel
 
 CONTROL, SHIFT, ALT = (
     Qt.KeyboardModifier.ControlModifier,
@@ -150,18 +151,7 @@ def menu(bench):
 
 
 def wheel(bench, turns, held):
-    at = bench.at(0.2)
-    event = QWheelEvent(
-        at,
-        QPointF(bench.lanes.mapToGlobal(at)),
-        QPoint(),
-        QPoint(0, turns),
-        Qt.MouseButton.NoButton,
-        held,
-        Qt.ScrollPhase.NoScrollPhase,
-        False,
-    )
-    QApplication.sendEvent(bench.lanes.viewport(), event)
+    turn_wheel(bench.lanes.viewport(), bench.at(0.2), (0, turns), held)
 
 
 def shown_s(bench):
