@@ -142,6 +142,13 @@ def test_noise_can_be_windowed_and_keeps_its_peak():
     assert np.abs(samples).max() == 1.0
 
 
+def test_noise_reaches_up_to_half_the_rate():
+    highest = np.abs(np.fft.rfft(white_noise(1.0, band_hz=(25.0, 650.0))))[640:]
+    assert np.median(highest) > 0.1 * highest.max()
+    with pytest.raises(InvalidInputError, match=r"at most 650 Hz .*would alias"):
+        white_noise(0.1, band_hz=(25.0, 650.1))
+
+
 @pytest.mark.parametrize("band_hz", [(600.0, 25.0), (25.0, 651.0), (-1.0, 600.0), (math.nan, 1.0)])
 def test_an_impossible_band_is_refused(band_hz):
     with pytest.raises(InvalidInputError, match="band_hz"):

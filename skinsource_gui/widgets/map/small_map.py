@@ -186,6 +186,8 @@ def _paint_inputs(
     for index, one in enumerate(design.inputs):
         if index in heard and one.location <= len(places):
             centre = QPointF(*places[one.location - 1])
+            if not np.isfinite((centre.x(), centre.y())).all():
+                continue  # it has no place on the map
             painter.setPen(QPen(QColor(theme.base), 3.0))
             painter.drawEllipse(centre, _RING_PX, _RING_PX)
             painter.setPen(QPen(theme.input_colour(one.colour), 1.5))

@@ -4,6 +4,7 @@ import numpy as np
 
 import skinsource as ss
 from skinsource.figures.writing import draw_figure
+from tests.core.own_limbs.lab_bench import installed
 
 
 def table_of(name):
@@ -45,3 +46,10 @@ def test_spectra_of_noise_are_means_over_ten_bins():
 def test_a_moment_is_not_hatched_for_the_noise_of_the_whole_record(measured):
     figure = draw_figure(ss.scenes.open_scene("4A")).figure
     assert not any(one.get_hatch() for ax in figure.axes for one in ax.patches)
+
+
+def test_frames_of_a_pulse_are_those_of_whole_samples_however_a_delay_is_rounded(user_data):
+    installed(pre_trigger_delay_s=0.005)
+    frames = draw_figure(ss.scenes.open_scene("1C", limb="lab-1")).tables["-frames"]
+    at_ms = [float(name.split("_")[0]) for name in frames.header[1:]]
+    np.testing.assert_allclose(at_ms, [5.0, 5.75, 6.5, 7.25, 8.0])
