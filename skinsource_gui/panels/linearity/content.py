@@ -105,11 +105,11 @@ def diagrams_of_superposition(
 
 def proportion_words(found: Proportion) -> str:
     """What was found, in a sentence."""
-    least = float(np.nanmin(found.adjusted_r2)) if np.isfinite(found.adjusted_r2).any() else np.nan
-    return (
-        f"{len(found.strengths)} strengths, divided by them: {_apart_words(found.apart)} · "
-        f"adjusted R² in bands of 2 Hz {least:.6f} at least"
-    )
+    words = f"{len(found.strengths)} strengths, divided by them: {_apart_words(found.apart)}"
+    known = found.adjusted_r2[np.isfinite(found.adjusted_r2)]
+    # A short response may have no frequency in the band of its limb.
+    straight = f" · adjusted R² in bands of 2 Hz {known.min():.6f} at least" if known.size else ""
+    return f"{words}{straight}"
 
 
 def superposition_words(found: Superposition) -> str:

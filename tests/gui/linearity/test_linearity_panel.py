@@ -12,6 +12,7 @@ from skinsource.checking import Proportion, Superposition
 from skinsource.comparing import Snapshot
 from skinsource.edits import remove_delay
 from skinsource.view import View
+from skinsource_gui.figure_panel import SILENT
 from skinsource_gui.panels.linearity.panel import NEITHER
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.1)
@@ -157,6 +158,33 @@ def test_what_cannot_be_held_against_each_other_says_what_to_store(show, qtbot):
     document.look(replace(document.view, snapshots=kept(*PARTS)))
     document.edit("Both", PARTS[2])
     qtbot.waitUntil(lambda: panel.found is not None, timeout=30_000)
+
+
+def test_of_several_axes_z_is_drawn_and_all_are_counted(show):
+    _, panel = show(STRENGTHS, axes="xyz")
+    assert panel.found.rms.shape == (3, 3 * len(OUTPUTS))
+    growth = panel.picture.diagrams[1].curves
+    for rank, row in enumerate((2, 5)):
+        np.testing.assert_array_equal(growth[2 * rank + 1].y, panel.found.rms[:, row])
+    assert "Along z" in panel.about.text
+
+
+def test_what_is_too_long_for_a_picture_says_where_it_is_checked(show, monkeypatch):
+    monkeypatch.setattr("skinsource_gui.panels.linearity.panel._MOST_VALUES", 1000)
+    _, panel = show(STRENGTHS)
+    assert panel.figure.message.startswith("Too long to be shown here")
+    assert panel.found is None
+
+
+def test_what_plays_nothing_is_said_to_be_silent(show):
+    still = [replace(one, inputs=(replace(one.inputs[0], clips=()),)) for one in STRENGTHS]
+    _, panel = show(still)
+    assert panel.figure.message == SILENT
+
+
+def test_strengths_on_a_limb_that_is_missing_say_so(show):
+    _, panel = show([replace(one, limb="lab-9", limb_digest="0" * 64) for one in STRENGTHS])
+    assert "lab-9" in panel.figure.message
 
 
 def test_hidden_it_has_no_traces_computed(show, qtbot):
