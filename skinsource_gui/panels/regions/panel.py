@@ -61,6 +61,7 @@ class RegionsPanel(Panel):
         self._about = ""
         self.about = WordsLabel("regions_about")
         self.copy = CopyButton(self.name, lambda: tab_separated(self.columns))
+        self.copy.setEnabled(False)
         self.stored = RegionTable("regions_stored", "RMS levels of snapshots by region")
         self.table = RegionTable("regions_table", "RMS levels of people by region")
         self._tables = (self.stored, self.table)
@@ -134,6 +135,7 @@ class RegionsPanel(Panel):
         stored = columns_of(self._snapshots, matched=matched)
         people = columns_of_people(self._on_limbs)
         self.columns = [*stored, *people]
+        self.copy.setEnabled(any(one.has_levels for one in self.columns))
         self.stored.show_columns(stored)
         self.table.show_columns(people)
         self._say_about()

@@ -123,7 +123,18 @@ def fitted_axes(room: QRectF, x: Axis, y: Axis, metrics: QFontMetricsF) -> Axes:
     wide = max((metrics.horizontalAdvance(label) for label in labels), default=0.0)
     left = room.left() + line + wide + 2.0 * _GAP_PX
     top = room.top() + _GAP_PX + line / 2
-    frame = QRectF(
-        left, top, max(room.right() - left - 2.0 * _GAP_PX, 1.0), height - line / 2 - _GAP_PX
-    )
+    width = room.right() - left - 2.0 * _GAP_PX
+    for _ in range(2):  # a narrower one may have other labels
+        width = max(min(width, room.right() - left - _beyond(x, width, metrics)), 1.0)
+    frame = QRectF(left, top, width, height - line / 2 - _GAP_PX)
     return Axes(frame=frame, x=x, y=y)
+
+
+def _beyond(x: Axis, width: float, metrics: QFontMetricsF) -> float:
+    """How far the last label of x reaches beyond a frame of that width, px."""
+    low, high = x.shown
+    ends = (
+        metrics.horizontalAdvance(tick.label) / 2 - (high - tick.value) / (high - low) * width
+        for tick in x.ticks(width, _TICK_X_PX)
+    )
+    return max(ends, default=0.0) + 1.0

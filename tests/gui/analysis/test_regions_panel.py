@@ -156,3 +156,17 @@ def test_what_is_copied_says_whether_limbs_were_measured_and_what_is_a_deviation
         "Mean over 3 people",
         "Standard deviation over 3 people, dB",
     ]
+
+
+def test_where_there_is_no_level_nothing_can_be_copied(make_window, qtbot):
+    window = make_window(Design(limb="synthetic-1", inputs=(track(8, amplitude=0.0),)))
+    window.docks["regions"].bring_forward()
+    panel = window.panel("regions")
+    assert not panel.copy.isEnabled()
+    qtbot.waitUntil(lambda: len(panel.columns) == 6, timeout=60_000)
+    assert not panel.copy.isEnabled()
+    document = window.document
+    document.edit("Louder", document.design.with_input(0, amplitude=1.0))
+    qtbot.waitUntil(panel.copy.isEnabled, timeout=60_000)
+    document.edit("Change limb", replace(document.design, limb="lab-nowhere"))
+    qtbot.waitUntil(lambda: not panel.copy.isEnabled())
