@@ -63,6 +63,8 @@ class Panel(ComparesDesigns):
         self._covers: list[Cover] = []
         # The window behind is not painted again for each change in here.
         self.setAutoFillBackground(True)
+        #: What stands below a picture of it; the window says how to find out.
+        self.caption: Callable[[], str] = str
         #: Where something would go in another panel that is dragged from here and held over a
         #: place of the screen; None: it is let go.  The window says how to find out.
         self.held_over: Callable[[QPoint | None], DropPlace | None] = _nowhere

@@ -24,6 +24,7 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.status.error_label import VISIBLE
+from skinsource_gui.widgets.pictures.caption import caption_px
 from skinsource_gui.widgets.pictures.letters import letters_remark
 from skinsource_gui.widgets.pictures.picture_file import save_drawing
 from skinsource_gui.widgets.pictures.picture_options import PictureOptions, ask_picture_options
@@ -136,7 +137,8 @@ class ExportActions(QObject):
     def _export_picture(self, spec: ExportSpec) -> None:
         picture = self._drawer_of(spec.panel)
         size, remark = picture.size_px or spec.size_px, letters_remark(picture)
-        options = self._ask_options(spec, size, remark=remark)
+        below = partial(caption_px, picture.caption)
+        options = self._ask_options(spec, size, remark=remark, below=below)
         path = None if options is None else self._ask_where(spec)
         if options is None or path is None:
             return
@@ -157,7 +159,7 @@ class ExportActions(QObject):
         kinds = spec.kind_words
         if spec.begun is not None:
             known, kinds = spec.begun(self._document.design, self._document.view, known), ""
-        about |= {"title": spec.window_title, "kinds": kinds}
+        about |= {"title": spec.window_title, "kinds": kinds, "shape": size_px}
         options = ask_picture_options(self._window, known, **about)
         if options is not None:
             self._picture_options[spec.name] = options

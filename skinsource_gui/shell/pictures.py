@@ -12,10 +12,12 @@ from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.shell.appearance import Appearance
+from skinsource_gui.shell.carrying import Carrying
 from skinsource_gui.shell.docks import Dock, staged, usual_size
 from skinsource_gui.state.document import Document
+from skinsource_gui.state.engine import Engine
 from skinsource_gui.theme import LIGHT, Theme, apply_theme
-from skinsource_gui.widgets.pictures.caption import caption_of, height_above, with_caption
+from skinsource_gui.widgets.pictures.caption import height_above, with_caption
 from skinsource_gui.widgets.pictures.whole_picture import (
     ALL_IN_SIGHT,
     IN_USE,
@@ -35,8 +37,8 @@ class PanelPictures:
     ----------
     frame
         The window in which the panels stand.
-    document
-        Its stimulus is said in captions.
+    document, engine
+        Whose design, and who judges it: captions say what is played, and what that is not good for.
     panels
         All of them.
     appearance
@@ -51,22 +53,23 @@ class PanelPictures:
         self,
         frame: QWidget,
         document: Document,
+        engine: Engine,
         panels: MadePanels,
         appearance: Appearance,
         catch_up: Callable[[], None],
         docks: Mapping[str, Dock],
     ) -> None:
-        self._frame, self._document, self._panels = frame, document, panels
+        self._frame, self._panels = frame, panels
+        self._carrying = Carrying(document, engine, panels)
         self._appearance, self._catch_up, self._docks = appearance, catch_up, docks
 
     def picture_of(self, name: str) -> WholePicture:
-        """The picture of a panel, `IN_USE` or `ALL_IN_SIGHT`, with the stimulus in its caption."""
+        """The picture of a panel, `IN_USE` or `ALL_IN_SIGHT`, with its caption."""
         panel: Panel | None = None
         if name != ALL_IN_SIGHT:
             panel = self._in_use() if name == IN_USE else self._panels[name]
         self._catch_up()
-        design = self._document.design
-        caption = caption_of(design, self._document.view.match_gain(design))
+        caption = self._carrying.caption(*((panel,) if panel else self._in_the_window()))
         size: tuple[int, int] | None = None
         draw: Callable[..., None] = self._draw_all
         letters: Letters | None = None
@@ -78,9 +81,12 @@ class PanelPictures:
             likes = panel.size() if panel.isVisible() else usual_size(panel)
             size = None if name != IN_USE else (2 * likes.width(), 2 * likes.height())
         seen = panel.map.stage.seen if isinstance(panel, SkinPanel) else None
-        return WholePicture(
-            draw=with_caption(draw, caption), size_px=size, seen=seen, letters_px=letters
-        )
+        draw = with_caption(draw, caption)
+        return WholePicture(draw=draw, caption=caption, size_px=size, seen=seen, letters_px=letters)
+
+    def _in_the_window(self) -> list[Panel]:
+        """Panels in sight that stand in no window of their own."""
+        return [one for one in self._panels if one.isVisible() and one.window() is self._frame]
 
     def _in_use(self) -> Panel:
         """The panel that has the keyboard, or had it before a page or the palette; or the first."""
@@ -127,8 +133,7 @@ class PanelPictures:
         """Where each panel in sight is, and a box around them and their titles."""
         places = {
             panel: QRect(panel.mapTo(self._frame, QPoint()), panel.size())
-            for panel in self._panels
-            if panel.isVisible() and panel.window() is self._frame
+            for panel in self._in_the_window()
         }
         whole = QRect()
         for place in places.values():

@@ -150,8 +150,8 @@ class MainWindow(QMainWindow):
         content = self.layout_of_docks.content
         self.files = FileActions(self.document, self.preferences, self, content)
         saving = self.document, self.preferences, self.files
-        own = self.document, self.panels, self.appearance, self.catch_up, self.docks
-        self.pictures = PanelPictures(self, *own)
+        own = self.engine, self.panels, self.appearance, self.catch_up, self.docks
+        self.pictures = PanelPictures(self, self.document, *own)
         self.exports = ExportActions(*saving, self.runner, self.pictures.picture_of, self)
         self.stimuli = StimulusActions(*saving, self.runner, lambda: self.theme, self)
         show = self.layout_of_docks.show_scene

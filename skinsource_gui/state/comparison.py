@@ -8,7 +8,6 @@ from PySide6.QtCore import QObject, Signal
 
 from skinsource import edits
 from skinsource.comparing import (
-    EDITED,
     Snapshot,
     gain_words,
     loudest_db,
@@ -17,7 +16,7 @@ from skinsource.comparing import (
     nothing_to_compare,
     other_than,
     reference,
-    shown,
+    together,
 )
 from skinsource.edits import Edit, Refusal
 from skinsource_gui.compared import Compared
@@ -158,11 +157,7 @@ class Comparison(QObject):
 
     def _together(self) -> tuple[Snapshot, ...]:
         """All snapshots, and the present design as what is edited if it is none of them."""
-        design, snapshots = self._document.design, self._document.view.snapshots
-        if shown(snapshots, design) is not None:
-            return snapshots
-        stored = (one for one in snapshots if one.number != EDITED)
-        return (*stored, Snapshot(number=EDITED, design=design))
+        return together(self._document.view.snapshots, self._document.design)
 
     def _follow(self) -> None:
         if not (self._visible() or self._then or self._asked):
@@ -255,9 +250,9 @@ class Comparison(QObject):
 
     def _gain(self, number: int) -> float:
         """Factor with which a snapshot is as loud as the one that others are matched to."""
-        together = self._together()
-        this = next((one for one in together if one.number == number), None)
-        own_db, other_db = (self._loudest_db(one) for one in (this, reference(together)))
+        beside = self._together()
+        this = next((one for one in beside if one.number == number), None)
+        own_db, other_db = (self._loudest_db(one) for one in (this, reference(beside)))
         return 1.0 if own_db is None or other_db is None else matching_gain(own_db, other_db)
 
     def _loudest_db(self, one: Snapshot | None) -> float | None:

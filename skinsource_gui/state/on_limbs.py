@@ -5,10 +5,8 @@ from typing import Any
 
 from PySide6.QtCore import QObject
 
-from skinsource import edits
 from skinsource.comparing import Snapshot
 from skinsource.design import Design
-from skinsource.edits import Refusal
 from skinsource.view import View
 from skinsource_gui.compared import Compared
 from skinsource_gui.made_panels import MadePanels
@@ -17,6 +15,7 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request, Slot
 from skinsource_gui.state.predicting import (
     key_of_levels,
+    on_limb,
     reason_of,
     sources_of_levels,
     too_large,
@@ -96,13 +95,8 @@ class OnLimbs(QObject):
 
     def _asked_of(self, limb: str) -> tuple[Design, View] | str:
         """The design on a limb and how it is looked at there; or why there is no such thing."""
-        design, view = self._document.design, self._document.view
-        if limb == design.limb:
-            return too_large(limb) or (design, view)
-        edit = edits.change_limb(design, view, limb)
-        if isinstance(edit, Refusal):
-            return edit.sentence
-        return too_large(limb) or (edit.design, edit.view)
+        asked = on_limb(self._document.design, self._document.view, limb)
+        return asked if isinstance(asked, str) else too_large(limb) or asked
 
     def _sources(self, asked: tuple[Design, View]) -> dict[str, Any]:
         """What evaluation starts from; as loud as the design is shown in the window."""

@@ -4,7 +4,9 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+from skinsource import edits
 from skinsource.design import Design
+from skinsource.edits import Refusal
 from skinsource.errors import SkinSourceError
 from skinsource.limb import LIVE_INPUTS, LIVE_OUTPUTS
 from skinsource.own_limbs import axes_on, facts_of
@@ -50,6 +52,14 @@ def sources_of_levels(
     if with_outputs:
         seen = replace(seen, outputs=view.outputs)
     return sources(design, seen, match_gain=match_gain)
+
+
+def on_limb(design: Design, view: View, limb: str) -> tuple[Design, View] | str:
+    """The design on a limb and how it is looked at there; or why there is no such thing."""
+    if limb == design.limb:
+        return design, view
+    edit = edits.change_limb(design, view, limb)
+    return edit.sentence if isinstance(edit, Refusal) else (edit.design, edit.view)
 
 
 def key_of_levels(given: Mapping[str, Any]) -> tuple[Any, ...]:

@@ -1,6 +1,6 @@
 """The button that copies the numbers of a panel."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
@@ -16,13 +16,25 @@ class CopyButton(QToolButton):
         Name of the panel whose numbers they are.
     table
         Gives them, with tabs between the columns.
+
+    Attributes
+    ----------
+    lines
+        Gives what follows the numbers: what is to be known of them.
     """
 
     def __init__(self, panel: str, table: Callable[[], str], parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._table = table
+        self.lines: Callable[[], Sequence[str]] = tuple
         self.setObjectName(f"{panel}_copy")
         self.setText("Copy")
         self.setToolTip("Copy the numbers as a table, with tabs between the columns")
         self.setAccessibleName("Copy numbers")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.clicked.connect(lambda: QGuiApplication.clipboard().setText(table()))
+        self.clicked.connect(self._copy)
+
+    def _copy(self) -> None:
+        table = self._table()
+        below = [f"# {line}" for line in self.lines()] if table else []
+        QGuiApplication.clipboard().setText(table + "".join(f"{line}\n" for line in below))

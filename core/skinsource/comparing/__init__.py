@@ -31,6 +31,7 @@ if TYPE_CHECKING:
         other_than,
         reference,
         shown,
+        together,
     )
 else:
     __getattr__, __dir__ = late_names(
@@ -40,7 +41,7 @@ else:
             "limbs": "MOST_BESIDE limbs_beside mean_and_spread_over same_outputs",
             "snapshot": (
                 "EDITED NUMBERS Snapshot alike brought_back louder name_of nothing_to_compare "
-                "other_than reference shown"
+                "other_than reference shown together"
             ),
         },
     )
@@ -67,4 +68,5 @@ __all__ = [
     "reference",
     "same_outputs",
     "shown",
+    "together",
 ]

@@ -78,6 +78,14 @@ def shown(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None:
     return next((one for one in reversed(snapshots) if one.design == design), None)
 
 
+def together(snapshots: Sequence[Snapshot], design: Design) -> tuple[Snapshot, ...]:
+    """Return all snapshots, and ``design`` as what is edited if it is none of them."""
+    if shown(snapshots, design) is not None:
+        return tuple(snapshots)
+    stored = (one for one in snapshots if one.number != EDITED)
+    return (*stored, Snapshot(number=EDITED, design=design))
+
+
 def other_than(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None:
     """Return the snapshot that was shown last and is not ``design``; None: there is none.
 

@@ -76,7 +76,7 @@ def sidecar_of(
         "meaning": _MEANING,
         "scaling_means": word_of(SCALINGS, stimulus.scaling).sentence,
         "predicted_through": _about_prediction(outgoing.design.actuated),
-        "validity": about_validity(outgoing.design),
+        **about_validity(outgoing.design),
         "clip_count": int(sum(counts)),
         "confirmed": list(confirmed),
         "edges": edge_words([stimulus], ready.cut),

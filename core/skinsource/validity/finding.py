@@ -19,6 +19,8 @@ class Finding:
         Whether the design keeps it.
     sentence
         What was found, and what it means.
+    in_short
+        The same where there is little room, as below a picture; "" where it is not left.
     mend
         Name of what would mend it: ``"quieter"``, ``"band_limit"``,
         ``"probe_scaling"``, ``"deselect"``; "" where nothing does.
@@ -31,6 +33,7 @@ class Finding:
     name: str
     state: State
     sentence: str
+    in_short: str = ""
     mend: str = ""
     factor: float = 1.0
     outputs: tuple[int, ...] = ()

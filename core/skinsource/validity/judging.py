@@ -20,6 +20,7 @@ SPATIAL_LIMIT_HZ = 300.0
 #: So much of the energy may lie where it should not.
 MOST_SHARE = 0.05
 _MM_PER_M = 1e3
+_GUESSED = "lies above {:g} Hz: between outputs the map is a guess."
 # What is slower than the band is faded out over an octave, which rings for so many periods.
 _RINGS_PERIODS = 10.0
 # Even where a band begins lower still: a velocity from there on would need minutes of room.
@@ -126,13 +127,14 @@ def found_in_outputs(above_noise_db: Floats | None, *, synthetic: bool, silent: 
     if not noisy:
         sentence = f"All outputs are {least} or more above the noise of their sensors."
         return Finding(name="noise", state="kept", sentence=sentence)
+    few = f"{len(noisy)} of {above_noise_db.size} outputs are less than {least} above the noise"
     return Finding(
         name="noise",
         state="left",
+        in_short=f"{few}.",
         sentence=(
-            f"{len(noisy)} of {above_noise_db.size} outputs are less than {least} above the noise "
-            f"of the measurement: {listed(noisy)}. Their levels are mostly noise; they are hatched "
-            "on the map."
+            f"{few} of the measurement: {listed(noisy)}. Their levels are mostly noise; they are "
+            "hatched on the map."
         ),
         mend="deselect",
         outputs=noisy,
@@ -157,6 +159,7 @@ def found_in_setup(*, synthetic: bool, scaling: Scaling, places: Sequence[int]) 
         Finding(
             name="limb",
             state="left" if synthetic else "kept",
+            in_short="Responses are computed from a model, not measured." if synthetic else "",
             sentence=(
                 "Responses of this limb are computed from a model of waves, not measured."
                 if synthetic
@@ -166,6 +169,11 @@ def found_in_setup(*, synthetic: bool, scaling: Scaling, places: Sequence[int]) 
         Finding(
             name="scaling",
             state="left" if hides else "kept",
+            in_short=(
+                "That some places carry less than others is hidden by this scaling."
+                if hides
+                else ""
+            ),
             sentence=(
                 "This scaling gives each input the same peak on the skin: that some places carry "
                 f"less than others is hidden{several}."
@@ -217,6 +225,7 @@ def _band(played: Sequence[_Drive], rate: float, band_hz: Band | None) -> Findin
     return Finding(
         name="band",
         state="left" if left else "kept",
+        in_short=f"{share:.0%} of the energy lies outside of the measured {band}." if left else "",
         sentence=f"{share:.0%} of the energy of what plays lies outside of the measured {band}"
         + ("; what the skin does there is not known." if left else "."),
         mend="band_limit" if left else "",
@@ -248,16 +257,15 @@ def _velocity(
         return Finding(name="drive", state="unknown", sentence=sentence)
     fastest = max((probe_velocity(one.samples, rate, lowest_hz) for one in played), default=0.0)
     left = fastest > LARGEST_VELOCITY_M_PER_S
+    moves = f"The probe moves at up to {fastest * _MM_PER_M:.3g} mm/s"
+    beyond = f"above {limit} the skin no longer answers in proportion."
     return Finding(
         name="drive",
         state="left" if left else "kept",
+        in_short=f"{moves}; {beyond}" if left else "",
         sentence=(
-            f"The probe moves at up to {fastest * _MM_PER_M:.3g} mm/s, from {lowest_hz:g} Hz on; "
-            + (
-                f"above {limit} the skin no longer answers in proportion."
-                if left
-                else f"up to {limit} the skin answers in proportion."
-            )
+            f"{moves}, from {lowest_hz:g} Hz on; "
+            + (beyond if left else f"up to {limit} the skin answers in proportion.")
         ),
         mend="quieter" if left else "",
         factor=LARGEST_VELOCITY_M_PER_S / fastest if left else 1.0,
@@ -276,6 +284,7 @@ def _spacing(played: Sequence[_Drive], rate: float, limit_hz: float | None) -> F
     return Finding(
         name="spacing",
         state="left" if left else "kept",
+        in_short=f"{share:.0%} of the energy {_GUESSED.format(limit_hz)}" if left else "",
         sentence=f"{share:.0%} of the energy of what plays lies above {limit_hz:g} Hz"
         + (
             ", where waves are too short for the spacing of the outputs: between them the map is a "

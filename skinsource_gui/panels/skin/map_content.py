@@ -51,6 +51,8 @@ class MapContent:
         Why there is no map; shown in its middle, instead of it.
     note
         What one should know about the map.
+    drawn_note
+        What of it stands in a picture: the caption below says the rest.
     outdated
         Whether something newer is being computed.
     """
@@ -73,6 +75,7 @@ class MapContent:
     synthetic: bool = False
     message: str = ""
     note: str = ""
+    drawn_note: str = ""
     outdated: bool = False
 
     def same_as(self, other: "MapContent") -> bool:
@@ -118,7 +121,11 @@ def px_per_mm_of(limb: Limb) -> float:
 
 def note_of(surface: SurfaceOperator | None, limb: Limb, match_gain: float) -> str:
     """What one should know about the map and about where its numbers come from."""
-    warnings = () if surface is None else surface.warnings
     said = (match_words(match_gain), f"{limb.note[:1].upper()}{limb.note[1:]}")
     first, last = (sentence(one) if one else "" for one in said)
-    return " ".join(part for part in (first, *warnings, last) if part)
+    return " ".join(part for part in (first, drawn_note_of(surface), last) if part)
+
+
+def drawn_note_of(surface: SurfaceOperator | None) -> str:
+    """What one should know about the map itself."""
+    return "" if surface is None else " ".join(surface.warnings)

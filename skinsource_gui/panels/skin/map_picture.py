@@ -6,7 +6,7 @@ from PySide6.QtCore import QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from skinsource.analysis.noise import LEAST_ABOVE_NOISE_DB
-from skinsource.choice_words import SCALINGS, limb_word, signal_words, word_of
+from skinsource.choice_words import limb_word, signal_words
 from skinsource.design import Design
 from skinsource.limb import LimbMap
 from skinsource.own_limbs import facts_of
@@ -56,8 +56,7 @@ def heading_of(design: Design | None, view: View, quantity: MapQuantity | None =
         band_hz = limb.band_hz
         if quantity.name == SENSATION and band_hz is not None:
             parts.append(f"{band_hz[0]:g} to {band_hz[1]:g} Hz")
-        scaling = word_of(SCALINGS, design.scaling).title.lower()
-        parts = [limb_word(design.limb).title, *parts, f"scaling: {scaling}"]
+        parts = [limb_word(design.limb).title, *parts]
     return Heading(title=quantity.heading, details=" · ".join(parts))
 
 

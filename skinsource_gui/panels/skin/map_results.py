@@ -10,7 +10,7 @@ from skinsource.view import View
 from skinsource_gui.panels.skin import still_values
 from skinsource_gui.panels.skin.inputs.marks import marks_of
 from skinsource_gui.panels.skin.map_choices import MapChoices
-from skinsource_gui.panels.skin.map_content import note_of, px_per_mm_of
+from skinsource_gui.panels.skin.map_content import drawn_note_of, note_of, px_per_mm_of
 from skinsource_gui.panels.skin.map_display import MapDisplay
 from skinsource_gui.panels.skin.map_quantity import STILL, MapQuantity
 from skinsource_gui.panels.skin.time.time_view import TimeView
@@ -138,6 +138,7 @@ class MapResults:
             limb="" if design is None else design.limb,
             px_per_mm=px_per_mm_of(limb),
             note=still_values.limits_and(note_of(surface, limb, results["match_gain"]), shown),
+            drawn_note=still_values.limits_and(drawn_note_of(surface), shown),
             outdated=False,
         )
 

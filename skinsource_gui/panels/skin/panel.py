@@ -24,6 +24,7 @@ from skinsource_gui.panels.skin.map_toolbar import MapToolbar
 from skinsource_gui.panels.skin.settings import SKIN
 from skinsource_gui.panels.skin.time.time_view import TimeView
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.widgets.pictures.caption import with_caption
 
 #: Width and height of a picture for which none is asked, px.
 PICTURE_PX = (1200, 1800)
@@ -105,7 +106,7 @@ class SkinPanel(Panel):
         self._display.set_stale(False)
         self._results.forget(reason)
         self._results.show_bare(self._design)
-        self._display.change(note="")
+        self._display.change(note="", drawn_note="")
         self._results.show_choice(self._design, self._view)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -138,15 +139,16 @@ class SkinPanel(Panel):
         """Draw the map for a page or a slide, with all that is needed to read it; size in px."""
         content = replace(self._display.content, outdated=False)
         heading = heading_of(self._design, self._view, content.quantity)
-        heading = replace(heading, note=content.note)
+        heading = replace(heading, note=content.drawn_note)
         family, seen = self.font().family(), self.map.stage.seen
         paint_picture(painter, QSizeF(width, height), content, heading, theme, family, seen)
 
     def picture(self, width: int, height: int, theme: Theme = LIGHT) -> QImage:
-        """What `draw_picture` draws, as pixels."""
+        """What `draw_picture` draws, as pixels, with the caption that the window gives."""
         image = QImage(width, height, QImage.Format.Format_RGB32)
         painter = QPainter(image)
-        self.draw_picture(painter, width, height, theme)
+        draw = with_caption(self.draw_picture, self.caption())
+        draw(painter, width, height, theme)
         painter.end()
         return image
 

@@ -3,8 +3,8 @@
 from collections.abc import Mapping
 from typing import Any, ClassVar
 
-from PySide6.QtCore import QEvent, QSize, Qt
-from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
@@ -35,13 +35,14 @@ from skinsource_gui.widgets.name_column import dress_table, give_names_the_rest
 class FigureTable(QTableView):
     """The table; the usual key copies all of it."""
 
+    copy_wanted = Signal()
+
     def event(self, event: QEvent) -> bool:
         return kept_from_shortcuts(event, _copies) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        model = self.model()
-        if _copies(event) and isinstance(model, TableModel):
-            QGuiApplication.clipboard().setText(tab_separated(model.rows))
+        if _copies(event):
+            self.copy_wanted.emit()
         else:
             super().keyPressEvent(event)
 
@@ -74,6 +75,7 @@ class StatisticsPanel(Panel):
         self._stack.addWidget(self.table)
         self.about = WordsLabel("statistics_about")
         self.copy = CopyButton(self.name, lambda: tab_separated(self.model.rows))
+        self.table.copy_wanted.connect(self.copy.click)
         self._lateness = Lateness(self)
         self._lateness.changed.connect(self._mark_late)
         self._lay_out()

@@ -175,7 +175,7 @@ class WindowedPanel(Panel):
         if content is not None:
             lines.append(content.time_phrases[0])
         if content is not None and content.synthetic:
-            lines.append("SYNTHETIC LIMB: computed responses, not measured ones")
+            lines.append("SYNTHETIC LIMB")
         return "\n".join(lines)
 
     def _show_view(self) -> None:

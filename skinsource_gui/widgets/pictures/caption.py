@@ -1,10 +1,11 @@
-"""What stands below a picture: the stimulus that it belongs to."""
+"""What stands below a picture: the stimulus that it belongs to, and what it is not good for."""
 
 import re
 from collections.abc import Callable, Sequence
 from functools import partial
+from math import ceil
 
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from skinsource.chain import amplitude_unit
@@ -23,17 +24,32 @@ from skinsource_gui.widgets.pictures.picture_file import Draw
 _MOST_CLIPS, _MOST_INPUTS = 3, 6
 # Height of its letters, as a part of the smaller side of the picture, and their limits, px.
 _PART, _SMALLEST_PX, _LARGEST_PX = 1 / 45, 8, 40
-# It takes at most this part of the height: where it needs more, its letters are smaller.
-_MOST_HEIGHT = 0.16
-_FLAGS = int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
+# It takes this part of the height, or its letters are smaller; as small as can be read it may take
+# the larger part, and where that is too little, they are smaller still.
+_PART_OF_HEIGHT, _MOST_OF_HEIGHT, _LEAST_PX = 0.16, 0.3, 5
 # Where a line may end: a number stays with its unit, and a unit is not broken at its slash.
 _BREAKS = re.compile(r"(?<!\d) | (?![^\W\d]|°)")
 
 
-def caption_of(design: Design, match_gain: float = 1.0) -> str:
+def caption_of(
+    design: Design,
+    match_gain: float = 1.0,
+    *,
+    limbs: Sequence[str] = (),
+    notes: Sequence[str] = (),
+) -> str:
     """The stimulus in words, and the limb: what is heard, where, how strong.
 
-    ``match_gain`` is that with which it is shown, see `View.match_gain`.
+    Parameters
+    ----------
+    design
+        What is played.
+    match_gain
+        With which it is shown, see `View.match_gain`.
+    limbs
+        Names of limbs on which something is shown beside the design's own.
+    notes
+        Sentences on these limbs, and on what it is not good for; see `skinsource.validity.judged`.
     """
     heard = audible_inputs(design.inputs)
     unit = amplitude_unit(design.scaling, design.actuated)
@@ -43,11 +59,13 @@ def caption_of(design: Design, match_gain: float = 1.0) -> str:
     stimulus = "; ".join(said) or "Silent: nothing is driven"
     title = f"{design.title}. " if design.title else ""
     scaling = word_of(SCALINGS, design.scaling).title.lower()
-    limb = limb_word(design.limb).title
+    titles = [limb_word(one).title for one in dict.fromkeys((design.limb, *limbs))]
+    limb = f"Limb{'s' if len(titles) > 1 else ''}: {', '.join(titles)}"
     driven = "" if design.actuated is None else f"; predicted through {design.actuated.words}"
     matched = match_words(match_gain)
     shown = f" {matched}." if matched else ""
-    return minus(f"{title}{stimulus}. Limb: {limb}; scaling: {scaling}{driven}.{shown}")
+    said_last = "".join(f" {one}" for one in notes)
+    return minus(f"{title}{stimulus}. {limb}; scaling: {scaling}{driven}.{shown}{said_last}")
 
 
 def lines_of(words: str, metrics: QFontMetricsF, room_px: float) -> list[str]:
@@ -63,8 +81,22 @@ def lines_of(words: str, metrics: QFontMetricsF, room_px: float) -> list[str]:
 
 
 def with_caption(draw: Draw, words: str) -> Draw:
-    """Return what draws a picture with ``words`` below."""
-    return partial(_draw, draw, words)
+    """Return what draws a picture with ``words`` below; without any, all of it is the picture."""
+    return partial(_draw, draw, words) if words else draw
+
+
+def caption_px(words: str, width: int, height: int) -> int:
+    """How much higher a page is than a picture of this size, so that ``words`` have room below."""
+    if not words:
+        return 0
+    font, more = QFont(), 0
+    for _ in range(2):
+        # Letters and edges grow with the page.
+        edge = _edge_px(width, height + more)
+        font.setPixelSize(_letters_px(width, height + more))
+        lines = lines_of(words, QFontMetricsF(font), width - 2 * edge)
+        more = ceil(_height(lines, font) + 1.5 * edge)
+    return more
 
 
 def _draw(
@@ -78,17 +110,20 @@ def _draw(
     lines, font, left, edge = _laid_out(words, painter.font(), width, height)
     painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
     painter.save()
-    draw(painter, width, left, theme)
+    draw(painter, width, left, theme=theme)
     painter.restore()
     painter.setFont(font)
     painter.setPen(QColor(theme.dim))
-    below = QRectF(edge, left + edge / 2, width - 2 * edge, height - left)
-    painter.drawText(below, _FLAGS, "\n".join(lines))
+    # Line by line: on a page of more dots lines of a text would stand a little further apart.
+    metrics = QFontMetricsF(font)
+    first = left + edge / 2 + metrics.ascent()
+    for row, line in enumerate(lines):
+        painter.drawText(QPointF(edge, first + row * metrics.lineSpacing()), line)
 
 
 def height_above(words: str, font: QFont, width: int, height: int) -> int:
     """What `with_caption` leaves of the height for the picture itself."""
-    return _laid_out(words, font, width, height)[2]
+    return _laid_out(words, font, width, height)[2] if words else height
 
 
 def _laid_out(
@@ -96,19 +131,27 @@ def _laid_out(
 ) -> tuple[list[str], QFont, int, float]:
     """Lines and letters of the caption, where it begins, and its edge; px."""
     font = QFont(font)
-    edge = 0.02 * min(width, height)
-    room = QRectF(edge, 0.0, width - 2 * edge, _MOST_HEIGHT * height)
-    pixels = min(max(round(min(width, height) * _PART), _SMALLEST_PX), _LARGEST_PX)
-    font.setPixelSize(pixels)
-    lines = lines_of(words, QFontMetricsF(font), room.width())
-    while _height(lines, font) > room.height() and font.pixelSize() > 4:
-        font.setPixelSize(font.pixelSize() - 1)
-        lines = lines_of(words, QFontMetricsF(font), room.width())
-    while _height(lines, font) > room.height() and len(words) > 1:
+    edge = _edge_px(width, height)
+    room_px = width - 2 * edge
+    font.setPixelSize(_letters_px(width, height))
+    lines = lines_of(words, QFontMetricsF(font), room_px)
+    for part, least_px in ((_PART_OF_HEIGHT, _SMALLEST_PX), (_MOST_OF_HEIGHT, _LEAST_PX)):
+        while _height(lines, font) > part * height and font.pixelSize() > least_px:
+            font.setPixelSize(font.pixelSize() - 1)
+            lines = lines_of(words, QFontMetricsF(font), room_px)
+    while _height(lines, font) > _MOST_OF_HEIGHT * height and len(words) > 1:
         words = f"{words[: int(0.9 * len(words)) - 1].rstrip('…')}…"
-        lines = lines_of(words, QFontMetricsF(font), room.width())
+        lines = lines_of(words, QFontMetricsF(font), room_px)
     left = max(int(height - _height(lines, font) - 1.5 * edge), 1)
     return lines, font, left, edge
+
+
+def _edge_px(width: float, height: float) -> float:
+    return 0.02 * min(width, height)
+
+
+def _letters_px(width: float, height: float) -> int:
+    return min(max(round(min(width, height) * _PART), _SMALLEST_PX), _LARGEST_PX)
 
 
 def _height(lines: Sequence[str], font: QFont) -> float:

@@ -1,9 +1,13 @@
 """Sizes of pictures for print and for the screen."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 #: Pixels in an inch of a page or a drawing, as in CSS.
 PER_INCH = 96
+
+#: Told width and height of a picture, px: how much higher a page is that has words below it.
+Below = Callable[[int, int], int]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -26,12 +30,16 @@ class Layout:
     height_in: float = 0.0
     dpi: int = 300
 
-    def size_px(self, usual: tuple[int, int]) -> tuple[int, int]:
-        """Width and height, px, of a picture that usually has the size ``usual``."""
+    def size_px(self, usual: tuple[int, int], below: Below | None = None) -> tuple[int, int]:
+        """Width and height, px, of a picture that usually has the size ``usual``.
+
+        Where the height follows from the picture, what stands ``below`` comes to it.
+        """
         width = round(self.width_in * PER_INCH)
         if self.height_in:
             return width, round(self.height_in * PER_INCH)
-        return width, max(round(width * usual[1] / usual[0]), 100)
+        height = max(round(width * usual[1] / usual[0]), 100)
+        return width, height + (0 if below is None else below(width, height))
 
 
 #: Columns are those of IEEE's journals; a poster's figure is as wide as a sheet of A3.

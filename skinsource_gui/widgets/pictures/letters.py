@@ -3,7 +3,8 @@
 from functools import partial
 from math import ceil
 
-from skinsource_gui.widgets.pictures.layouts import LAYOUTS, PER_INCH
+from skinsource_gui.widgets.pictures.caption import caption_px
+from skinsource_gui.widgets.pictures.layouts import LAYOUTS, PER_INCH, Below
 from skinsource_gui.widgets.pictures.picture_options import PictureOptions, Remark, RemarkOf
 from skinsource_gui.widgets.pictures.whole_picture import Letters, WholePicture
 
@@ -19,16 +20,20 @@ def letters_remark(picture: WholePicture) -> RemarkOf | None:
     letters_px, usual = picture.letters_px, picture.size_px
     if letters_px is None or usual is None:
         return None
-    return partial(_remark, letters_px, usual)
+    return partial(_remark, letters_px, usual, partial(caption_px, picture.caption))
 
 
-def _remark(letters_px: Letters, usual: tuple[int, int], options: PictureOptions) -> Remark:
+def _remark(
+    letters_px: Letters, usual: tuple[int, int], below: Below, options: PictureOptions
+) -> Remark:
     size_pt = _points(letters_px, options.width_px, options.height_px)
     if size_pt >= SMALLEST_PT:
         return Remark("")
     needed_px = ceil(options.width_px * SMALLEST_PT / size_pt / _ROUND_PX) * _ROUND_PX
     large = [
-        one.title for one in LAYOUTS if _points(letters_px, *one.size_px(usual)) >= SMALLEST_PT
+        one.title
+        for one in LAYOUTS
+        if _points(letters_px, *one.size_px(usual, below)) >= SMALLEST_PT
     ]
     choose = " or ".join((f"{needed_px} px", *large))
     return Remark(

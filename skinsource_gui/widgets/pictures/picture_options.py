@@ -14,7 +14,7 @@ from skinsource_gui.theme import LIGHT, THEMES, Theme, theme_of, theme_words
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.fields.number_typing import FINISHERS
-from skinsource_gui.widgets.pictures.layouts import LAYOUTS, OWN, PER_INCH, layout_of
+from skinsource_gui.widgets.pictures.layouts import LAYOUTS, OWN, PER_INCH, Below, layout_of
 
 LAYOUT = ChoiceSpec(
     label="For",
@@ -124,6 +124,10 @@ class PictureDialog(QDialog):
         Pixels that the longer side may have: the resolution of a layout is lowered to it.
     remark
         Says what else is to be known before it is written.
+    shape
+        Width and height that the picture usually has; those of ``options`` unless given.
+    below
+        Says how much higher a page is that has words below the picture.
 
     Attributes
     ----------
@@ -144,10 +148,12 @@ class PictureDialog(QDialog):
         kinds: str = "PNG, SVG or PDF",
         most_px: int | None = None,
         remark: RemarkOf | None = None,
+        shape: tuple[int, int] | None = None,
+        below: Below | None = None,
     ) -> None:
         super().__init__(parent)
         self.options, self._most_px, self._remark = options, most_px, remark
-        self._usual = options.width_px, options.height_px
+        self._usual, self._below = shape or (options.width_px, options.height_px), below
         self._cells: dict[str, FieldCell] = {}
         self.setWindowTitle(title)
         self._form = form = QFormLayout(self)
@@ -204,7 +210,7 @@ class PictureDialog(QDialog):
         changes: dict[str, Any] = {name: whole}
         layout = layout_of(str(value)) if name == "layout" else None
         if layout is not None:
-            width, height = layout.size_px(self._usual)
+            width, height = layout.size_px(self._usual, self._below)
             dpi = layout.dpi
             if self._most_px is not None:
                 dpi = min(dpi, self._most_px * PER_INCH // max(width, height))

@@ -20,6 +20,8 @@ class WholePicture:
     ----------
     draw
         Draws it, with a ``theme`` for its colours.
+    caption
+        The words below it, which are a part of what is drawn.
     size_px
         Width and height that it usually has; None: whoever wants it knows.
     seen
@@ -29,6 +31,7 @@ class WholePicture:
     """
 
     draw: Draw
+    caption: str = ""
     size_px: tuple[int, int] | None = None
     seen: object | None = None
     letters_px: Letters | None = None

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
 
-from skinsource.choice_words import SCALINGS, limb_word, signal_words, word_of
+from skinsource.choice_words import limb_word, signal_words
 from skinsource.comparing import match_words
 from skinsource.export.description import describe_levels, describe_played, describe_projection
 
@@ -42,18 +42,5 @@ def _lines(results: Mapping[str, Any], first: tuple[str, ...]) -> tuple[str, ...
 
 
 def heading_of(results: Mapping[str, Any]) -> tuple[str, ...]:
-    """Parts of the heading of a picture."""
-    played = results["inputs"]
-    parts: tuple[str, ...] = (
-        limb_word(results["limb"]).title,
-        signal_words(results["axes"], results["method"]),
-        f"scaling: {word_of(SCALINGS, results['scaling']).title.lower()}",
-        f"{len(played)} {'input' if len(played) == 1 else 'inputs'}",
-    )
-    if results["actuation"] is not None:
-        parts = (*parts, f"through {results['actuation'].words}")
-    matched = match_words(results["match_gain"])
-    if matched:
-        parts = (*parts, f"{matched[:1].lower()}{matched[1:]}")
-    note = results["limb_data"].note
-    return (*parts, note) if note else parts
+    """Parts of the heading of a picture: the caption below says what is played, and how."""
+    return limb_word(results["limb"]).title, signal_words(results["axes"], results["method"])

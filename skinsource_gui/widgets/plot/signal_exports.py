@@ -1,6 +1,6 @@
 """What a plot shows, taken elsewhere: a picture, or its numbers."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
 from skinsource.errors import SkinSourceError
+from skinsource_gui.widgets.pictures.caption import caption_px, with_caption
 from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
 from skinsource_gui.widgets.pictures.picture_options import PictureOptions, ask_picture_options
 from skinsource_gui.widgets.plot.plot import Plot
@@ -26,6 +27,8 @@ class SignalExports(QObject):
     ----------
     folder
         Where files are suggested.
+    caption, lines
+        Give what stands below a picture, and what else stands in the head of a table.
     """
 
     #: A file was written there, `Path`.
@@ -37,19 +40,25 @@ class SignalExports(QObject):
         super().__init__(parent)
         self._plot, self._title, self._parent = plot, title, parent
         self.folder = Path()
+        self.caption: Callable[[], str] = str
+        self.lines: Callable[[], Sequence[str]] = tuple
         self._options: PictureOptions | None = None
 
     def copy_picture(self) -> None:
         """Put a picture on the clipboard."""
         size, draw = usual_size(self._plot), partial(draw_signals, plot=self._plot)
-        picture = drawn_image(draw, size.width(), size.height())
+        words = self.caption()
+        height = size.height() + caption_px(words, size.width(), size.height())
+        picture = drawn_image(with_caption(draw, words), size.width(), height)
         QApplication.clipboard().setImage(picture)
 
     def save_picture(self) -> None:
         """Ask for size, colours and a file, and write a picture to it."""
         size = usual_size(self._plot)
         usual = PictureOptions(width_px=size.width(), height_px=size.height())
-        options = ask_picture_options(self._parent, self._options or usual)
+        words = self.caption()
+        page = {"shape": (size.width(), size.height()), "below": partial(caption_px, words)}
+        options = ask_picture_options(self._parent, self._options or usual, **page)
         if options is None:
             return
         path = self._ask("Save picture", f"{self._plot.objectName()}.png", _PICTURES)
@@ -57,7 +66,8 @@ class SignalExports(QObject):
             return
         # Who left the size as it was gets the plot as it will be then.
         self._options = None if replace(options, colours=usual.colours) == usual else options
-        draw = partial(draw_signals, plot=self._plot, theme=options.theme)
+        draw = with_caption(partial(draw_signals, plot=self._plot), words)
+        draw = partial(draw, theme=options.theme)
         width, height = options.width_px, options.height_px
         self._write(path, partial(save_drawing, path, draw, width, height, title=self._title))
 
@@ -65,7 +75,7 @@ class SignalExports(QObject):
         """Ask for a file, and write the curves to it as a table."""
         path = self._ask("Export data", f"{self._plot.objectName()}.csv", _TABLES)
         if path is not None:
-            self._write(path, partial(save_table, path, self._plot, self._title))
+            self._write(path, partial(save_table, path, self._plot, self._title, self.lines()))
 
     def _ask(self, title: str, name: str, kinds: str) -> Path | None:
         chosen, kind = QFileDialog.getSaveFileName(

@@ -1,5 +1,6 @@
 """The numbers of a plot as a table."""
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -18,8 +19,10 @@ _UNITS: dict[Kind, str] = {
 }
 
 
-def save_table(path: Path, plot: Plot, title: str) -> None:
+def save_table(path: Path, plot: Plot, title: str, lines: Sequence[str] = ()) -> None:
     """Write the curves of ``plot``: all samples, in SI, whatever is zoomed to.
+
+    ``lines`` are what else is to be known of them; nothing is said twice.
 
     Raises
     ------
@@ -38,6 +41,7 @@ def save_table(path: Path, plot: Plot, title: str) -> None:
         about.append(
             f"peaks in m/s²: {', '.join(f'{one.number}: {peak!r}' for one, peak in pairs)}"
         )
+    about.extend(line for line in lines if line not in about)
     if plot.words.synthetic:
         about.insert(1, "SYNTHETIC LIMB: computed responses, not measured ones")
     own = curves.columns or tuple(f"output_{name.number}_{unit}" for name in curves.names)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource import edits
+from skinsource import catalogue, edits
 from skinsource.edits import Edit, Refusal
 from skinsource.export import export_levels
 from skinsource.quantities import new_graph, sources
@@ -195,6 +195,15 @@ def test_numbers_are_listed_as_one_reads_them(numbers, words):
 def test_the_sidecar_of_a_stimulus_carries_the_conditions(tmp_path):
     path = tmp_path / "drive.wav"
     ss.export_stimulus(design_of(tone(400.0, 10.0)), path, "wav", 48000)
-    told = json.loads((tmp_path / "drive.wav.json").read_text())["validity"]
-    assert {one["condition"]: one["state"] for one in told}["spacing"] == "left"
-    assert about_validity(replace(design_of(), limb="nobody")) == []
+    told = json.loads((tmp_path / "drive.wav.json").read_text())
+    assert {one["condition"]: one["state"] for one in told["validity"]}["spacing"] == "left"
+    assert told["limb_note"] is None
+    nowhere = {"limb_note": None, "validity": []}
+    assert about_validity(replace(design_of(), limb="nobody")) == nowhere
+
+
+def test_the_sidecar_of_a_stimulus_carries_the_note_on_the_limb(monkeypatch):
+    limb = ss.load_limb("synthetic-1")
+    limb.note = "measured on a cold day"
+    monkeypatch.setattr(catalogue, "load_synthetic_limb", lambda number: limb)
+    assert about_validity(design_of())["limb_note"] == "measured on a cold day"

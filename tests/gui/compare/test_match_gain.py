@@ -61,9 +61,8 @@ def test_the_map_the_status_bar_and_captions_say_it(window, matched):
     note = window.findChild(object, "match_note")
     assert note.isVisible()
     assert note.text() == f"Shown {words}"
-    picture = window.pictures.picture_of("skin")
-    said = picture.draw.args[1]
-    assert said.endswith(f" Shown {words}: levels of snapshots matched.")
+    said = window.pictures.picture_of("skin").caption
+    assert said.count(f" Shown {words}: levels of snapshots matched.") == 1
 
 
 def test_switched_off_it_is_shown_as_stored_at_once_and_matched_again_when_switched_on(

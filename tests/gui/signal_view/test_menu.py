@@ -37,7 +37,9 @@ def save_to(monkeypatch, tmp_path):
 
     def answer(name, kind="", **options):
         monkeypatch.setattr(
-            signal_exports, "ask_picture_options", lambda _, usual: replace(usual, **options)
+            signal_exports,
+            "ask_picture_options",
+            lambda _, usual, **page: replace(usual, **options),
         )
         path = tmp_path / name
         monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), kind))
@@ -142,7 +144,7 @@ def test_size_and_colours_are_offered_again_and_none_is_no_picture(signals, save
     choose(signals, "Save picture")
     offered = []
     monkeypatch.setattr(
-        signal_exports, "ask_picture_options", lambda _, usual: offered.append(usual)
+        signal_exports, "ask_picture_options", lambda _, usual, **page: offered.append(usual)
     )
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: pytest.fail("not asked for"))
     choose(signals, "Save picture")

@@ -213,6 +213,7 @@ def test_a_film_has_its_stimulus_below_it_at_every_size(monkeypatch):
     frame = camera.frame(film, 0)
     assert frame.shape == (600, 400, 3)
     assert "Place 7" in seen[0]
+    assert seen[0].endswith(" Responses are computed from a model, not measured.")
     assert tuple(frame[1, 1]) == QColor(DARK.base).getRgb()[:3]
     # Its words, in the colour of words, at the foot.
     assert (np.abs(frame[-60:].astype(int) - frame[1, 1]).sum(axis=2) > 100).any()

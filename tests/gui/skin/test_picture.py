@@ -199,7 +199,9 @@ def test_a_limb_about_which_there_is_something_to_know_says_so_below_the_map(win
     assert "not the published" in window.panel.note.toolTip()
     QApplication.processEvents()
     assert window.panel.map.height() < without[0].height()
-    # What has no room below it is in its head, above the skin.
+    # Below a picture the caption says it, which the window gives.
+    assert window.panel.picture(400, 600) == without[1]
+    window.panel.caption = lambda: "Made from files that are not the published."
     assert window.panel.picture(400, 600) != without[1]
     window.deliver()
     assert window.panel.note.text() == " ".join(window.results["surface"].warnings)

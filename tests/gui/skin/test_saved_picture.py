@@ -50,9 +50,7 @@ def test_no_heading_is_cut(qtbot, size, words):
 def test_pictures_say_what_is_shown_over_what_and_of_whom(window):
     heading = heading_of(window.design, window.view)
     assert heading.title == "Skin acceleration, RMS over the whole record"
-    assert heading.details == (
-        "Synthetic 1 (175 mm) · x, y, z, principal axis · scaling: probe acceleration"
-    )
+    assert heading.details == "Synthetic 1 (175 mm) · x, y, z, principal axis"
 
 
 def test_pictures_say_what_strokes_mean_where_there_are_some(window, monkeypatch):

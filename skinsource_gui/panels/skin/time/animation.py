@@ -16,6 +16,7 @@ from skinsource.job import Progress, Stop, never, silent
 from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of
 from skinsource.rendering.in_time import block_of
+from skinsource.validity.judged import Judged, in_short
 from skinsource.view import View
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_picture import Heading, heading_of, paint_picture
@@ -94,7 +95,7 @@ class _Camera:
         self._exported, self._settings = exported, settings
         self._options = options or _usual_size()
         self.size = frame_size(self._options)
-        self._caption = caption_of(exported.design)
+        self._caption = _caption_of(exported)
         self._frames = Frames()
         self._family = QGuiApplication.font().family()
         interpolated = settings.map_style == "interpolated"
@@ -139,8 +140,7 @@ class _Camera:
         )
         heading = heading_of(self._exported.design, view, shown.quantity)
         pace = f"1/{film.slow_motion:g} of real time"
-        note = self._exported.limb.note
-        heading = replace(heading, details=f"{heading.details} · {pace}", note=note)
+        heading = replace(heading, details=f"{heading.details} · {pace}")
         self._draw(content, heading)
         rows, columns = self._image.height(), self._image.width()
         lines = np.frombuffer(self._image.constBits(), np.uint8)
@@ -171,3 +171,10 @@ class _Camera:
         block = block_of(view.playhead_s)
         found = self._exported.values({NEEDS[name]}, moving_block=block)
         self._frames.take(found, name, view)
+
+
+def _caption_of(exported: ExportedDesign) -> str:
+    """Stimulus, limb, and conditions of the measurement that are not kept."""
+    design, note, findings = exported.design, exported.limb.note, exported.value("validity")
+    judged = Judged(label=limb_word(design.limb).title, note=note, findings=findings)
+    return caption_of(design, notes=in_short([judged]))

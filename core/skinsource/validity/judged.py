@@ -1,0 +1,65 @@
+"""What goes with a result wherever it is taken: notes on its limbs, and conditions not kept."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from skinsource.quoting import sentence
+from skinsource.validity.finding import Findings, words_of
+
+_UNJUDGED = "whether conditions of the measurement are kept was not judged"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Judged:
+    """One of the designs that something shows.
+
+    Attributes
+    ----------
+    label
+        What it is called there, such as the title of its limb.
+    note
+        What there is to note of its limb; "" where there is nothing.
+    findings
+        Conditions of the measurement; None: they were not judged.
+    """
+
+    label: str
+    note: str = ""
+    findings: Findings | None = None
+
+
+def in_short(judged: Sequence[Judged]) -> tuple[str, ...]:
+    """Notes and conditions that are not kept, a short sentence each, for a caption."""
+    return _together(judged, _sentences)
+
+
+def in_full(judged: Sequence[Judged]) -> tuple[str, ...]:
+    """The same as lines for the head of a table, which name what is unknown too."""
+    return _together(judged, _lines)
+
+
+def _together(
+    judged: Sequence[Judged], said_of: Callable[[Judged], Sequence[str]]
+) -> tuple[str, ...]:
+    """What holds for all of them once, and what holds for some once, with which they are."""
+    labels_of: dict[str, list[str]] = {}
+    for one in judged:
+        for words in dict.fromkeys(said_of(one)):
+            labels_of.setdefault(words, []).append(one.label)
+    return tuple(
+        words if len(labels) == len(judged) else f"{', '.join(labels)}: {words}"
+        for words, labels in labels_of.items()
+    )
+
+
+def _sentences(one: Judged) -> list[str]:
+    note = [f"{one.note[:1].upper()}{one.note[1:]}"] if one.note else []
+    if one.findings is None:
+        return [sentence(words) for words in (*note, f"{_UNJUDGED[:1].upper()}{_UNJUDGED[1:]}")]
+    short = (found.in_short for found in one.findings if found.state == "left")
+    return [sentence(words) for words in (*note, *short) if words]
+
+
+def _lines(one: Judged) -> list[str]:
+    note = [f"NOTE on the limb: {one.note}"] if one.note else []
+    return note + ([f"validity: {_UNJUDGED}"] if one.findings is None else words_of(one.findings))

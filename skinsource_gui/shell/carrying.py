@@ -1,0 +1,97 @@
+"""What pictures and numbers carry out of the studio: stimulus, limbs, and conditions not kept."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+from skinsource.choice_words import short_limb_title
+from skinsource.comparing import EDITED, shown, together
+from skinsource.validity.judged import Judged, in_full, in_short
+from skinsource_gui.made_panels import MadePanels
+from skinsource_gui.panel import Panel
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.engine import Engine
+from skinsource_gui.state.judging import Judging
+from skinsource_gui.state.predicting import on_limb, sources_of_levels, sources_shown, too_large
+from skinsource_gui.widgets.copy_button import CopyButton
+from skinsource_gui.widgets.pictures.caption import caption_of
+from skinsource_gui.widgets.plot.signal_exports import SignalExports
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Shown:
+    """A design that a panel shows: what it is called there, and what evaluation starts from."""
+
+    label: str
+    given: Mapping[str, Any]
+    present: bool = False
+
+
+class Carrying:
+    """Says what goes with whatever is taken out of a panel, and hands that to all of its exits.
+
+    Parameters
+    ----------
+    document, engine
+        Whose design, and who judges it.
+    panels
+        Each of them is told once it is made; those that compare say with what.
+    """
+
+    def __init__(self, document: Document, engine: Engine, panels: MadePanels) -> None:
+        self._document, self._judging = document, Judging(engine)
+        panels.each(self._equip)
+
+    def caption(self, *panels: Panel) -> str:
+        """What stands below a picture of these panels."""
+        found = self._shown(panels)
+        design = self._document.design
+        return caption_of(
+            design,
+            self._document.view.match_gain(design),
+            limbs=tuple(one.given["limb"] for one in found),
+            notes=in_short(self._judged(found)),
+        )
+
+    def lines(self, *panels: Panel) -> tuple[str, ...]:
+        """What stands in a table of their numbers."""
+        return in_full(self._judged(self._shown(panels)))
+
+    def _equip(self, panel: Panel) -> None:
+        caption, lines = partial(self.caption, panel), partial(self.lines, panel)
+        panel.caption = caption
+        for exports in panel.findChildren(SignalExports):
+            exports.caption, exports.lines = caption, lines
+        for button in panel.findChildren(CopyButton):
+            button.lines = lines
+
+    def _judged(self, found: Sequence[_Shown]) -> list[Judged]:
+        return [
+            Judged(label=one.label)
+            if too_large(one.given["limb"])
+            else self._judging.judge(one.label, one.given, present=one.present)
+            for one in found
+        ]
+
+    def _shown(self, panels: Sequence[Panel]) -> list[_Shown]:
+        """The design in the window, then others that the panels show beside it."""
+        design, view = self._document.design, self._document.view
+        label, found = short_limb_title(design.limb), list[_Shown]()
+        beside = dict.fromkeys(limb for panel in panels for limb in panel.needs_on_limbs)
+        for limb in beside:
+            asked = None if limb == design.limb else on_limb(design, view, limb)
+            if asked is not None and not isinstance(asked, str):
+                given = sources_of_levels(*asked, match_gain=view.match_gain(design))
+                found.append(_Shown(label=short_limb_title(limb), given=given))
+        snapshots = together(view.snapshots, design)
+        if len(snapshots) > 1 and any(panel.needs_of_snapshots for panel in panels):
+            here = shown(snapshots, design)
+            for one in sorted(snapshots, key=lambda one: one.number):
+                words = "Edited" if one.number == EDITED else f"Snapshot {one.number}"
+                if here is not None and one.number == here.number:
+                    label = words
+                else:
+                    given = sources_of_levels(one.design, view)
+                    found.append(_Shown(label=words, given=given))
+        return [_Shown(label=label, given=sources_shown(design, view), present=True), *found]

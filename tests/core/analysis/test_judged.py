@@ -1,0 +1,54 @@
+"""What goes with a result wherever it is taken."""
+
+import pytest
+
+import skinsource as ss
+from skinsource.evaluation import evaluate
+from skinsource.validity import Finding
+from skinsource.validity.judged import Judged, in_full, in_short
+
+FAST = Finding(name="drive", state="left", sentence="Fast, and more.", in_short="Fast.")
+UNKNOWN = Finding(name="noise", state="unknown", sentence="Nobody knows")
+KEPT = Finding(name="band", state="kept", sentence="Fine.")
+NOTE = "made from other files"
+
+
+def test_notes_and_what_is_not_kept_are_said_in_short_and_what_is_unknown_only_in_full():
+    one = Judged(label="A", note=NOTE, findings=(FAST, UNKNOWN, KEPT))
+    assert in_short([one]) == ("Made from other files.", "Fast.")
+    assert in_full([one]) == (
+        "NOTE on the limb: made from other files",
+        "validity, drive: CAUTION: Fast, and more.",
+        "validity, noise: unknown: Nobody knows",
+    )
+    assert in_short([Judged(label="A", findings=(KEPT,))]) == ()
+
+
+def test_what_holds_for_several_is_said_once_with_who_they_are_and_for_all_without():
+    several = [
+        Judged(label="A", note=NOTE, findings=(FAST,)),
+        Judged(label="B", findings=(FAST,)),
+        Judged(label="C", note=NOTE, findings=(FAST,)),
+    ]
+    assert in_short(several) == ("A, C: Made from other files.", "Fast.")
+    several[1] = Judged(label="B", findings=(KEPT,))
+    assert in_short(several) == ("A, C: Made from other files.", "A, C: Fast.")
+
+
+def test_what_was_not_judged_says_so():
+    words = "hether conditions of the measurement are kept was not judged"
+    assert in_short([Judged(label="A")]) == (f"W{words}.",)
+    assert in_full([Judged(label="A")]) == (f"validity: w{words}",)
+
+
+@pytest.mark.parametrize("scaling", ["probe", "upstream"])
+def test_each_condition_that_is_not_kept_has_short_words_and_no_other(scaling):
+    waveforms = ss.waveforms.Tone(frequency_hz=400.0), ss.waveforms.Tone(frequency_hz=10.0)
+    inputs = tuple(ss.track(place, one, amplitude=90.0) for place, one in enumerate(waveforms, 7))
+    design = ss.Design(limb="synthetic-1", scaling=scaling, inputs=inputs)
+    found = evaluate(design, "validity")["validity"]
+    left = {one.name for one in found if one.state == "left"}
+    assert left >= {"band", "spacing", "limb", "drive" if scaling == "probe" else "scaling"}
+    for one in found:
+        assert bool(one.in_short) == (one.state == "left")
+        assert len(one.in_short) <= min(len(one.sentence) + 20, 100)

@@ -1,0 +1,144 @@
+"""Pictures and numbers that leave the studio say what they are not good for, whoever draws them."""
+
+import re
+from dataclasses import replace
+
+import pytest
+from PySide6.QtWidgets import QApplication
+
+import skinsource as ss
+from skinsource_gui.shell.panels import PANELS
+from skinsource_gui.widgets.copy_button import CopyButton
+from skinsource_gui.widgets.pictures.caption import caption_px, with_caption
+from skinsource_gui.widgets.pictures.layouts import LAYOUTS
+from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
+from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT
+from tests.gui.pages_of_paper import Paper
+
+#: Too fast, too high, and on a synthetic limb.
+DESIGN = ss.Design(
+    limb="synthetic-1",
+    inputs=(ss.track(7, ss.waveforms.Tone(frequency_hz=400.0, duration_s=0.1), amplitude=500.0),),
+)
+SAID = (
+    "The probe moves at up to",
+    "above 40 mm/s the skin no longer answers in proportion.",
+    "of the energy lies above 300 Hz: between outputs the map is a guess.",
+    "Responses are computed from a model, not measured.",
+)
+EVERY = (*(spec.panel.name for spec in PANELS), ALL_IN_SIGHT)
+
+
+@pytest.fixture
+def window(make_window):
+    return make_window(DESIGN)
+
+
+def drawn(window, name, path, size=(900, 700)):
+    """Words of a picture as a file, as they are searched for."""
+    save_drawing(path, window.pictures.picture_of(name).draw, *size)
+    words = re.sub(r"<[^>]+>", " ", path.read_text("utf-8"))
+    return re.sub(r"\s+", " ", words.replace("\N{NO-BREAK SPACE}", " "))
+
+
+@pytest.mark.parametrize("name", EVERY)
+def test_below_each_panel_stands_once_each_condition_that_is_not_kept(window, tmp_path, name):
+    words = drawn(window, name, tmp_path / "a.svg")
+    assert {one: words.count(one) for one in SAID} == dict.fromkeys(SAID, 1)
+    assert "Tone 400 Hz" in words
+    assert "Limb" in words
+
+
+def test_a_page_has_the_words_of_its_caption_too(window, tmp_path):
+    save_drawing(tmp_path / "a.pdf", window.pictures.picture_of("statistics").draw, 900, 700)
+    text = Paper(tmp_path / "a.pdf").text().replace(" ", "")
+    assert "betweenoutputsthemapisaguess" in text
+    assert "Responsesarecomputedfromamodel" in text
+
+
+def test_what_is_kept_is_not_said(make_window, tmp_path):
+    quiet = replace(DESIGN, inputs=(ss.track(7, ss.waveforms.Tone(frequency_hz=100.0)),))
+    window = make_window(quiet)
+    words = drawn(window, "windowed", tmp_path / "a.svg")
+    assert "The probe moves" not in words
+    assert "300 Hz" not in words
+    assert "Responses are computed from a model" in words
+
+
+def test_another_scaling_says_what_it_hides(make_window):
+    window = make_window(replace(DESIGN, scaling="upstream"))
+    caption = window.pictures.picture_of("windowed").caption
+    assert "That some places carry less than others is hidden by this scaling." in caption
+
+
+def test_each_limb_of_a_comparison_is_named_with_what_there_is_to_note_of_it(window, monkeypatch):
+    notes = {"synthetic-1": "", "synthetic-2": "made anew", "synthetic-3": "made anew"}
+    judge = window.pictures._carrying._judging.judge
+    monkeypatch.setattr(
+        window.pictures._carrying._judging,
+        "judge",
+        lambda label, given, *, present: replace(
+            judge(label, given, present=present), note=notes.get(given["limb"], "")
+        ),
+    )
+    caption = window.pictures.picture_of("side_by_side").caption
+    assert "Limbs: Synthetic 1 (175 mm), Synthetic 2" in caption
+    assert "Synthetic 2, Synthetic 3: Made anew." in caption
+    assert caption.count("Responses are computed") == 1
+    assert "Limb: Synthetic 1 (175 mm);" in window.pictures.picture_of("windowed").caption
+
+
+def test_snapshots_that_do_not_keep_a_condition_are_named_with_it(window, settle):
+    window.do("store_snapshot_1")
+    window.document.edit("Softer", DESIGN.with_input(0, amplitude=1.0))
+    settle()
+    caption = window.pictures.picture_of("compare").caption
+    assert "Snapshot 1: The probe moves at up to" in caption
+    assert "The probe moves" not in window.pictures.picture_of("windowed").caption
+
+
+@pytest.mark.parametrize("layout", LAYOUTS, ids=lambda one: one.name)
+def test_no_layout_gives_a_picture_less_room_for_its_caption(window, layout):
+    picture = window.pictures.picture_of("windowed")
+    usual = picture.size_px or (1600, 1100)
+    seen = []
+    below = 0 if layout.height_in else caption_px(picture.caption, *layout.size_px(usual))
+    width, height = layout.size_px(usual)
+
+    def draw(painter, wide, high, **_):
+        seen.append((wide, high))
+
+    drawn_image(with_caption(draw, picture.caption), width, height + below)
+    assert seen[0][0] == width
+    assert seen[0][1] >= (0.8 * height if layout.height_in else height)
+
+
+def test_copied_numbers_are_followed_by_what_they_are_not_good_for(window, qtbot):
+    window.docks["statistics"].bring_forward()
+    panel = window.panel("statistics")
+    qtbot.waitUntil(lambda: len(panel.model.rows) > 0, timeout=30_000)
+    [button] = panel.findChildren(CopyButton)
+    button.click()
+    *_, last = lines = QApplication.clipboard().text().splitlines()
+    assert lines[0].startswith("output\t")
+    about = [line for line in lines if line.startswith("# ")]
+    assert any(line.startswith("# validity, drive: CAUTION: The probe moves") for line in about)
+    assert last in about
+
+
+def test_numbers_of_a_plot_have_each_note_once(window, tmp_path, monkeypatch):
+    exports = window.panel("traces")._plot.exports
+    path = tmp_path / "a.csv"
+    monkeypatch.setattr(exports, "_ask", lambda *_: path)
+    exports.save_data()
+    head = [line for line in path.read_text("utf-8").splitlines() if line.startswith("#")]
+    assert sum("validity, spacing: CAUTION" in line for line in head) == 1
+    assert len(head) == len(set(head))
+
+
+def test_a_copied_picture_has_its_caption(window, qapp):
+    exports = window.panel("traces")._plot.exports
+    with_words = (exports.copy_picture(), QApplication.clipboard().image())[1]
+    exports.caption = str
+    exports.copy_picture()
+    assert with_words.height() > QApplication.clipboard().image().height()
