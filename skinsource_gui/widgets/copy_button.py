@@ -29,7 +29,10 @@ class CopyButton(QToolButton):
         self.lines: Callable[[], Sequence[str]] = tuple
         self.setObjectName(f"{panel}_copy")
         self.setText("Copy")
-        self.setToolTip("Copy the numbers as a table, with tabs between the columns")
+        self.setToolTip(
+            "Copy the numbers as a table, with tabs between the columns; lines that begin with # "
+            "say what to know of them"
+        )
         self.setAccessibleName("Copy numbers")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.clicked.connect(self._copy)

@@ -20,7 +20,10 @@ class Finding:
     sentence
         What was found, and what it means.
     in_short
-        The same where there is little room, as below a picture; "" where it is not left.
+        The same where there is little room, as below a picture; "" where it is not left.  In place
+        of its number stands a field such as ``"{:.0%}"``: of several designs it is a range.
+    number
+        That number; None where there is none.
     mend
         Name of what would mend it: ``"quieter"``, ``"band_limit"``,
         ``"probe_scaling"``, ``"deselect"``; "" where nothing does.
@@ -34,6 +37,7 @@ class Finding:
     state: State
     sentence: str
     in_short: str = ""
+    number: float | None = None
     mend: str = ""
     factor: float = 1.0
     outputs: tuple[int, ...] = ()

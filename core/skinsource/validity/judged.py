@@ -1,11 +1,13 @@
 """What goes with a result wherever it is taken: notes on its limbs, and conditions not kept."""
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from skinsource.quoting import sentence
 from skinsource.validity.finding import Findings, words_of
 
+_FIELD = re.compile(r"(\{:[^}]*\})")
 _UNJUDGED = "whether conditions of the measurement are kept was not judged"
 
 
@@ -29,35 +31,53 @@ class Judged:
 
 
 def in_short(judged: Sequence[Judged]) -> tuple[str, ...]:
-    """Notes and conditions that are not kept, a short sentence each, for a caption."""
-    return _together(judged, _sentences)
+    """Notes and conditions that are not kept, a short sentence each, for a caption.
+
+    Where numbers differ between designs, the smallest and the largest are told.
+    """
+    numbers: dict[str, list[float]] = {}
+    for one in judged:
+        for found in one.findings or ():
+            if found.number is not None:
+                numbers.setdefault(found.in_short, []).append(found.number)
+    said = _together(judged, _sentences)
+    return tuple(
+        sentence(whose + (_with_range(words, numbers[words]) if words in numbers else words))
+        for whose, words in said
+    )
 
 
 def in_full(judged: Sequence[Judged]) -> tuple[str, ...]:
     """The same as lines for the head of a table, which name what is unknown too."""
-    return _together(judged, _lines)
+    return tuple(f"{whose}{words}" for whose, words in _together(judged, _lines))
 
 
 def _together(
     judged: Sequence[Judged], said_of: Callable[[Judged], Sequence[str]]
-) -> tuple[str, ...]:
+) -> list[tuple[str, str]]:
     """What holds for all of them once, and what holds for some once, with which they are."""
     labels_of: dict[str, list[str]] = {}
     for one in judged:
         for words in dict.fromkeys(said_of(one)):
             labels_of.setdefault(words, []).append(one.label)
-    return tuple(
-        words if len(labels) == len(judged) else f"{', '.join(labels)}: {words}"
+    return [
+        ("" if len(labels) == len(judged) else f"{', '.join(labels)}: ", words)
         for words, labels in labels_of.items()
-    )
+    ]
+
+
+def _with_range(words: str, numbers: Sequence[float]) -> str:
+    """The words with their number; with two where numbers look different."""
+    before, field, after = _FIELD.split(words, maxsplit=1)
+    ends = dict.fromkeys(field.format(one) for one in (min(numbers), max(numbers)))
+    return f"{before}{' to '.join(ends)}{after}"
 
 
 def _sentences(one: Judged) -> list[str]:
     note = [f"{one.note[:1].upper()}{one.note[1:]}"] if one.note else []
     if one.findings is None:
-        return [sentence(words) for words in (*note, f"{_UNJUDGED[:1].upper()}{_UNJUDGED[1:]}")]
-    short = (found.in_short for found in one.findings if found.state == "left")
-    return [sentence(words) for words in (*note, *short) if words]
+        return [*note, f"{_UNJUDGED[:1].upper()}{_UNJUDGED[1:]}"]
+    return [*note, *(found.in_short for found in one.findings if found.in_short)]
 
 
 def _lines(one: Judged) -> list[str]:

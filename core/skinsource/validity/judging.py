@@ -127,14 +127,15 @@ def found_in_outputs(above_noise_db: Floats | None, *, synthetic: bool, silent: 
     if not noisy:
         sentence = f"All outputs are {least} or more above the noise of their sensors."
         return Finding(name="noise", state="kept", sentence=sentence)
-    few = f"{len(noisy)} of {above_noise_db.size} outputs are less than {least} above the noise"
+    few = f"{above_noise_db.size} outputs are less than {least} above the noise"
     return Finding(
         name="noise",
         state="left",
-        in_short=f"{few}.",
+        in_short=f"{{:.0f}} of {few}.",
+        number=len(noisy),
         sentence=(
-            f"{few} of the measurement: {listed(noisy)}. Their levels are mostly noise; they are "
-            "hatched on the map."
+            f"{len(noisy)} of {few} of the measurement: {listed(noisy)}. Their levels are mostly "
+            "noise; they are hatched on the map."
         ),
         mend="deselect",
         outputs=noisy,
@@ -225,7 +226,8 @@ def _band(played: Sequence[_Drive], rate: float, band_hz: Band | None) -> Findin
     return Finding(
         name="band",
         state="left" if left else "kept",
-        in_short=f"{share:.0%} of the energy lies outside of the measured {band}." if left else "",
+        in_short=f"{{:.0%}} of the energy lies outside of the measured {band}." if left else "",
+        number=share if left else None,
         sentence=f"{share:.0%} of the energy of what plays lies outside of the measured {band}"
         + ("; what the skin does there is not known." if left else "."),
         mend="band_limit" if left else "",
@@ -257,14 +259,15 @@ def _velocity(
         return Finding(name="drive", state="unknown", sentence=sentence)
     fastest = max((probe_velocity(one.samples, rate, lowest_hz) for one in played), default=0.0)
     left = fastest > LARGEST_VELOCITY_M_PER_S
-    moves = f"The probe moves at up to {fastest * _MM_PER_M:.3g} mm/s"
+    moves, speed = "The probe moves at up to {:.3g} mm/s", fastest * _MM_PER_M
     beyond = f"above {limit} the skin no longer answers in proportion."
     return Finding(
         name="drive",
         state="left" if left else "kept",
         in_short=f"{moves}; {beyond}" if left else "",
+        number=speed if left else None,
         sentence=(
-            f"{moves}, from {lowest_hz:g} Hz on; "
+            f"{moves.format(speed)}, from {lowest_hz:g} Hz on; "
             + (beyond if left else f"up to {limit} the skin answers in proportion.")
         ),
         mend="quieter" if left else "",
@@ -284,7 +287,8 @@ def _spacing(played: Sequence[_Drive], rate: float, limit_hz: float | None) -> F
     return Finding(
         name="spacing",
         state="left" if left else "kept",
-        in_short=f"{share:.0%} of the energy {_GUESSED.format(limit_hz)}" if left else "",
+        in_short=f"{{:.0%}} of the energy {_GUESSED.format(limit_hz)}" if left else "",
+        number=share if left else None,
         sentence=f"{share:.0%} of the energy of what plays lies above {limit_hz:g} Hz"
         + (
             ", where waves are too short for the spacing of the outputs: between them the map is a "

@@ -8,6 +8,12 @@ from skinsource.validity import Finding
 from skinsource.validity.judged import Judged, in_full, in_short
 
 FAST = Finding(name="drive", state="left", sentence="Fast, and more.", in_short="Fast.")
+HALF, MOST = (
+    Finding(
+        name="band", state="left", sentence="Some.", in_short="It is {:.0%} outside.", number=share
+    )
+    for share in (0.5, 0.9)
+)
 UNKNOWN = Finding(name="noise", state="unknown", sentence="Nobody knows")
 KEPT = Finding(name="band", state="kept", sentence="Fine.")
 NOTE = "made from other files"
@@ -35,6 +41,17 @@ def test_what_holds_for_several_is_said_once_with_who_they_are_and_for_all_witho
     assert in_short(several) == ("A, C: Made from other files.", "A, C: Fast.")
 
 
+def test_numbers_that_differ_between_designs_are_a_range():
+    several = [Judged(label="A", findings=(MOST,)), Judged(label="B", findings=(HALF,))]
+    assert in_short(several) == ("It is 50% to 90% outside.",)
+    assert in_short([*several, Judged(label="C", findings=())]) == (
+        "A, B: It is 50% to 90% outside.",
+    )
+    assert in_short(several[:1]) == ("It is 90% outside.",)
+    # A note may hold anything.
+    assert in_short([Judged(label="A", note="a {:.0%} b", findings=())]) == ("A {:.0%} b.",)
+
+
 def test_what_was_not_judged_says_so():
     words = "hether conditions of the measurement are kept was not judged"
     assert in_short([Judged(label="A")]) == (f"W{words}.",)
@@ -51,4 +68,8 @@ def test_each_condition_that_is_not_kept_has_short_words_and_no_other(scaling):
     assert left >= {"band", "spacing", "limb", "drive" if scaling == "probe" else "scaling"}
     for one in found:
         assert bool(one.in_short) == (one.state == "left")
-        assert len(one.in_short) <= min(len(one.sentence) + 20, 100)
+        assert (one.number is None) == ("{" not in one.in_short)
+        assert len(one.in_short) <= 100
+    short = " ".join(in_short([Judged(label="A", findings=found)]))
+    assert "{" not in short
+    assert " of the energy lies above 300 Hz" in short
