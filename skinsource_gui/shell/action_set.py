@@ -64,7 +64,9 @@ class ActionSet(QObject):
                 self.by_name[spec.name].setChecked(spec.checked(design, view))
 
     def _action(self, spec: ActionSpec, capabilities: Capabilities, window: QWidget) -> QAction:
-        action = QAction(spec.text, window)
+        # What follows a tab, a menu shows in its column of keys, and nothing is done by it.
+        beside = f"\t{spec.key_elsewhere}" if spec.key_elsewhere else ""
+        action = QAction(f"{spec.text}{beside}", window)
         action.setObjectName(spec.name)
         if spec.short:
             action.setIconText(spec.short)

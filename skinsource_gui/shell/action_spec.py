@@ -32,6 +32,8 @@ class ActionSpec:
         What it does, in a sentence.
     keys
         Shortcuts, first the one that is shown.
+    key_elsewhere
+        The key that does it where that belongs to a panel: said beside it in the menu.
     keywords
         Other words by which the palette finds it.
     command
@@ -55,6 +57,7 @@ class ActionSpec:
     text: str
     hint: str
     keys: tuple[str, ...] = ()
+    key_elsewhere: str = ""
     submenu: str = ""
     short: str = ""
     keywords: str = ""

@@ -81,7 +81,7 @@ class Palette(QDialog):
     def _narrow(self, letters: str) -> None:
         self.list.clear()
         for action in matching([one for one in self._actions if one.isEnabled()], letters):
-            item = QListWidgetItem(action.text())
+            item = QListWidgetItem(_words(action))
             item.setToolTip(action.toolTip())
             item.setData(Qt.ItemDataRole.UserRole, action)
             self.list.addItem(item)
@@ -148,7 +148,9 @@ def _state_and_keys(index: QModelIndex | QPersistentModelIndex) -> str:
     if action is None:
         return ""
     state = "on   " if action.isCheckable() and action.isChecked() else ""
-    return state + str(action.shortcut().toString(QKeySequence.SequenceFormat.NativeText))
+    keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+    # That of a panel, which its menu has after its name.
+    return state + str(keys or action.text().partition("\t")[2])
 
 
 def matching(actions: Sequence[QAction], letters: str) -> list[QAction]:
@@ -159,20 +161,25 @@ def matching(actions: Sequence[QAction], letters: str) -> list[QAction]:
     only where there is neither, those that say them scattered.  What only explains comes last.
     """
     typed = letters.strip().lower()
-    besides = [one for one in actions if one.property(BESIDES) and typed in one.text().lower()]
+    besides = [one for one in actions if one.property(BESIDES) and typed in _words(one).lower()]
     actions = [one for one in actions if not one.property(BESIDES)]
-    said = [one for one in actions if typed in one.text().lower()]
+    said = [one for one in actions if typed in _words(one).lower()]
     meant = [one for one in actions if one not in said and _is_keyword(one, typed)]
     if not (said or meant or besides):
-        scores = ((one, score(letters, one.text())) for one in actions)
+        scores = ((one, score(letters, _words(one))) for one in actions)
         gaps = {one: gap for one, gap in scores if gap is not None}
         return sorted(gaps, key=lambda one: gaps[one])
     return [*sorted(said, key=lambda one: _nearness(one, typed)), *meant, *besides]
 
 
+def _words(action: QAction) -> str:
+    """What an action is called; its menu may have a key after that."""
+    return action.text().partition("\t")[0]
+
+
 def _nearness(action: QAction, typed: str) -> tuple[int, int]:
     """How near the name of an action is to what is typed; the least is the nearest."""
-    text = action.text().lower().rstrip("…")
+    text = _words(action).lower().rstrip("…")
     # "Show panel: Library" is called "Library" by who looks for it.
     name = text.rpartition(": ")[2]
     place = text.find(typed)

@@ -41,6 +41,7 @@ class Reports(QObject):
         self._impossible = ""
         self._said_of: Design = document.design
         document.changed.connect(self._forget_outdated)
+        document.told.connect(self.report)
         document.title_changed.connect(status_bar.clearMessage)
 
     def complain(self, reason: str) -> None:

@@ -40,6 +40,8 @@ class Document(QObject):
     title_changed = Signal()
     #: Why an edit was not made, in one sentence.
     refused = Signal(str)
+    #: What an edit that was made says of itself.
+    told = Signal(str)
 
     def __init__(self, design: Design, view: View | None = None, parent: QObject | None = None):
         super().__init__(parent)
@@ -113,6 +115,8 @@ class Document(QObject):
         else:
             self.undo_stack.push(Swap(self, outcome.label, before, after, gesture))
             self.settled.emit()
+        if outcome.said:
+            self.told.emit(outcome.said)
 
     def edit(self, label: str, design: Design, gesture: int | None = None) -> None:
         """Replace the design, as `apply` does."""

@@ -68,7 +68,8 @@ def test_every_action_of_the_table_stands_in_its_menu_under_its_words(window):
     for spec in ACTIONS:
         action = window.actions_by_name[spec.name]
         assert action in menus[spec.submenu or spec.menu].actions(), spec.name
-        assert action.text() == spec.text or spec.name in ("undo", "redo")
+        words = action.text().partition("\t")[0]
+        assert words == spec.text or spec.name in ("undo", "redo")
         assert spec.hint in action.toolTip()
         assert [keys.toString() for keys in action.shortcuts()] == [
             QKeySequence(keys).toString() for keys in spec.keys

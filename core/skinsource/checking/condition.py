@@ -111,6 +111,11 @@ def condition_of(
     )
     if recorded is None:
         return found
+    if not field.any():
+        raise InvalidInputError(
+            f"{name}: what is predicted of it is silent throughout, so there is nothing to compare "
+            "a recording with. Let it play something, or check it without a recording."
+        )
     progress(2, 3, f"Reading {recorded.path.name}")
     measured = _read(recorded, limb, len(chosen), process, stop)
     shifted, shift = aligned(measured, field, round(_MOST_SHIFT_S * limb.sample_rate_hz))

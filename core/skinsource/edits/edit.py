@@ -21,11 +21,14 @@ class Edit:
         What was done, as the history names it: "Mute input at 7 (II pad)".
     design, view
         What there is afterwards.
+    said
+        What is told once it is done, of what may not be seen.
     """
 
     label: str
     design: Design
     view: View
+    said: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

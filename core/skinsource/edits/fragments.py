@@ -67,10 +67,28 @@ def paste_fragment(design: Design, view: View, fragment: Fragment, at_s: float) 
 
     Of several selected tracks the uppermost counts: what was copied from them goes back to them.
     Lanes for which there is no track below get a new one, at the place that they came from; and so
-    do all of them where no track is selected.
+    do all of them where no track is selected.  How many and when is told: a clip that lies exactly
+    on its original cannot be seen.
     """
-    words = f"Paste {_words(sum(len(lane.clips) for lane in fragment.lanes))}"
-    return _put_in(design, view, fragment, at_s, words, _selected_place(design, view))
+    count = sum(len(lane.clips) for lane in fragment.lanes)
+    found = _put_in(
+        design, view, fragment, at_s, f"Paste {_words(count)}", _selected_place(design, view)
+    )
+    if isinstance(found, Refusal):
+        return found
+    clips = "1 clip" if count == 1 else f"{count} clips"
+    over = ", on top of what was copied" if _lies_on_its_like(found.design, design) else ""
+    return replace(found, said=f"{clips} pasted at {at_s * 1e3:.6g} ms{over}")
+
+
+def _lies_on_its_like(after: Design, before: Design) -> bool:
+    """Whether a clip that is new has an equal one on its track, at the same time."""
+    old = {one.id for one in before.clips}
+    for track in after.inputs:
+        alike = [replace(one, id=0) for one in track.clips if one.id in old]
+        if any(replace(one, id=0) in alike for one in track.clips if one.id not in old):
+            return True
+    return False
 
 
 def place_fragment(

@@ -24,6 +24,7 @@ CLIPBOARD: tuple[ActionSpec, ...] = (
         "Cut clips",
         _hint("Move the selected clips to the clipboard", "cut"),
         command="clips.cut",
+        key_elsewhere=key_text("timeline", "cut"),
         enabled=_has_clips,
         keywords="clipboard remove move",
         separated=True,
@@ -34,6 +35,7 @@ CLIPBOARD: tuple[ActionSpec, ...] = (
         "Copy clips",
         _hint("Put the selected clips on the clipboard", "copy"),
         command="clips.copy",
+        key_elsewhere=key_text("timeline", "copy"),
         enabled=_has_clips,
         keywords="clipboard",
     ),
@@ -43,6 +45,7 @@ CLIPBOARD: tuple[ActionSpec, ...] = (
         "Paste clips at playhead",
         _hint("Put the clips of the clipboard at the playhead", "paste"),
         command="clips.paste",
+        key_elsewhere=key_text("timeline", "paste"),
         keywords="clipboard insert",
     ),
 )

@@ -10,7 +10,7 @@ from skinsource.checking import Recorded, condition_of
 from skinsource.choice_words import SCALINGS, word_of
 from skinsource.commands.command_line import main
 from skinsource.design_file import save_design
-from skinsource.errors import RecordingError
+from skinsource.errors import InvalidInputError, RecordingError
 from skinsource.validation import report
 from skinsource.validation.report import quartiles, report_html, round_ticks, summary_lines
 from skinsource.view import View
@@ -43,6 +43,12 @@ def test_which_recording_is_silent_is_said(design_file, tmp_path):
     np.savez(recording, field=np.zeros((300, 72, 3)), fs=1300.0)
     with pytest.raises(RecordingError, match=r"quiet lab\.npz.*silent throughout"):
         condition_of(design, "two", Recorded(path=recording))
+
+
+def test_which_design_predicts_silence_is_said_before_its_recording_is_read(tmp_path):
+    nothing = ss.Design(limb="synthetic-1", inputs=(ss.track(7, muted=True),))
+    with pytest.raises(InvalidInputError, match=r"^two: what is predicted of it is silent"):
+        condition_of(nothing, "two", Recorded(path=tmp_path / "absent.npz"))
 
 
 def test_a_recording_is_held_against_the_prediction_and_reported(design_file, tmp_path, capsys):

@@ -8,6 +8,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
+from skinsource_gui.shell.palette import Palette, _state_and_keys
 from skinsource_gui.widgets.fields.number_field import NumberField
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
@@ -36,7 +37,28 @@ def test_they_stand_in_the_menu_and_say_the_keys_of_the_timeline(active):
         ("Copy clips", "Ctrl+C"),
         ("Paste clips at playhead", "Ctrl+V"),
     ):
-        assert f"({key}, in the timeline)" in hints[words]
+        # After a tab: the menu shows it in its column of keys.
+        assert f"({key}, in the timeline)" in hints[f"{words}\t{key}"]
+    assert not active.actions_by_name["copy_clips"].shortcuts()
+
+
+def test_the_palette_calls_them_by_their_names_with_the_keys_at_the_right(active):
+    palette = Palette(list(active.actions_by_name.values()), active)
+    palette.line.setText("cut cl")
+    found = palette.list.item(0)
+    assert found.text() == "Cut clips"
+    assert _state_and_keys(palette.list.indexFromItem(found)) == "Ctrl+X"
+    palette.deleteLater()
+
+
+def test_a_paste_on_top_of_the_original_says_how_many_clips_and_when(active):
+    active.do("copy_clips")
+    active.do("paste_clips")
+    told = active.statusBar().currentMessage()
+    assert told == "1 clip pasted at 0 ms, on top of what was copied"
+    active.document.look(replace(active.document.view, playhead_s=0.35))
+    active.do("paste_clips")
+    assert active.statusBar().currentMessage() == "1 clip pasted at 350 ms"
 
 
 @pytest.mark.parametrize("shown", [True, False])
