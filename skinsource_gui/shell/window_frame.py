@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.own_limbs import missing_limb
 from skinsource.quoting import printable
+from skinsource_gui.shell.windows_in_sight import WindowsInSight
 from skinsource_gui.state.document import Document
 
 
@@ -14,6 +15,7 @@ class WindowFrame(QObject):
     def __init__(self, window: QWidget, document: Document) -> None:
         super().__init__(window)
         self._window, self._document = window, document
+        WindowsInSight(window)
         document.title_changed.connect(self._show_title)
         document.changed.connect(self._follow_title)
         self._said = ""

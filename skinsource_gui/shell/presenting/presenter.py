@@ -105,7 +105,9 @@ class Presenter(QObject):
         # Keys of menus that are away would be dead.
         window.addActions(list(self._actions().values()))
         window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
-        self._listen(window)
+        for keyboard in (window, self._notes):
+            if keyboard is not None:
+                self._listen(keyboard)
         play = self._actions()["play"].trigger
         steps = self.next_scene, self.previous_scene
         self._taken = PresentingKeys(*steps, play, self.end, self)
@@ -166,6 +168,7 @@ class Presenter(QObject):
         """Show what the speaker reads, on another screen where there is one."""
         if self._notes is None:
             self._notes = NotesWindow(self._window)
+            self._notes.addAction(self._actions()["present"])
             if self.presenting:
                 self._listen(self._notes)
         self._show_notes()

@@ -1,6 +1,8 @@
 """Scenes that follow one another, and the notes beside them."""
 
 import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QMessageBox
 
 from skinsource.design_file import save_design
@@ -134,6 +136,22 @@ def test_notes_follow_the_scenes(studio):
     studio.do("previous_scene")
     assert notes.next.text() == "Next: 3 both"
     notes.close()
+
+
+@pytest.mark.parametrize("first", ["show_notes", "present"])
+@pytest.mark.parametrize("leave", [Qt.Key.Key_F9, Qt.Key.Key_Escape])
+def test_keys_of_presenting_work_on_the_notes_too_whichever_came_first(studio, qtbot, first, leave):
+    for name in (first, *({"show_notes", "present"} - {first})):
+        studio.do(name)
+    (notes,) = [one for one in QApplication.topLevelWidgets() if isinstance(one, NotesWindow)]
+    notes.activateWindow()
+    notes.notes.setFocus()
+    qtbot.waitUntil(notes.isActiveWindow)
+    QTest.keyClick(notes.notes, Qt.Key.Key_B)
+    assert studio.presenter.covered
+    QTest.keyClick(notes.notes, leave)
+    assert not studio.presenter.presenting
+    assert not notes.isVisible()
 
 
 def test_a_design_without_a_title_is_called_as_its_file_when_it_is_paged_to(studio, folder, design):
