@@ -111,18 +111,21 @@ def condition_of(
     )
     if recorded is None:
         return found
-    if not field.any():
-        raise InvalidInputError(
-            f"{name}: what is predicted of it is silent throughout, so there is nothing to compare "
-            "a recording with. Let it play something, or check it without a recording."
-        )
-    progress(2, 3, f"Reading {recorded.path.name}")
-    measured = _read(recorded, limb, len(chosen), process, stop)
+    _refuse_silence(name, field)
+    measured = _read(recorded, limb, len(chosen), process, progress, stop)
     shifted, shift = aligned(measured, field, round(_MOST_SHIFT_S * limb.sample_rate_hz))
     quiet = _quiet(measured, shift, basis["stimulus_start_s"], limb)
     noise, noise_of = _noise(quiet, design, limb, chosen)
     agrees = agreement(field, shifted, noise)
     return replace(found, agreement=agrees, shift_samples=shift, noise_of=noise_of)
+
+
+def _refuse_silence(name: str, field: Floats) -> None:
+    if not field.any():
+        raise InvalidInputError(
+            f"{name}: what is predicted of it is silent throughout, so there is nothing to compare "
+            "a recording with. Let it play something, or check it without a recording."
+        )
 
 
 def _details(
@@ -139,8 +142,14 @@ def _details(
 
 
 def _read(
-    recorded: Recorded, limb: Limb, n_axes: int, process: ReadingProcess | None, stop: Stop
+    recorded: Recorded,
+    limb: Limb,
+    n_axes: int,
+    process: ReadingProcess | None,
+    progress: Progress,
+    stop: Stop,
 ) -> Floats:
+    progress(2, 3, f"Reading {recorded.path.name}")
     size = limb.n_outputs, n_axes, limb.sample_rate_hz
     how: dict[str, Any] = {"rate_hz": recorded.rate_hz, "process": process, "stop": stop}
     measured = open_recorded(recorded.path, *size, **how)

@@ -1,7 +1,10 @@
 """How a film of the skin map is called, and what is to be known before it is written."""
 
+from math import sqrt
+
 from skinsource.design import Design, audible_inputs
 from skinsource.errors import InvalidInputError
+from skinsource.limb import N_OUTPUTS
 from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of
 from skinsource.view import View
@@ -14,9 +17,9 @@ from skinsource_gui.widgets.pictures.picture_options import Remark
 
 # In names of files.
 _CALLED = {Z: "along-z", MAGNITUDE: "magnitude", RMS: "sliding-rms"}
-# Bytes of a frame for each million pixels of the map at 1/20, which become fewer with this power of
-# the speed, and for this quantity; and for how long the skin moves on: as films of the published
-# limbs came out, most within a factor of two.
+# Bytes of a frame for each million pixels of the map at 1/20: fewer with this power of the speed,
+# and for this quantity, more with more outputs.  And for how long the skin moves on.  As films of
+# the published limbs came out, most within a factor of two.
 _BYTES = {".mp4": 3000.0, ".webm": 3500.0, ".gif": 40_000.0}
 _USUAL_PACE, _POWER = 20.0, 0.7
 _OF_RMS, _AT_REST = 0.4, 0.1
@@ -93,6 +96,7 @@ def _bytes(film: Film, design: Design, options: FilmOptions) -> float:
     moving = min(max(seen_s, 0.0) * film.frames_per_s * film.slow_motion, film.count)
     frames = moving + _AT_REST * (film.count - moving)
     each = _BYTES[options.kind] * (_OF_RMS if options.quantity == RMS else 1.0)
+    each *= sqrt(facts_of(design.limb).n_outputs / N_OUTPUTS)
     return frames * each * map_px / 1e6 * (_USUAL_PACE / film.slow_motion) ** _POWER
 
 
