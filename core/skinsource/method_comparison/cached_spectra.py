@@ -13,6 +13,7 @@ from skinsource.method_comparison.method import (
     all_channels,
     drives_of,
     require_bytes,
+    spectra_of,
     taps_of,
 )
 from skinsource.method_comparison.scenes import ComparedScene
@@ -31,7 +32,7 @@ def _whole(scene: ComparedScene, method: Method) -> Prepared:
     taps, drives = taps_of(scene, method), drives_of(scene, method)
     n_times = drives.shape[-1] + taps.shape[-1] - 1
     n_fft = fft.next_fast_len(n_times, real=True)
-    responses = fft.rfft(taps, n_fft)
+    responses = spectra_of(taps, n_fft)
     total = np.empty_like(responses[0])
     product = np.empty_like(total)
 

@@ -46,7 +46,8 @@ def add_to(subparsers: Any) -> None:
         "table and report of what was measured until then. With --limb, scenes are played on that "
         "limb: with its responses, places, outputs, axes and rate. Exact values are then computed "
         "first, by plain sums of products in whole numbers, and kept in "
-        f"{EXACT_NAME}; actuators and resampling, which know no limb, are left out.",
+        f"{EXACT_NAME}; actuators and resampling, which know no limb, are left out. On "
+        "large limbs all takes longer: --quick is meant for them.",
     )
     bench.add_argument("--quick", action="store_true", help="fewer scenes; under a minute")
     bench.add_argument(

@@ -6,6 +6,7 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import fft
 
 from skinsource.arrays import Integers
 from skinsource.method_comparison.accuracy import Block
@@ -112,6 +113,18 @@ def taps_of(scene: ComparedScene, method: Method) -> Real:
         lowest = peak * 10.0 ** (method.setting.cut_db / _DB_PER_FACTOR_TEN)
         taps = taps[..., : np.flatnonzero((np.abs(taps) >= lowest).any(axis=(0, 1)))[-1] + 1]
     return np.ascontiguousarray(taps, dtype=method.precision)
+
+
+def spectra_of(taps: Real, n_fft: int) -> NDArray[np.complexfloating]:
+    """Transforms of the responses, (n_inputs, n_channels, n_fft // 2 + 1).
+
+    One input after the other: all at once would hold a padded copy of them all.
+    """
+    precision = np.result_type(taps.dtype, np.complex64)
+    spectra = np.empty((*taps.shape[:2], n_fft // 2 + 1), precision)
+    for row, response in zip(spectra, taps, strict=True):
+        row[:] = fft.rfft(response, n_fft)
+    return spectra
 
 
 def drives_of(scene: ComparedScene, method: Method) -> Real:

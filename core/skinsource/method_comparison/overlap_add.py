@@ -13,12 +13,15 @@ from skinsource.method_comparison.method import (
     all_channels,
     drives_of,
     require_bytes,
+    spectra_of,
     taps_of,
 )
 from skinsource.method_comparison.scenes import ComparedScene
 
 #: Transforms are no shorter than that where none are asked for, nor than four responses.
 _LEAST_BLOCK = 4096
+#: With less of each block that is new, nearly all that is computed is computed again.
+_LEAST_STEPS = 4
 
 
 def prepare(scene: ComparedScene, method: Method) -> Prepared:
@@ -27,11 +30,13 @@ def prepare(scene: ComparedScene, method: Method) -> Prepared:
     overlap = taps.shape[-1] - 1
     n_fft = method.setting.block or max(_LEAST_BLOCK, fft.next_fast_len(4 * overlap, real=True))
     step = n_fft - overlap
-    if step <= 0:
-        raise Unfit(f"blocks of {n_fft} samples are no longer than the responses")
+    if _LEAST_STEPS * step < overlap:
+        raise Unfit(
+            f"blocks of {n_fft} samples are hardly longer than responses of {overlap + 1} samples"
+        )
     require_bytes(taps[..., 0].size * n_fft * taps.itemsize)
     n_times = drives.shape[-1] + overlap
-    responses = fft.rfft(taps, n_fft)
+    responses = spectra_of(taps, n_fft)
 
     def run(_: int) -> Iterator[Block]:
         tail = np.zeros((taps.shape[1], overlap), drives.dtype)

@@ -1,9 +1,11 @@
 """The benchmark on a limb of a lab: its scenes, its exact values, its rows."""
 
+import tracemalloc
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy import fft
 
 from skinsource.commands.command_line import main
 from skinsource.errors import FileFormatError, InvalidInputError, UnknownLimbError
@@ -14,13 +16,14 @@ from skinsource.method_comparison.direct_sums import EXACT_NAME, exact_response,
 from skinsource.method_comparison.engines import ENGINES, engine_of
 from skinsource.method_comparison.machine import facts
 from skinsource.method_comparison.measure import QUICK, cases_of, measure
-from skinsource.method_comparison.method import Method, Setting, Unfit
+from skinsource.method_comparison.method import Method, Setting, Unfit, spectra_of
 from skinsource.method_comparison.promises import PEAK_ERROR
 from skinsource.method_comparison.report import report_of
 from skinsource.method_comparison.scenes import SCENES, scene_of, scenes_on
 from skinsource.method_comparison.table import read_table, write_table
 from skinsource.method_comparison.worker import measured
 from skinsource.own_limbs import install_limb, remove_limb
+from skinsource.rendering import response_spectra
 from tests.core.own_limbs.compared import keep, sized, tiny
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, own_limb, response
 
@@ -181,10 +184,30 @@ def test_what_does_not_fit_a_limb_is_said():
             engine.prepare(big, Method())
 
 
+def test_spectra_of_a_large_limb_are_made_without_a_second_copy_of_all():
+    taps = np.random.default_rng(1).standard_normal((8, 16, 100))
+    tracemalloc.start()
+    spectra = spectra_of(taps, 4096)
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    np.testing.assert_array_equal(spectra, fft.rfft(taps, 4096))
+    assert most < 1.5 * spectra.nbytes
+    assert spectra_of(taps.astype(np.float32), 4096).dtype == np.complex64
+
+
+@pytest.mark.parametrize("method", engine_of("this program").methods[:2])
+def test_spectra_of_responses_are_no_part_of_the_runs_of_this_program(lab, method, monkeypatch):
+    prepared = engine_of("this program").prepare(scene_of("S7", limb_called("lab-1")), method)
+    transformed = []
+    monkeypatch.setattr(response_spectra, "scaled_taps", lambda *a: transformed.append(a))
+    assert all(block.size for _, block in prepared.run(0))
+    assert transformed == []
+
+
 def test_settings_that_short_or_long_responses_leave_no_room_for_are_said(user_data):
-    taps = np.random.default_rng(2).standard_normal((2, 3, 1, 1100))
+    taps = np.random.default_rng(2).standard_normal((2, 3, 1, 1000))
     scene = scene_of("S1", keep("long", taps))
-    with pytest.raises(Unfit, match="blocks of 1024 samples are no longer than the responses"):
+    with pytest.raises(Unfit, match="blocks of 1024 samples are hardly longer than responses"):
         engine_of("overlap-add").prepare(scene, Method(setting=Setting(block=1024)))
     scene = scene_of("S1", keep("short", taps[..., :20]))
     with pytest.raises(Unfit, match="responses of 20 samples have no 32 shapes"):
