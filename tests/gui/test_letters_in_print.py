@@ -57,8 +57,8 @@ def test_layouts_that_are_large_enough_are_named():
     picture = WholePicture(draw=print, size_px=(1366, 768), letters_px=lambda w, h: 8.0 * w / 1366)
     remark = letters_remark(picture)
     assert remark(PictureOptions(width_px=336, height_px=189)) == Remark(
-        "The smallest letters are 1.5 pt high: in print 5 pt can be read. Choose a width of "
-        "1140 px or Slide (16 : 9) or Poster (420 mm), hide some panels and make the window "
+        "The smallest letters are 1.5 pt high; to be read in print they need 5 pt. Choose a width "
+        "of 1140 px, Slide (16 : 9) or Poster (420 mm), hide some panels and make the window "
         "smaller, or export the panel in use.",
         warns=True,
     )

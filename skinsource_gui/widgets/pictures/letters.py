@@ -35,11 +35,12 @@ def _remark(
         for one in LAYOUTS
         if _points(letters_px, *one.size_px(usual, below)) >= SMALLEST_PT
     ]
-    choose = " or ".join((f"{needed_px} px", *large))
+    sizes = [f"a width of {needed_px} px", *large]
+    choose = f"{', '.join(sizes[:-1])} or {sizes[-1]}" if large else sizes[0]
     return Remark(
-        f"The smallest letters are {size_pt:.1f} pt high: in print {SMALLEST_PT:g} pt can be read. "
-        f"Choose a width of {choose}, hide some panels and make the window smaller, or export the "
-        "panel in use.",
+        f"The smallest letters are {size_pt:.1f} pt high; to be read in print they need "
+        f"{SMALLEST_PT:g} pt. Choose {choose}, hide some panels and make the window smaller, or "
+        "export the panel in use.",
         warns=True,
     )
 
