@@ -14,6 +14,7 @@ from skinsource.projection import AXES, METHODS
 from skinsource.quantities import new_graph, sources
 from skinsource.rendering.drives import Drives
 from skinsource.rendering.segments import Blocks
+from skinsource.rendering.streaming import StreamedVibration
 from skinsource.synthetic import load_synthetic_limb
 from skinsource.view import View
 from skinsource.voices import UnitVoice
@@ -116,6 +117,27 @@ def test_no_more_than_some_blocks_lie_between_two_chances_to_stop():
     new_graph().evaluate(ALL, sources(LONG, VIEW), asked)
     n_blocks = 14 * 1300 / Blocks(522).n_samples
     assert 10**9 - asked.left > n_blocks
+
+
+def test_responses_to_all_outputs_are_not_copied(monkeypatch):
+    # Of a large limb they take gigabytes.
+    streamed = new_graph().evaluate(["streamed_vibration"], sources(LONG, VIEW))[
+        "streamed_vibration"
+    ]
+    multiplied, spectra = [], StreamedVibration._spectra
+
+    def note(self, segments, values):
+        multiplied.append(values)
+        return spectra(self, segments, values)
+
+    monkeypatch.setattr(StreamedVibration, "_spectra", note)
+    first, block = next(streamed.blocks_of(range(1, 73), (0, 1, 2)))
+    assert np.shares_memory(multiplied[0], streamed._stack.values)
+    again, whole = next(streamed.blocks())
+    assert again == first
+    np.testing.assert_array_equal(block, whole)
+    next(streamed.blocks_of((30, 2), (0, 1, 2)))
+    assert multiplied[-1].shape[-1] == 6
 
 
 def test_a_drive_that_is_in_use_is_not_drawn_again_however_small_the_memory():

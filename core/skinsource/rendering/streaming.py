@@ -105,8 +105,10 @@ class StreamedVibration:
         With ``within`` only those blocks that hold a sample from its first to before its second.
         """
         n_axes = self._channels_shape[1]
-        channels = [(output - 1) * n_axes + axis for output in outputs for axis in axes]
-        for first, block in self._blocks(channels, stop, within):
+        chosen = [(output - 1) * n_axes + axis for output in outputs for axis in axes]
+        # All of them in their order are not copied: of a large limb they take gigabytes.
+        every = chosen == list(range(self._channels_shape[0] * n_axes))
+        for first, block in self._blocks(None if every else chosen, stop, within):
             yield first, block.reshape(len(outputs), len(axes), -1)
 
     def _blocks(
