@@ -14,6 +14,7 @@ from skinsource.export.video import video_file
 from skinsource.job import never
 from skinsource.limb import PUBLISHED
 from skinsource.panel_settings import with_settings
+from skinsource.validity import Finding
 from skinsource.view import View
 from skinsource_gui.panels.skin.map_quantity import MAGNITUDE, RMS, Z
 from skinsource_gui.panels.skin.settings import SkinSettings
@@ -186,6 +187,24 @@ def test_the_settings_of_the_panel_are_those_of_the_film(tmp_path, small, monkey
     assert content.value_range == (-60.0, -10.0)
     assert heading.title == "Skin acceleration, RMS over 50 ms, at 60.0 ms"
     assert heading.details.endswith("1/10 of real time")
+
+
+def test_what_is_mostly_noise_is_hatched_in_a_film_and_the_caption_says_it(monkeypatch):
+    noise = Finding(
+        name="noise", state="left", sentence="", in_short="{:.0f} noisy.", number=2, outputs=(3, 4)
+    )
+    value, drawn = animation.ExportedDesign.value, []
+    monkeypatch.setattr(
+        animation.ExportedDesign,
+        "value",
+        lambda self, name, **more: (noise,) if name == "validity" else value(self, name, **more),
+    )
+    exported = animation.ExportedDesign(DESIGN, VIEW, lambda *now: None, never)
+    camera = animation._Camera(exported, SkinSettings(quantity=Z), PictureOptions(width_px=200))
+    monkeypatch.setattr(camera, "_draw", lambda content, heading: drawn.append(content))
+    camera.frame(film_of(VIEW, SkinSettings(quantity=Z), camera.end_s, 60, PERSON), 0)
+    assert drawn[0].hatched == (3, 4)
+    assert camera._caption.endswith(" 2 noisy.")
 
 
 @pytest.mark.parametrize(

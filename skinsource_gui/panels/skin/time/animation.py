@@ -16,6 +16,7 @@ from skinsource.job import Progress, Stop, never, silent
 from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of
 from skinsource.rendering.in_time import block_of
+from skinsource.validity import Findings
 from skinsource.validity.judged import Judged, in_short
 from skinsource.view import View
 from skinsource_gui.panels.skin.map_content import MapContent
@@ -95,7 +96,8 @@ class _Camera:
         self._exported, self._settings = exported, settings
         self._options = options or _usual_size()
         self.size = frame_size(self._options)
-        self._caption = _caption_of(exported)
+        findings: Findings = exported.value("validity")
+        self._caption = _caption_of(exported, findings)
         self._frames = Frames()
         self._family = QGuiApplication.font().family()
         interpolated = settings.map_style == "interpolated"
@@ -108,6 +110,7 @@ class _Camera:
             outputs=exported.view.outputs,
             sensors_shown=settings.sensors_shown,
             px_per_mm=limb.map.hand_length_px / limb.hand_length_mm,
+            noisy=next((one.outputs for one in findings if one.name == "noise"), ()),
             synthetic=limb.synthetic,
         )
         self._image = QImage(*self.size, QImage.Format.Format_RGB888)
@@ -173,8 +176,8 @@ class _Camera:
         self._frames.take(found, name, view)
 
 
-def _caption_of(exported: ExportedDesign) -> str:
+def _caption_of(exported: ExportedDesign, findings: Findings) -> str:
     """Stimulus, limb, and conditions of the measurement that are not kept."""
-    design, note, findings = exported.design, exported.limb.note, exported.value("validity")
+    design, note = exported.design, exported.limb.note
     judged = Judged(label=limb_word(design.limb).title, note=note, findings=findings)
     return caption_of(design, notes=in_short([judged]))
