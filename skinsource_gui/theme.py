@@ -86,6 +86,10 @@ class Theme:
             pen.setCapStyle(Qt.PenCapStyle.FlatCap)
         return pen
 
+    def axis_colour(self, rank: int) -> QColor:
+        """Colour of an axis of the sensors, by its place among theirs: not that of an output."""
+        return QColor((*self.inputs[:2], self.text)[rank % 3])
+
 
 LIGHT = Theme(
     name="light",

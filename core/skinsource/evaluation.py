@@ -105,6 +105,7 @@ def evaluate(design: Design, *quantities: str, view: View | None = None) -> dict
         Their names.  Among them are ``"output_levels_db"`` (72,), dB re 1 m/s²;
         ``"output_rms"`` (72,), m/s²; ``"selected_traces"`` (n_selected, n_times), m/s²;
         ``"selected_spectra"``: frequencies (n_bins,), Hz, and magnitudes (n_selected, n_bins);
+        ``"selected_axis_spectra"``, the same along each axis, (n_selected, n_axes, n_bins);
         ``"response_time_s"`` (n_times,); ``"input_waveforms"``, one array per input, muted ones
         too, from its first clip on, before amplitude; ``"surface_levels_db"`` (rows, columns);
         ``"axis_levels_db"``, of each axis of the limb (72,), dB re 1 m/s².

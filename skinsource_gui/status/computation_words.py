@@ -10,7 +10,7 @@ from skinsource_gui.state.engine import Outcome
 
 #: Quantities that it asks for beside those of the panels.
 NEEDS = frozenset({"limb_data", "streamed"})
-_IN_TIME = frozenset({"selected_traces", "selected_spectra"})
+_IN_TIME = frozenset({"selected_traces", "selected_spectra", "selected_axis_spectra"})
 #: The selected input, and all others together.
 _PARTS = 2
 

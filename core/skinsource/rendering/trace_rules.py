@@ -94,6 +94,33 @@ def selected_peak_spectra(
     return peak_hold_spectrum(selected_traces, sample_rate_hz, stop)
 
 
+def selected_axis_spectra(
+    vibration: Vibration,
+    shown_outputs: tuple[int, ...],
+    limb_data: Limb,
+    sample_rate_hz: float,
+    stop: Stop,
+) -> tuple[Floats, Floats]:
+    """Like `selected_spectra` along each axis of the limb, magnitudes (n_selected, n_axes, n_bins).
+
+    Whatever axes are chosen.
+    """
+    transforms = vibration.transforms(shown_outputs, tuple(range(limb_data.n_axes)), stop)
+    return one_sided_magnitude(transforms, vibration.n_times, sample_rate_hz)
+
+
+def selected_axis_peak_spectra(
+    vibration: Vibration,
+    shown_outputs: tuple[int, ...],
+    limb_data: Limb,
+    sample_rate_hz: float,
+    stop: Stop,
+) -> tuple[Floats, Floats]:
+    """Like `selected_axis_spectra`, of the loudest 250 ms for each frequency."""
+    traces = vibration.traces(shown_outputs, tuple(range(limb_data.n_axes)), stop)
+    return peak_hold_spectrum(traces, sample_rate_hz, stop)
+
+
 def trace_error(
     responses: Responses,
     placed: tuple[Placed, ...],
@@ -136,5 +163,7 @@ RULES = (
     axis_spectra,
     selected_spectra,
     selected_peak_spectra,
+    selected_axis_spectra,
+    selected_axis_peak_spectra,
     trace_error,
 )

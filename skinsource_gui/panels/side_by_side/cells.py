@@ -9,11 +9,12 @@ import numpy as np
 from skinsource.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.arrays import Floats
 from skinsource.comparing import difference_db, end_db, mean_and_spread_over, same_outputs
+from skinsource.decibels import FLOOR_DB
 from skinsource_gui.compared import ELSEWHERE, SILENCE, Compared, gain_db, is_silent
 from skinsource_gui.panels.side_by_side.content import Cell
 from skinsource_gui.widgets.map.colour_maps import DIVERGING
 from skinsource_gui.widgets.map.level_look import USUAL_LOOK, LevelLook
-from skinsource_gui.widgets.map.scale_row import Scale, scale_of_levels
+from skinsource_gui.widgets.map.scale_row import Scale, scale_of_levels, scale_of_own
 from skinsource_gui.widgets.map.small_map import Range, SmallMap, SmallMaps
 
 #: What something is called, in ever fewer words.
@@ -38,6 +39,17 @@ class Cells:
         return tuple(
             self._levels(one, name, scale) for one, name in zip(compared, names, strict=True)
         )
+
+    def of_own_maxima(
+        self,
+        compared: Sequence[Compared],
+        names: Sequence[Names],
+        look: LevelLook = USUAL_LOOK,
+    ) -> tuple[Cell, ...]:
+        """A map of the levels of each relative to its own loudest output, in colours of a look."""
+        self._begin()
+        scale, pairs = scale_of_own(look), zip(compared, names, strict=True)
+        return tuple(self._levels(one, name, scale, own=True) for one, name in pairs)
 
     def of_differences(
         self, compared: Sequence[Compared], names: Sequence[Names], reference: int
@@ -132,14 +144,19 @@ class Cells:
         small = self._map(headings[0], one, levels, _noisy(one, base))
         return replace(cell, small=small, synthetic=both)
 
-    def _levels(self, one: Compared, names: Names, scale: Scale) -> Cell:
+    def _levels(self, one: Compared, names: Names, scale: Scale, *, own: bool = False) -> Cell:
         cell = Cell(headings=names, limb=_limb(one), words=one.problem, late=one.late)
         if one.values is None:
             return cell
+        small, maximum_db = self._map(names[0], one, None, _noisy(one)), None
+        if own and not is_silent(one):
+            maximum_db = float(_levels_db(one).max())
+            small = _relative(small, maximum_db)
         return replace(
             cell,
-            small=self._map(names[0], one, None, _noisy(one)),
+            small=small,
             scale=scale,
+            maximum_db=maximum_db,
             design=one.snapshot.design,
             synthetic=_synthetic(one),
         )
@@ -160,6 +177,20 @@ class Cells:
             values["surface_levels_db"] = values["surface_levels_db"] + gain_db(one)
         self._maps[kept] = maps = self._before.pop(kept, None) or SmallMaps()
         return replace(maps.map_of(values), noisy=noisy)
+
+
+def _relative(small: SmallMap, maximum_db: float) -> SmallMap:
+    """The same map with its levels re ``maximum_db``; what is silent stays so."""
+    levels, field = small.levels_db, small.field_levels_db
+    return replace(
+        small,
+        levels_db=None if levels is None else _below(levels, maximum_db),
+        field_levels_db=None if field is None else field - maximum_db,
+    )
+
+
+def _below(levels_db: Floats, maximum_db: float) -> Floats:
+    return np.where(levels_db > FLOOR_DB, levels_db - maximum_db, levels_db)
 
 
 def _of_all(called: Sequence[Names], n_compared: int) -> Names:

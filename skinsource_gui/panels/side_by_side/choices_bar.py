@@ -11,7 +11,12 @@ from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.panels.side_by_side.kinds import KINDS
 from skinsource_gui.panels.side_by_side.limbs_menu import LimbsButton
-from skinsource_gui.panels.side_by_side.settings import OF, SHOWN, SideBySideSettings
+from skinsource_gui.panels.side_by_side.settings import (
+    OF,
+    OWN_MAXIMUM,
+    SHOWN,
+    SideBySideSettings,
+)
 from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.folding_row import FoldingRow
@@ -24,7 +29,7 @@ class ChoicesBar(QWidget):
     ----------
     settings
         Those of the present view.
-    of, shown, limbs, file
+    of, shown, own_maximum, limbs, file
         Its parts; of all but the first those that are about what is compared.
     """
 
@@ -42,6 +47,13 @@ class ChoicesBar(QWidget):
         self.shown.setObjectName("side_by_side_shown")
         self.of.chosen.connect(lambda of, _: self._change(of=of))
         self.shown.chosen.connect(lambda what, _: self._change(shown=what))
+        self.own_maximum = QToolButton(self)
+        self.own_maximum.setObjectName("side_by_side_own_maximum")
+        self.own_maximum.setText(OWN_MAXIMUM.label)
+        self.own_maximum.setToolTip(OWN_MAXIMUM.hint)
+        self.own_maximum.setCheckable(True)
+        self.own_maximum.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.own_maximum.clicked.connect(lambda on: self._change(own_maximum=on))
         self.limbs = LimbsButton(self)
         self.limbs.limbs_chosen.connect(lambda limbs: self._change(limbs=" ".join(limbs)))
         self.file = QToolButton(self)
@@ -50,7 +62,8 @@ class ChoicesBar(QWidget):
         self.file.setToolTip("Keep the design of a file as a snapshot, and show it here")
         self.file.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.file.clicked.connect(self.file_wanted)
-        self._row = FoldingRow((self.of, self.shown, self.limbs, self.file), UNIT_PX // 2)
+        parts = (self.of, self.shown, self.own_maximum, self.limbs, self.file)
+        self._row = FoldingRow(parts, UNIT_PX // 2)
         around = QVBoxLayout(self)
         around.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
         around.addWidget(self._row)
@@ -61,7 +74,11 @@ class ChoicesBar(QWidget):
         self.settings = settings = settings_of(view, self._panel_name, SideBySideSettings)
         self.of.set_value(settings.of)
         self.shown.set_value(settings.shown)
-        fields = KINDS[settings.of].fields
+        self.own_maximum.setChecked(settings.own_maximum)
+        kind = KINDS[settings.of]
+        fields = kind.fields
+        # A difference has no maximum that others are measured by, and a mean is one map.
+        self.own_maximum.setVisible(kind.shown(settings) == "levels")
         for name, part in (("shown", self.shown), ("limbs", self.limbs), ("file", self.file)):
             part.setVisible(name in fields)
         self._row.fold()

@@ -26,6 +26,8 @@ class Cell:
         The map, its levels in dB; None: there is none.
     scale
         Its colours; None where there is no map.
+    maximum_db
+        The level that its values are relative to, dB re 1 m/s²; None: they are not.
     design
         Its inputs are marked; None: none are.
     words
@@ -40,6 +42,7 @@ class Cell:
     limb: str
     small: SmallMap | None = None
     scale: Scale | None = None
+    maximum_db: float | None = None
     design: Design | None = None
     words: str = ""
     late: bool = False
@@ -73,6 +76,11 @@ class Cell:
         value = self.scale.text(float(values[largest]))
         if value == SILENT:
             return (SILENT,)
+        if self.maximum_db is not None:
+            # 0 dB of each would be said of each.
+            value = f"max {self.scale.text(self.maximum_db)}"
+            whole = f"{value} re 1 m/s² at {largest + 1}"
+            return whole, f"{value} at {largest + 1}", value, value.removesuffix(" dB")
         return f"{value} at {largest + 1}", value, value.removesuffix(" dB")
 
 
@@ -117,4 +125,6 @@ class Content:
         values = " · ".join(texts)
         if all(text.endswith(" dB") for text in texts):
             values = f"{values.replace(' dB', '')} dB"
+        if any(cell.maximum_db is not None for cell in drawn):
+            values = f"{values} re each map's maximum"
         return f"{output_text(output, drawn[0].limb)}: {values}"

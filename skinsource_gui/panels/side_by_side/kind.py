@@ -76,6 +76,10 @@ class Kind:
         words = f"RMS of {signal_words(view.axes, view.method)} · {span_words(view.span)}"
         return " · ".join(part for part in (words, shown_words(design, view)) if part)
 
+    def shown(self, settings: SideBySideSettings) -> str:
+        """What is shown of the sides: the levels where there is no choice."""
+        return settings.shown if "shown" in self.fields else "levels"
+
     def drawn(
         self,
         cells: Cells,
@@ -85,8 +89,10 @@ class Kind:
         settings: SideBySideSettings,
     ) -> tuple[Cell, ...]:
         """The maps of the sides, made by ``cells``."""
-        shown = settings.shown if "shown" in self.fields else "levels"
+        shown = self.shown(settings)
         names = self.names(compared, view, difference=shown == "difference")
+        if shown == "levels" and settings.own_maximum:
+            return cells.of_own_maxima(compared, names, level_look(view))
         if shown == "levels":
             return cells.of_levels(compared, names, level_look(view))
         reference = self.reference(compared, design, view)

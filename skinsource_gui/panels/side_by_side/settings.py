@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from skinsource import fields
 from skinsource.comparing import MOST_BESIDE, limbs_beside
-from skinsource.fields import ChoiceSpec, TextSpec
+from skinsource.fields import ChoiceSpec, SwitchSpec, TextSpec
 
 OF = ChoiceSpec(
     label="Of",
@@ -22,6 +22,11 @@ SHOWN = ChoiceSpec(
     hint="The levels of each, in the same colours; how much louder each of the others is than the "
     "one in the window; or the mean of all and their standard deviation",
 )
+OWN_MAXIMUM = SwitchSpec(
+    label="Each to its maximum",
+    hint="Draw the levels of each map relative to its own loudest output: how far each reaches is "
+    "seen where the others are louder",
+)
 LIMBS = TextSpec(label="Limbs", longest=200, one_line=True)
 #: Fewer are not side by side.
 LEAST_BESIDE = 2
@@ -37,6 +42,8 @@ class SideBySideSettings:
         ``"limbs"``, ``"snapshots"`` or ``"axes"``.
     shown
         ``"levels"``, ``"difference"`` or ``"mean"``; of axes always the levels.
+    own_maximum
+        Whether the levels of each are drawn relative to its own loudest output.
     limbs
         Names of the chosen limbs with spaces between; empty: those that belong beside the one of
         the design, see `skinsource.comparing.limbs_beside`.
@@ -44,6 +51,7 @@ class SideBySideSettings:
 
     of: str = fields.choice("limbs", OF)
     shown: str = fields.choice("levels", SHOWN)
+    own_maximum: bool = fields.switch(False, OWN_MAXIMUM)
     limbs: str = fields.text("", LIMBS)
 
     def __post_init__(self) -> None:

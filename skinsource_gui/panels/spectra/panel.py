@@ -7,41 +7,18 @@ from typing import Any
 
 from PySide6.QtWidgets import QWidget
 
-from skinsource.decibels import decibels
 from skinsource.design import Design
 from skinsource.limb import Band
-from skinsource.loudest_window import HOLD_WINDOW_S, LOUDEST_WINDOW_S
 from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
-from skinsource_gui.panels.spectra.settings import SpectraSettings
+from skinsource_gui.panels.spectra.content import curves_of, notes_of, quantity_of
+from skinsource_gui.panels.spectra.settings import AXES_HINT, RELATIVE, SpectraSettings
 from skinsource_gui.signal_panel import SignalPanel
 from skinsource_gui.widgets.plot.axis_spec import XAxis
-from skinsource_gui.widgets.plot.curves import Curves, output_names
-from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_later
+from skinsource_gui.widgets.plot.provenance import NEEDS
 
 _LOWEST_HZ = 10.0
-_HOLD, _LOUDEST = (f"{one * 1e3:.0f} ms" for one in (HOLD_WINDOW_S, LOUDEST_WINDOW_S))
-# What the height of a curve means, longest first.
-_SCALINGS = {
-    "record": ("amplitude over the whole record", "over the whole record", "whole record"),
-    "loudest": (
-        # Levels say another time, and nobody would guess why.
-        f"amplitude in the loudest {_HOLD} of each frequency, which tell "
-        f"{1 / HOLD_WINDOW_S:.0f} Hz apart; the {_LOUDEST} of levels would tell "
-        f"{1 / LOUDEST_WINDOW_S:.0f} Hz",
-        f"amplitude in the loudest {_HOLD} of each frequency",
-        f"loudest {_HOLD}",
-        "loudest",
-    ),
-}
-_QUANTITIES = {"record": "selected_spectra", "loudest": "selected_peak_spectra"}
-_RECTIFIED = (
-    "spectrum of a magnitude: rectified, shows doubled frequencies",
-    "of a magnitude: rectified, doubled frequencies",
-    "rectified: doubled frequencies",
-    "rectified",
-)
 
 
 class SpectraPanel(SignalPanel):
@@ -56,12 +33,14 @@ class SpectraPanel(SignalPanel):
         limb = facts_of("")
         self._axis, self._log_axis = _axes(limb.sample_rate_hz, limb.band_hz)
         self._results: Mapping[str, Any] | None = None
+        self._plot.toolbar.add_layout("axes", "Axes", AXES_HINT)
         self._log_frequency = self._plot.toolbar.add_switch(
             "log-frequency",
-            "Log frequency",
+            "Log f",
             f"Logarithmic frequency axis from {_LOWEST_HZ:g} Hz",
             self._choose_log_frequency,
         )
+        self._log_frequency.setAccessibleName("Log frequency")
         self._log_magnitude = self._plot.toolbar.add_switch(
             "log-magnitude",
             "dB",
@@ -69,21 +48,30 @@ class SpectraPanel(SignalPanel):
             self._choose_log_magnitude,
         )
         self._log_magnitude.setAccessibleName("Log magnitude")
+        self._relative = self._plot.toolbar.add_switch(
+            "relative", RELATIVE.label, RELATIVE.hint, self._choose_relative
+        )
         self._plot.toolbar.layout_chosen.connect(self._choose_layout)
         self._plot.zoom_requested.connect(self._zoom)
 
     @property
     def needs(self) -> frozenset[str]:
         # What the words around the curves say comes with the curves.
-        spectra = _QUANTITIES[self._view.span]
+        spectra = quantity_of(self._settings, self._view.span)
         return frozenset({spectra, "outputs", "sample_rate_hz"}) | NEEDS
 
     def show_state(self, design: Design, view: View) -> None:
         settings = settings_of(view, self.name, SpectraSettings)
-        level_changed = settings.log_magnitude != self._settings.log_magnitude
+        before = self._settings
+        scaled_anew = (settings.log_magnitude, settings.relative, settings.layout) != (
+            before.log_magnitude,
+            before.relative,
+            before.layout,
+        )
         self._view, self._settings = view, settings
         self._log_frequency.setChecked(settings.log_frequency)
         self._log_magnitude.setChecked(settings.log_magnitude)
+        self._relative.setChecked(settings.relative)
         self._plot.toolbar.show_state(
             layout=settings.layout, zoomed=settings.frequency_range_hz is not None
         )
@@ -92,7 +80,7 @@ class SpectraPanel(SignalPanel):
             self._say(self.no_outputs)
         elif self._plot.plot.message == self.no_outputs:
             self._plot.wait_for_curves()
-        elif level_changed and self._results is not None:
+        elif scaled_anew and self._results is not None:
             self._draw(self._results)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
@@ -112,7 +100,7 @@ class SpectraPanel(SignalPanel):
     def _show_axis(self) -> None:
         settings = self._settings
         axis = self._log_axis if settings.log_frequency else self._axis
-        stacked = settings.layout == "stacked"
+        stacked = settings.layout != "overlaid"
         self._plot.set_view(axis, settings.frequency_range_hz, stacked=stacked)
 
     def _say(self, message: str) -> None:
@@ -120,22 +108,14 @@ class SpectraPanel(SignalPanel):
         self._plot.show_message(message)
 
     def _draw(self, results: Mapping[str, Any]) -> None:
-        span = results["span"]
-        frequency_hz, magnitude = results[_QUANTITIES[span]]
-        level = self._settings.log_magnitude
-        rectified = results["method"] == "mag" and len(results["axes"]) > 1
+        settings = self._settings
+        if quantity_of(settings, results["span"]) not in results:
+            # Of another layout: what it takes is on its way.
+            return
         self._plot.show_curves(
-            Curves(
-                x=frequency_hz,
-                y=decibels(magnitude) if level else magnitude,
-                names=output_names(results["outputs"], results["limb"]),
-                kind="level" if level else "amplitude",
-                scaling=_SCALINGS[span],
-                about=lines_later(results, f"spectrum: {_SCALINGS[span][-3]}"),
-                heading=heading_of(results),
-            ),
+            curves_of(results, settings),
             synthetic=facts_of(results["limb"]).synthetic,
-            notes=_RECTIFIED if rectified else (),
+            notes=notes_of(results, settings),
         )
 
     def _choose_layout(self, layout: str) -> None:
@@ -146,6 +126,9 @@ class SpectraPanel(SignalPanel):
 
     def _choose_log_magnitude(self, log: bool) -> None:
         self._change(log_magnitude=log)
+
+    def _choose_relative(self, relative: bool) -> None:
+        self._change(relative=relative)
 
     def _zoom(self, shown: tuple[float, float] | None) -> None:
         self._change(frequency_range_hz=shown)

@@ -7,11 +7,17 @@ from skinsource.fields import ChoiceSpec, Range, RangeSpec, SwitchSpec
 
 LAYOUT = ChoiceSpec(
     label="Layout",
-    options=(("overlaid", "Overlaid"), ("stacked", "Stacked")),
+    options=(("overlaid", "Overlaid"), ("stacked", "Stacked"), ("axes", "Axes")),
     hint="All curves over each other, or each in its own row",
 )
+AXES_HINT = "Each output in its own row, with a curve for each axis of its sensor"
 LOG_FREQUENCY = SwitchSpec(label="Log frequency", hint="Logarithmic frequency axis")
 LOG_MAGNITUDE = SwitchSpec(label="dB", hint="Logarithmic magnitude")
+RELATIVE = SwitchSpec(
+    label="Each to its peak",
+    hint="Draw each output relative to its largest magnitude in the measured band: shapes are seen "
+    "where all others would be flat",
+)
 FREQUENCY_RANGE = RangeSpec(label="Zoom", unit="Hz")
 
 
@@ -22,9 +28,12 @@ class SpectraSettings:
     Attributes
     ----------
     layout
-        ``"overlaid"`` or ``"stacked"``.
+        ``"overlaid"``, ``"stacked"``, or ``"axes"``: along each axis of the sensors, whatever
+        axes are chosen.
     log_frequency, log_magnitude
         Logarithmic axes.
+    relative
+        Whether each output is drawn relative to its own peak.
     frequency_range_hz
         Zoom; ``None``: everything.
     """
@@ -32,6 +41,7 @@ class SpectraSettings:
     layout: str = fields.choice("overlaid", LAYOUT)
     log_frequency: bool = fields.switch(False, LOG_FREQUENCY)
     log_magnitude: bool = fields.switch(True, LOG_MAGNITUDE)
+    relative: bool = fields.switch(False, RELATIVE)
     frequency_range_hz: Range | None = fields.interval(None, FREQUENCY_RANGE)
 
     def __post_init__(self) -> None:

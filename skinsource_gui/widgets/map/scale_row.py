@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
 from skinsource.arrays import Floats
 from skinsource.decibels import FLOOR_DB
-from skinsource.map_range import map_range_db
+from skinsource.map_range import MAP_RANGE_DB, map_range_db
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.map.colour_maps import VIRIDIS, colour_table
@@ -19,6 +19,7 @@ from skinsource_gui.widgets.map.small_map import Range
 #: What stands in the place of a level that there is not.
 SILENT = "silent"
 _LEVELS = "dB re 1 m/s²"
+_OF_OWN = (-MAP_RANGE_DB, 0.0)
 _RAMP_PX, _ABOVE_PX = 9.0, 2.0
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 # Of the levels that a map spans, of differences with zero in their middle, and of narrow scales.
@@ -65,6 +66,11 @@ def scale_of_levels(levels_db: Floats, look: LevelLook) -> Scale:
         words=f"{_LEVELS} · {FIXED_MARK}" if fixed else _LEVELS,
         colours=look.colours,
     )
+
+
+def scale_of_own(look: LevelLook) -> Scale:
+    """The scale of RMS levels that are each relative to the loudest output of their map."""
+    return Scale(range_db=_OF_OWN, words="dB re each map's maximum", colours=look.colours)
 
 
 def scale_row_px(line_px: float) -> float:

@@ -71,6 +71,6 @@ class Crosshair(QObject):
         if plot.curves is None or position is None:
             plot.stack.show_crosshair(None, ())
             return
-        n_drawn = len(plot.stack.rows) if plot.stacked else len(plot.curves.names)
+        n_drawn = plot.curves.n_drawn(len(plot.stack.rows), stacked=plot.stacked)
         heights = plot.value_scale.heights(plot.curves.y[:n_drawn, self.index])
         plot.stack.show_crosshair(position, heights.tolist())

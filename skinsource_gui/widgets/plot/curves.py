@@ -8,7 +8,7 @@ import numpy as np
 from skinsource.arrays import Floats
 from skinsource.locations import PlaceWords, output_words
 from skinsource_gui.widgets.plot.axis_spec import ValueUnit, value_unit
-from skinsource_gui.widgets.plot.ranges import Kind
+from skinsource_gui.widgets.plot.ranges import Kind, Range
 from skinsource_gui.widgets.plot.ticks import significant
 
 #: What levels are, where nothing else is said.
@@ -31,7 +31,7 @@ class CurveName:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Curves:
-    """Curves over one x axis.
+    """Curves over one x axis: one of each name, or one of each name along each axis.
 
     Attributes
     ----------
@@ -39,10 +39,15 @@ class Curves:
         Rising, SI.
     y : (n_curves, n_points)
         m/s², levels in dB, or parts of the peak of each.
-    names : (n_curves,)
-        Their names; a curve's rank is its colour.
+    names : (n_names,)
+        Whose they are; the rank of one is its colour.
+    axes
+        Along which axes of the sensors each name has a curve, one after the other, whose ranks are
+        their colours; none: each has one, of the axes that are chosen.
     kind
         What ``y`` is.
+    span
+        Lowest and highest value that shall be seen; None: all are.
     level_words
         What levels are, where ``y`` holds them.
     scaling
@@ -53,8 +58,9 @@ class Curves:
         Gives lines that tell a table of them what they are.
     heading
         The same for a picture, in parts.
-    peaks : (n_curves,)
-        What each was divided by, m/s², where ``y`` holds parts of the peak of each; none elsewhere.
+    peaks : (n_names,)
+        What the curves of each were divided by, m/s², where they are relative to its peak; none
+        elsewhere.
     between
         Gives ``x`` and ``y`` of the wave from one point to before another, counted from 0, those
         points among them; None: nothing is known between the points.
@@ -63,7 +69,9 @@ class Curves:
     x: Floats
     y: Floats
     names: tuple[CurveName, ...]
+    axes: tuple[str, ...] = ()
     kind: Kind = "amplitude"
+    span: Range | None = None
     level_words: str = LEVEL_WORDS
     scaling: tuple[str, ...] = ()
     columns: tuple[str, ...] = ()
@@ -73,15 +81,16 @@ class Curves:
     between: Between | None = None
 
     def __post_init__(self) -> None:
-        if self.y.shape != (len(self.names), self.x.size) or self.x.size == 0:
+        n_curves = len(self.names) * self.each
+        if self.y.shape != (n_curves, self.x.size) or self.x.size == 0:
             raise ValueError(
-                f"y has shape {self.y.shape}, expected ({len(self.names)}, {self.x.size}) with at "
-                "least one point"
+                f"y has shape {self.y.shape}, expected ({n_curves}, {self.x.size}) with at least "
+                "one point"
             )
 
     @property
     def peak_words(self) -> tuple[str, ...]:
-        """Peak of each curve in one unit, as digits; none where curves keep their height."""
+        """Peak of each name in one unit, as digits; none where curves keep their height."""
         factor = self.peak_unit.factor
         return tuple(significant(peak * factor) for peak in self.peaks)
 
@@ -89,6 +98,15 @@ class Curves:
     def peak_unit(self) -> ValueUnit:
         """Unit of the peaks: that in which the largest reads well."""
         return value_unit("amplitude", 0.0, max(self.peaks, default=0.0))
+
+    @property
+    def each(self) -> int:
+        """How many curves each name has."""
+        return max(len(self.axes), 1)
+
+    def n_drawn(self, n_rows: int, *, stacked: bool) -> int:
+        """How many there is room for: those of as many names as there are rows, or all in one."""
+        return (n_rows if stacked else len(self.names)) * self.each
 
     def nearest(self, x: float) -> int:
         """Index of the point nearest to ``x``."""

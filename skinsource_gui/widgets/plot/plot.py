@@ -152,14 +152,13 @@ class Plot(Canvas):
             self.show_message(_NOT_FINITE)
             return
         self.crosshair.follow(curves)
-        others = self.curves is None or curves.names != self.curves.names
-        self.curves = curves
-        values = self._held.follow(low, high, curves.kind)
+        before, self.curves = self.curves, curves
+        values = self._held.follow(*(curves.span or (low, high)), curves.kind)
         self.value_scale = ValueScale(values=values, edge=self.value_scale.edge)
         self.unit = value_unit(curves.kind, *values)
         self.x_window = x_window(self.x_window.axis, self._data_range(), self.zoom)
         self.lay_out()
-        if others:
+        if before is None or (before.names, before.axes) != (curves.names, curves.axes):
             self._colour()
         self.reading_changed.emit()
 
@@ -238,8 +237,9 @@ class Plot(Canvas):
         if self.curves is None:
             return
         places = self.places
-        n_drawn = places.n_rows if self.stacked else len(self.curves.names)
-        rows = [places.row(rank if self.stacked else 0) for rank in range(n_drawn)]
+        each = self.curves.each
+        n_drawn = self.curves.n_drawn(places.n_rows, stacked=self.stacked)
+        rows = [places.row(rank // each if self.stacked else 0) for rank in range(n_drawn)]
         ratio = PAPER_DOTS if self._on_paper else self.devicePixelRatioF()
         seen = seen_of(self.curves, self.x_window, n_drawn, rows[0], ratio, self.columns)
         if beyond := seen.beyond(self.value_scale.values):
@@ -282,4 +282,6 @@ class Plot(Canvas):
 
     def _colour(self) -> None:
         names = () if self.curves is None or not self.stacked else self.curves.names
-        self.stack.show_colours([name.number for name in names], stale=self.words.stale)
+        n_axes = 0 if self.curves is None else len(self.curves.axes)
+        numbers = [name.number for name in names]
+        self.stack.show_colours(numbers, stale=self.words.stale, n_axes=n_axes)

@@ -37,7 +37,7 @@ class PlotToolbar(QWidget):
     room they are written smaller, and before that is hard to read, switches go below.
     """
 
-    #: ``"overlaid"`` or ``"stacked"``.
+    #: ``"overlaid"``, ``"stacked"``, or one that was added.
     layout_chosen = Signal(str)
     everything_wanted = Signal()
 
@@ -53,17 +53,13 @@ class PlotToolbar(QWidget):
         self._row.setSpacing(UNIT_PX // 2)
         self._layouts = QButtonGroup(self)
         self._layout_buttons: dict[str, QToolButton] = {}
-        segments = QHBoxLayout()
-        segments.setSpacing(0)
+        self._segments = QHBoxLayout()
+        self._segments.setSpacing(0)
+        self._segments.addStretch(1)
         for name, text, hint in _LAYOUTS:
-            button = self._button(name, text, hint)
-            self._layouts.addButton(button)
-            segments.addWidget(button)
-            self._layout_buttons[name] = button
-            self._last_before_switches = button
+            self.add_layout(name, text, hint)
         self._layouts.buttonClicked.connect(self._choose_layout)
-        segments.addStretch(1)
-        self._rows.addLayout(segments)
+        self._rows.addLayout(self._segments)
         self._rows.addLayout(self._row, 1)
         self._row.addStretch(1)
         self._everything = self._button("show-all", "Show all", "Leave the zoom (key 0)")
@@ -71,6 +67,14 @@ class PlotToolbar(QWidget):
         self._everything.clicked.connect(self.everything_wanted)
         self._everything.setVisible(False)
         self._row.addWidget(self._everything)
+
+    def add_layout(self, name: str, text: str, hint: str) -> None:
+        """Add one beside those that each plot has, before there are switches."""
+        button = self._button(name, text, hint)
+        self._layouts.addButton(button)
+        self._segments.insertWidget(self._segments.count() - 1, button)
+        self._layout_buttons[name] = button
+        self._last_before_switches = button
 
     def add_switch(
         self, name: str, text: str, hint: str, toggled: Callable[[bool], None]
@@ -107,7 +111,8 @@ class PlotToolbar(QWidget):
         shown = [one for one in self.findChildren(QToolButton) if one.isVisibleTo(self)]
         others = [one for one in shown if one not in first]
         around, gap = self._rows.contentsMargins(), self._rows.spacing()
-        room = self.width() - around.left() - around.right() - gap * len(shown)
+        # Layouts stand close together.
+        room = self.width() - around.left() - around.right() - gap * len(others)
         smallest = smallest_of(self.font())
         folds = bool(others) and width_in(readable_of(self.font()), shown) > room
         rows = (first, others) if folds else (shown,)

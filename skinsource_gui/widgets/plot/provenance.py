@@ -24,23 +24,33 @@ NEEDS = frozenset(
 )
 
 
-def lines_later(results: Mapping[str, Any], *first: str) -> Callable[[], tuple[str, ...]]:
+#: What is said where curves are along each axis by itself.
+EACH_AXIS = "each axis of the sensors"
+
+
+def lines_later(
+    results: Mapping[str, Any], *first: str, each_axis: bool = False
+) -> Callable[[], tuple[str, ...]]:
     """What gives lines for the head of a table: written when there is one, not at each edit."""
-    return partial(_lines, {name: results[name] for name in NEEDS}, first)
+    return partial(_lines, {name: results[name] for name in NEEDS}, first, each_axis)
 
 
-def _lines(results: Mapping[str, Any], first: tuple[str, ...]) -> tuple[str, ...]:
+def _lines(results: Mapping[str, Any], first: tuple[str, ...], each_axis: bool) -> tuple[str, ...]:
     note, inputs = results["limb_data"].note, results["inputs"]
     matched = match_words(results["match_gain"])
     return (
         *first,
         *describe_played(results["limb"], note, results["scaling"], inputs, results["actuation"]),
-        describe_projection(results["axes"], results["method"]),
+        f"axes: {EACH_AXIS}, by itself"
+        if each_axis
+        else describe_projection(results["axes"], results["method"]),
         describe_levels(results["span"]),
         *((matched,) if matched else ()),
     )
 
 
-def heading_of(results: Mapping[str, Any]) -> tuple[str, ...]:
+def heading_of(results: Mapping[str, Any], *, each_axis: bool = False) -> tuple[str, ...]:
     """Parts of the heading of a picture: the caption below says what is played, and how."""
-    return limb_word(results["limb"]).title, signal_words(results["axes"], results["method"])
+    along = f"along {EACH_AXIS}"
+    words = along if each_axis else signal_words(results["axes"], results["method"])
+    return limb_word(results["limb"]).title, words

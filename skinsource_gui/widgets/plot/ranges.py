@@ -7,7 +7,7 @@ from skinsource.decibels import FLOOR_DB
 
 Range = tuple[float, float]
 #: ``"amplitude"``: linear, includes zero; ``"level"``: dB, 80 dB from top to bottom;
-#: ``"relative"``: as amplitudes, without a unit.
+#: ``"relative"``: parts of peaks, without a unit.
 Kind = Literal["amplitude", "level", "relative"]
 
 LEVEL_SPAN_DB = 80.0
@@ -17,6 +17,8 @@ _LEVEL_SLACK_DB = 10.0
 # Tops of amplitude ranges: coarse enough that growing data seldom move the ticks.
 _TOPS = (1.0, 1.25, 1.6, 2.0, 2.5, 3.2, 4.0, 5.0, 6.4, 8.0, 10.0)
 _SHRINK_BELOW = 0.6
+# Curves that are relative to their peaks reach 1, and waves between samples a little more.
+_RELATIVE_TOP = 1.1
 _HEADROOM = 1.02
 
 
@@ -36,7 +38,7 @@ class HeldRange:
         Amplitudes: ``(0, top)`` for data that are never negative, else ``(-top, top)``.
         Levels: ``(top - 80, top)``.  Silence leaves the range as it was.
         """
-        wanted = _level_range(high) if kind == "level" else _amplitude_range(low, high)
+        wanted = _wanted(low, high, kind)
         if kind != self._kind or not self._still_fits(low, high, wanted):
             self._range = wanted
         self._kind = kind
@@ -57,6 +59,14 @@ class HeldRange:
         if (held_low < 0) != (wanted[0] < 0):
             return False
         return max(high, -low) <= held_high and wanted[1] >= _SHRINK_BELOW * held_high
+
+
+def _wanted(low: float, high: float, kind: Kind) -> Range:
+    if kind == "level":
+        return _level_range(high)
+    if kind == "relative" and max(high, -low) <= _RELATIVE_TOP:
+        return (-_RELATIVE_TOP if low < 0 else 0.0, _RELATIVE_TOP)
+    return _amplitude_range(low, high)
 
 
 def _amplitude_range(low: float, high: float) -> Range:

@@ -1,17 +1,18 @@
 """Pictures of a plot, for papers and slides: whole, with a legend, without a crosshair."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 from math import ceil
 
 from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.paper import on_paper
 from skinsource_gui.widgets.plot.plot import Plot
 
 _SCALE = 2
-_SWATCH_PX = 16
+_SWATCH_PX, _GAP_PX = 16, 4
 
 
 def usual_size(plot: Plot) -> QSize:
@@ -78,11 +79,13 @@ def _paint_head(painter: QPainter, plot: Plot) -> None:
         painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, words)
     for row, line in enumerate(_legend_lines(plot), start=len(heading)):
         middle = (row + 0.5) * line_px
-        for left, rank, text in line:
-            painter.setPen(plot.theme.output_pen(rank, 2.0))
-            painter.drawLine(left, int(middle), left + _SWATCH_PX, int(middle))
+        for left, pen, text in line:
+            if pen is not None:
+                painter.setPen(pen)
+                painter.drawLine(left, int(middle), left + _SWATCH_PX, int(middle))
+                left += _SWATCH_PX + _GAP_PX
             painter.setPen(QColor(plot.theme.text))
-            room = QRectF(left + _SWATCH_PX + 4, row * line_px, plot.width(), line_px)
+            room = QRectF(left, row * line_px, plot.width(), line_px)
             painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, text)
 
 
@@ -106,20 +109,31 @@ def _heading_lines(plot: Plot) -> list[str]:
     return lines
 
 
-def _legend_lines(plot: Plot) -> list[list[tuple[int, int, str]]]:
-    """Left edge, rank and text of each entry, line by line."""
+def _legend_lines(plot: Plot) -> list[list[tuple[int, QPen | None, str]]]:
+    """Left edge, pen and text of each entry, line by line."""
     metrics = QFontMetricsF(plot.words_font)
-    lines: list[list[tuple[int, int, str]]] = [[]]
+    lines: list[list[tuple[int, QPen | None, str]]] = [[]]
     left = UNIT_PX
-    curves = plot.curves
-    for rank, name in enumerate(() if curves is None else curves.names):
-        text = f"{name.number}  {name.short}" if name.number else name.short
-        if curves is not None and curves.peaks:
-            text += f", peak {curves.peak_words[rank]} {curves.peak_unit.symbol}"
-        width = ceil(_SWATCH_PX + 4 + metrics.horizontalAdvance(text) + 2 * UNIT_PX)
+    for pen, text in _entries(plot):
+        swatch_px = 0 if pen is None else _SWATCH_PX + _GAP_PX
+        width = ceil(swatch_px + metrics.horizontalAdvance(text) + 2 * UNIT_PX)
         if lines[-1] and left + width > plot.width():
             lines.append([])
             left = UNIT_PX
-        lines[-1].append((left, rank, text))
+        lines[-1].append((left, pen, text))
         left += width
     return lines
+
+
+def _entries(plot: Plot) -> Iterator[tuple[QPen | None, str]]:
+    """Pens and texts: where axes have the pens, outputs are told by the numbers of their rows."""
+    curves = plot.curves
+    if curves is None:
+        return
+    for rank, axis in enumerate(curves.axes):
+        yield QPen(plot.theme.axis_colour(rank), 2.0), axis
+    for rank, name in enumerate(curves.names):
+        text = f"{name.number}  {name.short}" if name.number else name.short
+        if curves.peaks:
+            text += f", peak {curves.peak_words[rank]} {curves.peak_unit.symbol}"
+        yield None if curves.axes else plot.theme.output_pen(rank, 2.0), text

@@ -44,7 +44,11 @@ def save_table(path: Path, plot: Plot, title: str, lines: Sequence[str] = ()) ->
     about.extend(line for line in lines if line not in about)
     if plot.words.synthetic:
         about.insert(1, "SYNTHETIC LIMB: computed responses, not measured ones")
-    own = curves.columns or tuple(f"output_{name.number}_{unit}" for name in curves.names)
+    own = curves.columns or tuple(
+        f"output_{name.number}{axis and f'_{axis}'}_{unit}"
+        for name in curves.names
+        for axis in curves.axes or ("",)
+    )
     header = [axis.column, *own]
     y = in_tables(curves.y) if curves.kind == "level" else curves.y
     with output_file(path, never) as file:

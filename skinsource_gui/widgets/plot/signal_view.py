@@ -10,7 +10,7 @@ from skinsource_gui.widgets.lateness import Lateness
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves
 from skinsource_gui.widgets.plot.legend.legend_strip import LegendStrip
-from skinsource_gui.widgets.plot.legend.legend_text import PEAK, LegendText
+from skinsource_gui.widgets.plot.legend.legend_text import PEAK, LegendText, along_axes
 from skinsource_gui.widgets.plot.plot import Plot
 from skinsource_gui.widgets.plot.plot_layout import Words
 from skinsource_gui.widgets.plot.plot_toolbar import PlotToolbar
@@ -123,12 +123,15 @@ def reading(plot: Plot) -> LegendText:
         where_room=axis.reading(float(max(-curves.x[0], curves.x[-1]))),
         reading_room=max((unit.reading(value) for value in plot.value_scale.values), key=len),
     )
+    if curves.axes:
+        text = text.of_axes(curves.axes)
     if plot.crosshair.index is None:
-        return _with_peaks(text, curves) if curves.peaks else text
+        return _with_peaks(text, curves) if curves.peaks and not curves.axes else text
+    readings = tuple(unit.reading(float(y)) for y in curves.y[:, plot.crosshair.index])
     return replace(
         text,
         where=axis.reading(float(curves.x[plot.crosshair.index])),
-        readings=tuple(unit.reading(float(y)) for y in curves.y[:, plot.crosshair.index]),
+        readings=along_axes(readings, curves.each) if curves.axes else readings,
     )
 
 

@@ -50,6 +50,7 @@ class Stack:
         self._theme, self._font = theme, font
         self._message_font = font
         self._window: XWindow | None = None
+        self._n_axes = 0
         self._pool: list[PlotRow] = []
         self.rows: list[PlotRow] = []
         self.header = HeaderLine()
@@ -117,10 +118,16 @@ class Stack:
         for row, of_row in zip(self.rows, self._by_row(points), strict=True):
             row.show_points(of_row)
 
-    def show_colours(self, numbers: Sequence[int], *, stale: bool) -> None:
-        """Give curves the pens of their ranks, and rows of a stack their ``numbers``, if any."""
+    def show_colours(self, numbers: Sequence[int], *, stale: bool, n_axes: int = 0) -> None:
+        """Give curves the pens of their ranks, and rows of a stack their ``numbers``, if any.
+
+        Where each row has curves along ``n_axes``, they have the colours of axes.
+        """
+        self._n_axes = n_axes
         # One pixel of the screen: any wider line takes a hundred times as long.
         pens = [self._theme.output_pen(rank, 0.0) for rank in range(self._n_curves())]
+        if n_axes:
+            pens = [QPen(colour, 0.0) for colour in self._colours(len(pens))]
         for row, of_row in zip(self.rows, self._by_row(pens), strict=True):
             row.show_pens(of_row, stale=stale)
         for rank, row in enumerate(self.rows):
@@ -129,8 +136,7 @@ class Stack:
 
     def show_crosshair(self, position: float | None, heights: Sequence[float]) -> None:
         """Read each curve at ``position``, or nothing."""
-        colours = [self._theme.output_colour(rank) for rank in range(len(heights))]
-        of_rows = zip(self._by_row(heights), self._by_row(colours), strict=True)
+        of_rows = zip(self._by_row(heights), self._by_row(self._colours(len(heights))), strict=True)
         for row, (of_row, of_dots) in zip(self.rows, of_rows, strict=True):
             row.show_crosshair(position, of_row, of_dots)
 
@@ -143,7 +149,13 @@ class Stack:
     def _by_row(self, parts: Sequence[_Part]) -> list[Sequence[_Part]]:
         if len(self.rows) == 1:
             return [parts]
-        return [parts[rank : rank + 1] for rank in range(len(self.rows))]
+        each = max(len(parts) // max(len(self.rows), 1), 1)
+        return [parts[rank * each : (rank + 1) * each] for rank in range(len(self.rows))]
+
+    def _colours(self, n_curves: int) -> list[QColor]:
+        if not self._n_axes:
+            return [self._theme.output_colour(rank) for rank in range(n_curves)]
+        return [self._theme.axis_colour(rank % self._n_axes) for rank in range(n_curves)]
 
     def _n_curves(self) -> int:
         return sum(row.n_curves for row in self.rows)

@@ -3,9 +3,10 @@
 from skinsource.scenes.paper_scene import Scene
 from skinsource.scenes.shipped.making import (
     AXES_BESIDE,
-    BESIDE,
+    EACH_TO_ITS_MAXIMUM,
     MOVING,
     OWN_ROWS,
+    OWN_SPECTRA,
     MadeScene,
     at,
     made,
@@ -15,7 +16,6 @@ from skinsource.waveforms import Impulse
 
 _ALONG_DIGIT_III = (20, 24, 26, 27, 48, 49, 72)
 _PULSE = Impulse()
-_OWN_MAPS = "one scale here, in the figure a scale for each map"
 
 
 _TRACES = made(
@@ -43,16 +43,13 @@ _SPECTRA = made(
         title="High frequencies stay near the finger",
         sentence="Spectra of the same responses: the farther from the pulse, the less is left of "
         "high frequencies.",
-        inferred=(
-            "one scale and z alone here, in the figure a scale for each output and three axes",
-        ),
         panels=("skin", "spectra"),
     ),
     played(4, *at([8], _PULSE), scaling="relative"),
     turned="amplitude",
     axes="z",
     outputs=_ALONG_DIGIT_III,
-    panels={"spectra": {"layout": "stacked", "frequency_range_hz": (25.0, 600.0)}},
+    panels=OWN_SPECTRA,
 )
 
 _AXES = made(
@@ -77,14 +74,14 @@ _PLACES = made(
         title="Where the pulse is given",
         sentence="The same pulse at the pad of digit III, at its base and on the palm reaches "
         "other parts of the hand.",
-        inferred=("which three places: 8, 13 and 18", _OWN_MAPS),
+        inferred=("which three places: 8, 13 and 18",),
         labels=("Pad 8", "Base 13", "Palm 18"),
         arrangement="design",
         panels=("skin", "side_by_side"),
     ),
     *(played(1, *at([place], _PULSE), scaling="relative") for place in (8, 13, 18)),
     turned="amplitude",
-    panels=BESIDE,
+    panels=EACH_TO_ITS_MAXIMUM,
     method="mag",
 )
 
@@ -94,14 +91,13 @@ _PEOPLE = made(
         title="Four people",
         sentence="The same pulse on the pad of digit III of four people: hands differ in how far "
         "they carry it.",
-        inferred=(_OWN_MAPS,),
         labels=("Limb 1", "Limb 2", "Limb 3", "Limb 4"),
         arrangement="design",
         panels=("skin", "side_by_side"),
     ),
     *(played(limb, *at([8], _PULSE), scaling="relative") for limb in (1, 2, 3, 4)),
     turned="amplitude",
-    panels=BESIDE,
+    panels=EACH_TO_ITS_MAXIMUM,
     method="mag",
 )
 

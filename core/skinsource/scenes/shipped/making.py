@@ -18,8 +18,19 @@ CONTROLS = "frequency_and_amplitude"
 MOVING = {"skin": {"quantity": "z"}}
 #: A row for each output, relative to its own peak: of scenes in which most others would be flat.
 OWN_ROWS = {"traces": {"layout": "stacked", "relative": True}}
+#: Spectra along each axis in a row for each output, relative to its own peak, as amplitudes.
+OWN_SPECTRA = {
+    "spectra": {
+        "layout": "axes",
+        "log_magnitude": False,
+        "relative": True,
+        "frequency_range_hz": (25.0, 600.0),
+    }
+}
 #: Maps of all designs of a scene at once: of scenes that compare people, places or frequencies.
 BESIDE = {"side_by_side": {"of": "snapshots"}}
+#: The same, each relative to its own loudest output.
+EACH_TO_ITS_MAXIMUM = {"side_by_side": {"of": "snapshots", "own_maximum": True}}
 #: Maps of the design along each axis at once.
 AXES_BESIDE = {"side_by_side": {"of": "axes"}}
 

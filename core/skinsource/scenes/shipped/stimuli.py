@@ -1,7 +1,16 @@
 """Fig. 2: stimuli, and what arrives of them."""
 
 from skinsource.scenes.paper_scene import Scene
-from skinsource.scenes.shipped.making import BESIDE, MOVING, OWN_ROWS, MadeScene, at, made, played
+from skinsource.scenes.shipped.making import (
+    BESIDE,
+    MOVING,
+    OWN_ROWS,
+    OWN_SPECTRA,
+    MadeScene,
+    at,
+    made,
+    played,
+)
 from skinsource.waveforms import Noise, Tap, Tone, WaveletTrain
 
 # Ten cycles of 200 Hz, 65 samples; and 200 ms, 260 samples, whatever the frequency.
@@ -74,17 +83,14 @@ _NOISE_SPECTRA = made(
         name="2D",
         title="Noise, as spectra",
         sentence="Of the same noise the skin passes on low frequencies more than high ones.",
-        inferred=(
-            *_OWN_NOISE,
-            "three axes and the mean over ten bins in the figure, x here",
-        ),
+        inferred=(*_OWN_NOISE, "in the figure the mean over ten bins"),
         panels=("skin", "spectra"),
     ),
     played(2, *at([5], _NOISE)),
     turned="amplitude",
     axes="x",
     outputs=_NOISE_OUTPUTS,
-    panels={"spectra": {"layout": "stacked", "frequency_range_hz": (25.0, 600.0)}},
+    panels=OWN_SPECTRA,
 )
 
 _TAPS = made(

@@ -66,7 +66,9 @@ class LegendLayout:
             *([self.text.unit] if detail.unit else []),
         ]
         gaps = GAP_PX * len(words) + UNIT_PX
-        return SWATCH_PX + gaps + sum(self.metrics.horizontalAdvance(word) for word in words)
+        whole = SWATCH_PX + gaps + sum(self.metrics.horizontalAdvance(word) for word in words)
+        # Of what all outputs read as much as a line holds.
+        return min(whole, self.width_px - UNIT_PX) if self.text.by_axis else whole
 
     def fitting(self) -> tuple[Detail, int]:
         """What is written of each curve in one line, and of how many curves."""

@@ -1,7 +1,7 @@
 """Paints the entries of a legend."""
 
 from PySide6.QtCore import QPointF, QRect, Qt
-from PySide6.QtGui import QColor, QPainter
+from PySide6.QtGui import QColor, QPainter, QPen
 
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.plot.legend.legend_layout import (
@@ -35,7 +35,9 @@ class LegendPainter:
         """Write what is said of a curve; return where the next one begins."""
         text, theme, metrics = self._layout.text, self._theme, self._layout.metrics
         name, end = text.names[rank], x + self._layout.entry_px(rank, detail)
-        self._painter.setPen(theme.output_pen(rank, 2.0))
+        by_axis = text.by_axis
+        pen = QPen(theme.axis_colour(rank), 2.0) if by_axis else theme.output_pen(rank, 2.0)
+        self._painter.setPen(pen)
         middle = self._row_px / 2
         self._painter.drawLine(QPointF(x, middle), QPointF(x + SWATCH_PX - 1, middle))
         x += SWATCH_PX + GAP_PX
@@ -43,7 +45,10 @@ class LegendPainter:
             x = self.write(x, str(name.number), theme.text)
         if detail.place:
             x = self.write(x, name.short, theme.dim)
-        if detail.reading:
+        if detail.reading and by_axis:
+            elided = Qt.TextElideMode.ElideRight
+            x = self.write(x, metrics.elidedText(text.readings[rank], elided, end - x), theme.text)
+        elif detail.reading:
             room = metrics.horizontalAdvance(text.reading_room)
             x += max(0, room - metrics.horizontalAdvance(text.readings[rank]))
             x = self.write(x, text.readings[rank], theme.text)

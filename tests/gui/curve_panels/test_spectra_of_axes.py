@@ -1,0 +1,244 @@
+"""Spectra relative to their peaks, and along each axis: what is drawn, said, read and copied."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QSize
+from PySide6.QtGui import QColor, QImage, QPainter
+
+from skinsource.evaluation import evaluate
+from skinsource.panel_settings import settings_of, with_settings
+from skinsource.spectra import magnitude_spectrum
+from skinsource_gui.panels.spectra.settings import SpectraSettings
+from skinsource_gui.widgets.plot.signal_table import save_table
+from skinsource_gui.widgets.plot.signal_view import SignalView
+from tests.gui.curve_panels.bench import click, plot_of, said_above
+from tests.gui.curve_panels.spectra_bench import LINEAR, opener, results_for
+
+AXES = "xyz"
+PEAKS = np.array([[0.5, 0.25, 0.1], [0.01, 0.02, 0.04]])
+
+
+@pytest.fixture
+def show(qtbot):
+    return opener(qtbot)
+
+
+def settings(panel):
+    return settings_of(panel.views[-1], "spectra", SpectraSettings)
+
+
+def along_axes(view, peaks=PEAKS):
+    """Results of two outputs that move at 100 Hz by ``peaks`` along x, y and z."""
+    time_s = np.arange(650) / 1300
+    found = magnitude_spectrum(peaks[..., None] * np.sin(2 * np.pi * 100 * time_s), 1300.0)
+    return {**results_for(view), "selected_axis_spectra": found}
+
+
+@pytest.fixture
+def panel(show):
+    """On the axes of both outputs."""
+    found = show()
+    click(found, "axes")
+    found.show_results(along_axes(found.views[-1]))
+    return found
+
+
+def test_each_output_can_be_drawn_relative_to_its_own_peak(show):
+    panel = show()
+    plot = plot_of(panel)
+    before = plot.curves.y
+    click(panel, "relative")
+    assert settings(panel).relative
+    assert plot.curves.y.max(axis=-1) == pytest.approx([1.0, 1.0])
+    assert plot.value_scale.values == (0.0, 1.1)
+    assert said_above(panel).unit == "of its peak"
+    click(panel, "log-magnitude")
+    assert plot.curves.y.max(axis=-1) == pytest.approx([0.0, 0.0], abs=1e-9)
+    assert said_above(panel).unit == "dB re its peak"
+    assert plot.value_scale.values == (-80.0, 0.0)
+    click(panel, "relative")
+    click(panel, "log-magnitude")
+    assert plot.curves.y == pytest.approx(before)
+
+
+def test_a_peak_is_one_of_the_measured_band(show):
+    panel = show()
+    time_s = np.arange(650) / 1300
+    drift, felt = (np.sin(2 * np.pi * hz * time_s) for hz in (10.0, 100.0))
+    traces = np.stack((9.0 * drift + felt, 0.1 * felt))
+    panel.show_results(
+        {**results_for(LINEAR), "selected_spectra": magnitude_spectrum(traces, 1300.0)}
+    )
+    click(panel, "relative")
+    plot = plot_of(panel)
+    assert plot.curves.y[:, plot.curves.nearest(100.0)] == pytest.approx([1.0, 1.0])
+    assert plot.curves.y.max() == pytest.approx(9.0)
+    assert plot.value_scale.values == (0.0, 1.1)
+
+
+@pytest.mark.parametrize("level", [False, True])
+def test_silence_has_no_peak(show, level):
+    view = with_settings(
+        LINEAR, "spectra", SpectraSettings(relative=True, log_magnitude=level, layout="axes")
+    )
+    panel = show()
+    panel.show_state(None, view)
+    panel.show_results(along_axes(view, 0.0 * PEAKS))
+    assert np.isfinite(plot_of(panel).curves.y).all()
+    panel.grab()
+
+
+def test_the_peaks_are_said_with_their_unit(show, panel, tmp_path):
+    alone = show()
+    click(alone, "relative")
+    legend = alone.findChild(SignalView).legend
+    assert (legend.text.where, legend.text.unit) == ("peak", "m/s²")
+    assert [float(one) for one in legend.text.readings] == pytest.approx([0.5, 0.05])
+    click(panel, "relative")
+    panel.show_results(along_axes(panel.views[-1]))
+    save_table(tmp_path / "spectra.csv", plot_of(panel), "Spectra")
+    words = (tmp_path / "spectra.csv").read_text("utf-8").split("peaks in m/s²: ")[1]
+    assert [float(one.split(": ")[1]) for one in words.splitlines()[0].rstrip('"').split(", ")] == (
+        pytest.approx(PEAKS.max(axis=-1))
+    )
+
+
+def test_scales_need_nothing_that_was_not_there(show):
+    panel = show()
+    needed = panel.needs
+    for name in ("relative", "log-magnitude", "log-frequency", "stacked"):
+        click(panel, name)
+        assert panel.needs == needed
+    click(panel, "axes")
+    assert panel.needs - needed == {"selected_axis_spectra"}
+    assert needed - panel.needs == {"selected_spectra"}
+    panel.show_state(None, replace(panel.views[-1], span="loudest"))
+    assert "selected_axis_peak_spectra" in panel.needs
+
+
+def test_rows_have_a_curve_for_each_axis_in_colours_that_no_output_has(panel):
+    plot = plot_of(panel)
+    assert len(plot.stack.rows) == 2
+    assert [row.n_curves for row in plot.stack.rows] == [3, 3]
+    assert plot.curves.y.max(axis=-1) == pytest.approx(PEAKS.ravel())
+    pens = [[one.pen.color() for one in row.curves[:3]] for row in plot.stack.rows]
+    assert pens[0] == pens[1] == [plot.theme.axis_colour(k) for k in range(3)]
+    assert not {one.name() for one in pens[0]} & {
+        plot.theme.output_colour(k).name() for k in range(8)
+    }
+    assert [row.number.text for row in plot.stack.rows] == ["29", "52"]
+
+
+def test_an_output_keeps_the_proportion_of_its_axes(panel):
+    click(panel, "relative")
+    expected = PEAKS / PEAKS.max(axis=-1, keepdims=True)
+    assert plot_of(panel).curves.y.max(axis=-1) == pytest.approx(expected.ravel())
+
+
+def test_the_legend_names_the_axes_and_reads_all_outputs_along_each(panel):
+    plot, legend = plot_of(panel), panel.findChild(SignalView).legend
+    assert [name.short for name in legend.text.names] == ["x", "y", "z"]
+    plot.crosshair.put(plot.curves.nearest(100.0))
+    assert legend.text.readings == ("0.5000  0.0100", "0.2500  0.0200", "0.1000  0.0400")
+    assert "x: along x at 29, 52: 0.5000  0.0100 m/s²" in legend.text.lines()
+    for width in (900, 300, 150):
+        panel.resize(width, 300)
+        layout = legend.layout_of_words
+        assert all(x + 20 <= layout.width_px for x, _ in layout.lines()[:-1])
+        panel.grab()
+
+
+def test_axes_say_so_whatever_was_chosen_and_nothing_of_rectified_magnitudes(panel, tmp_path):
+    view = replace(panel.views[-1], method="mag", axes="xyz")
+    panel.show_state(None, view)
+    panel.show_results(along_axes(view))
+    assert said_above(panel).notes == ()
+    curves = plot_of(panel).curves
+    assert "along each axis of the sensors" in curves.heading
+    assert "axes: each axis of the sensors, by itself" in curves.about()
+    save_table(tmp_path / "spectra.csv", plot_of(panel), "Spectra")
+    table = (tmp_path / "spectra.csv").read_text("utf-8")
+    assert "frequency_hz,output_29_x_m_per_s2,output_29_y_m_per_s2" in table
+    for name, unit in (("relative", "of_its_peak"), ("log-magnitude", "db_re_its_peak")):
+        click(panel, name)
+        panel.show_results(along_axes(panel.views[-1]))
+        save_table(tmp_path / "spectra.csv", plot_of(panel), "Spectra")
+        table = (tmp_path / "spectra.csv").read_text("utf-8")
+        assert f"output_52_z_{unit}" in table
+        assert "relative to its largest magnitude" in table
+
+
+def test_a_picture_has_the_colours_of_axes(panel):
+    image = QImage(QSize(800, 600), QImage.Format.Format_RGB32)
+    painter = QPainter(image)
+    panel.draw_picture(painter, 800, 600)
+    painter.end()
+    seen = {image.pixel(x, y) & 0xFFFFFF for x in range(800) for y in range(600)}
+    theme = plot_of(panel).theme
+    assert {QColor(theme.axis_colour(k)).rgb() & 0xFFFFFF for k in range(2)} <= seen
+
+
+def test_back_from_axes_the_chosen_ones_are_waited_for(panel):
+    plot = plot_of(panel)
+    results = along_axes(panel.views[-1])
+    del results["selected_spectra"]
+    panel.show_results(results)
+    click(panel, "overlaid")
+    assert plot.curves.axes == ("x", "y", "z")
+    panel.show_results(results_for(panel.views[-1]))
+    assert plot.curves.axes == ()
+
+
+def test_the_window_shows_each_axis_as_if_it_alone_were_chosen(window, settle, qtbot):
+    panel, document = window.panel("spectra"), window.document
+    window.docks["spectra"].bring_forward()
+    for span in ("record", "loudest"):
+        view = replace(document.view, span=span)
+        document.look(
+            with_settings(view, "spectra", SpectraSettings(layout="axes", log_magnitude=False))
+        )
+        settle()
+        qtbot.waitUntil(lambda: plot_of(panel).curves.axes == ("x", "y", "z"))
+        name = {"record": "selected_spectra", "loudest": "selected_peak_spectra"}[span]
+        for k, axis in enumerate(AXES):
+            alone = evaluate(document.design, name, view=replace(view, axes=axis))[name][1]
+            assert plot_of(panel).curves.y[k::3] == pytest.approx(alone, rel=1e-9, abs=1e-12)
+
+
+def test_who_looks_at_the_scale_alone_computes_nothing(window, settle):
+    window.docks["spectra"].bring_forward()
+    settle()
+    asked = []
+    ask = window.engine.request
+    window.engine.request = lambda one: (asked.append(one.wanted), ask(one))
+    panel = window.panel("spectra")
+    for name in ("relative", "log-magnitude", "relative", "stacked"):
+        click(panel, name)
+        settle()
+    assert asked == []
+    click(panel, "axes")
+    settle()
+    assert any("selected_axis_spectra" in one for one in asked)
+    window.docks["spectra"].toggleViewAction().trigger()
+    settle()
+    asked.clear()
+    window.document.edit("Louder", window.document.design.with_input(0, amplitude=3.0))
+    settle()
+    assert asked
+    assert not any("selected_axis_spectra" in one for one in asked)
+
+
+@pytest.mark.parametrize("name", ["1D", "2D"])
+def test_scenes_of_spectra_show_three_axes_relative_to_the_peak_of_each_output(
+    window, settle, qtbot, name
+):
+    window.scenes.open(name)
+    settle()
+    plot = plot_of(window.panel("spectra"))
+    qtbot.waitUntil(lambda: plot.curves is not None and plot.curves.axes == ("x", "y", "z"))
+    assert len(plot.stack.rows) == 7
+    peaks = plot.curves.y.reshape(7, 3, -1).max(axis=(1, 2))
+    assert (peaks >= 1.0 - 1e-12).all()
+    assert "three axes" not in window.document.design.notes
