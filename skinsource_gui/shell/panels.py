@@ -10,6 +10,7 @@ from skinsource.perception.settings import PerceptionSettings
 from skinsource_gui.late_panel import LatePanel
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.frequency_and_amplitude.settings import ControlSettings
+from skinsource_gui.panels.linearity.settings import LinearitySettings
 from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.spectra.settings import SpectraSettings
@@ -128,7 +129,9 @@ PANELS: tuple[PanelSpec, ...] = (
         settings=SideBySideSettings,
         places=_places(),
     ),
-    PanelSpec(panel=LatePanel("linearity", "Linearity"), places=_places()),
+    PanelSpec(
+        panel=LatePanel("linearity", "Linearity"), settings=LinearitySettings, places=_places()
+    ),
     PanelSpec(
         panel=LatePanel("perception", "Perception"), settings=PerceptionSettings, places=_places()
     ),

@@ -1,4 +1,4 @@
-"""The rule from all that plays to what a prediction is not good for."""
+"""The rules from all that plays to what a prediction is not good for, and how fast probes are."""
 
 from skinsource.arrays import Floats
 from skinsource.chain import Actuation
@@ -7,6 +7,7 @@ from skinsource.scaling.response_scaling import Scaling
 from skinsource.validity import (
     SPATIAL_LIMIT_HZ,
     Findings,
+    fastest_probe,
     found_in_drives,
     found_in_outputs,
     found_in_setup,
@@ -38,4 +39,17 @@ def validity(
     )
 
 
-RULES = (validity,)
+def fastest_probe_m_per_s(
+    place_drives: tuple[tuple[int, Floats], ...],
+    limb_data: Limb,
+    scaling: Scaling,
+    actuation: Actuation | None,
+) -> float | None:
+    """Largest velocity of any probe, in m/s; None: not known, or actuators move in their place."""
+    if scaling != "probe" or actuation is not None:
+        return None
+    drives = [samples for _, samples in place_drives]
+    return fastest_probe(drives, limb_data.sample_rate_hz, limb_data.band_hz)
+
+
+RULES = (validity, fastest_probe_m_per_s)

@@ -12,8 +12,8 @@ from skinsource.comparing.snapshot import alike, louder
 from skinsource.design import Design, Input, audible_inputs
 from skinsource.errors import InvalidInputError
 from skinsource.limb import Band
-from skinsource.validation import linear_fit, superposition_correlation
-from skinsource.validation.linearity import straight_lines
+from skinsource.validation import superposition_correlation
+from skinsource.validation.linearity import band_magnitudes, straight_lines
 
 #: Fewer strengths make no line that could be bent.
 LEAST_STRENGTHS = 3
@@ -35,8 +35,10 @@ class Proportion:
         Of the responses, and the straight line through them by least squares.
     frequency_hz : (n_bins,)
         Middles of bands of 2 Hz.
+    band_rms, band_line : (n_strengths, n_channels, n_bins)
+        Of the spectrum of the output there, and the straight line through them.
     adjusted_r2 : (n_channels, n_bins)
-        Of straight lines of the output over the input there; NaN: nothing is heard.
+        Of these lines; NaN: nothing is heard.
     """
 
     strengths: Floats
@@ -45,6 +47,8 @@ class Proportion:
     rms: Floats
     line: Floats
     frequency_hz: Floats
+    band_rms: Floats
+    band_line: Floats
     adjusted_r2: Floats
 
 
@@ -115,7 +119,9 @@ def proportion(
     divided = y / x[:, None, None]
     rms = np.sqrt(np.mean(np.square(y), axis=-1))
     slope, offset, _ = straight_lines(x[:, None], rms)
-    frequency_hz, adjusted_r2 = linear_fit(x, y, sample_rate_hz, band_hz)
+    frequency_hz, band_rms = band_magnitudes(y, sample_rate_hz, band_hz)
+    levels = x[:, None, None]
+    of_band, above, adjusted_r2 = straight_lines(levels, band_rms)
     return Proportion(
         strengths=x,
         divided=divided,
@@ -123,6 +129,8 @@ def proportion(
         rms=rms,
         line=offset + slope * x[:, None],
         frequency_hz=frequency_hz,
+        band_rms=band_rms,
+        band_line=above + of_band * levels,
         adjusted_r2=adjusted_r2,
     )
 

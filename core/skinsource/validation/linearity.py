@@ -56,17 +56,26 @@ def linear_fit(
             f"levels has shape {x.shape}, responses {data.shape}; expected three or more different "
             "levels and (n_levels, n_channels, n_times)"
         )
-    n_times = data.shape[-1]
-    power = np.square(np.abs(scipy.fft.rfft(data, axis=-1)))
-    frequency_hz = np.arange(power.shape[-1]) * (rate / n_times)
+    middles, y = band_magnitudes(data, rate, band_hz)
+    return middles, straight_lines(x[:, None, None], y)[2]
+
+
+def band_magnitudes(
+    responses: Floats, sample_rate_hz: float, band_hz: Band | None = BAND_HZ
+) -> tuple[Floats, Floats]:
+    """Middles of bins of 2 Hz, and the magnitude in each, (..., n_bins), of (..., n_times).
+
+    It is the root of the mean square, over the bin, of the transform divided by its samples.
+    """
+    n_times = responses.shape[-1]
+    power = np.square(np.abs(scipy.fft.rfft(responses, axis=-1) / n_times))
+    frequency_hz = np.arange(power.shape[-1]) * (sample_rate_hz / n_times)
     low_hz, high_hz = band_hz or (0.0, np.inf)
     inside = (frequency_hz >= low_hz) & (frequency_hz < high_hz)
     bins = np.floor((frequency_hz[inside] - low_hz) / BIN_HZ).astype(int)
     numbers, first, counts = np.unique(bins, return_index=True, return_counts=True)
     summed = np.add.reduceat(power[..., inside], first, axis=-1)
-    y = np.sqrt(summed / counts)
-    middles = low_hz + (numbers + 0.5) * BIN_HZ
-    return middles, straight_lines(x[:, None, None], y)[2]
+    return low_hz + (numbers + 0.5) * BIN_HZ, np.sqrt(summed / counts)
 
 
 def superposition_correlation(separate: ArrayLike, joint: ArrayLike) -> Floats:

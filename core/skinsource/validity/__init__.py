@@ -3,6 +3,7 @@
 from skinsource.validity.finding import Finding, Findings
 from skinsource.validity.judging import (
     SPATIAL_LIMIT_HZ,
+    fastest_probe,
     found_in_drives,
     found_in_outputs,
     found_in_setup,
@@ -13,6 +14,7 @@ __all__ = [
     "SPATIAL_LIMIT_HZ",
     "Finding",
     "Findings",
+    "fastest_probe",
     "found_in_drives",
     "found_in_outputs",
     "found_in_setup",

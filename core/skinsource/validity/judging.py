@@ -1,6 +1,6 @@
 """Conditions of the measurement (SkinSource, 2024), and whether a design keeps them."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -67,6 +67,14 @@ def probe_velocity(
     return float(np.abs(scipy.fft.irfft(spectrum, n_fft)).max())
 
 
+def fastest_probe(
+    drives: Iterable[ArrayLike], sample_rate_hz: float, band_hz: Band | None = BAND_HZ
+) -> float:
+    """Return the largest velocity of any of the probes that are driven so, m/s; 0: none is."""
+    lowest_hz = _lowest_hz(band_hz)
+    return max((probe_velocity(one, sample_rate_hz, lowest_hz) for one in drives), default=0.0)
+
+
 def found_in_drives(
     drives: Sequence[tuple[int, Floats]],
     sample_rate_hz: float,
@@ -99,7 +107,7 @@ def found_in_drives(
     ]
     return (
         _band(played, sample_rate_hz, band_hz),
-        _velocity(played, sample_rate_hz, scaling, _lowest_hz(band_hz), probe=probe),
+        _velocity(played, sample_rate_hz, scaling, band_hz, probe=probe),
         _spacing(played, sample_rate_hz, spatial_limit_hz),
     )
 
@@ -241,7 +249,7 @@ def _lowest_hz(band_hz: Band | None) -> float:
 
 
 def _velocity(
-    played: Sequence[_Drive], rate: float, scaling: Scaling, lowest_hz: float, *, probe: bool
+    played: Sequence[_Drive], rate: float, scaling: Scaling, band_hz: Band | None, *, probe: bool
 ) -> Finding:
     limit = f"{LARGEST_VELOCITY_M_PER_S * _MM_PER_M:g} mm/s"
     if scaling != "probe":
@@ -257,7 +265,8 @@ def _velocity(
     if not probe:
         sentence = "Drives go through actuators here: the actuator panel tells how fast these move."
         return Finding(name="drive", state="unknown", sentence=sentence)
-    fastest = max((probe_velocity(one.samples, rate, lowest_hz) for one in played), default=0.0)
+    fastest = fastest_probe((one.samples for one in played), rate, band_hz)
+    lowest_hz = _lowest_hz(band_hz)
     left = fastest > LARGEST_VELOCITY_M_PER_S
     moves, speed = "The probe moves at up to {:.3g} mm/s", fastest * _MM_PER_M
     beyond = f"above {limit} the skin no longer answers in proportion."

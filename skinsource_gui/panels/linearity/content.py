@@ -5,7 +5,9 @@ import numpy as np
 from skinsource.arrays import Floats
 from skinsource.checking import Proportion, Superposition
 from skinsource.resampling import finer
+from skinsource.validation.linearity import BIN_HZ
 from skinsource_gui.panels.linearity.diagram import Curve, Diagram
+from skinsource_gui.panels.linearity.strength import StrengthUnit
 from skinsource_gui.widgets.figure.axes import Axis
 
 # Of long responses this much is drawn, around the loudest instant, where no zoom says which part.
@@ -14,6 +16,9 @@ _SHOWN_S = 0.03
 _MOST_SAMPLES = 1500
 _WIDEST_PX, _NARROWEST_PX = 8.0, 1.2
 _PALE = 0.55
+# Bands that are drawn one by one, and room beside lines over logarithmic axes, as factors.
+_SHOWN_HZ = (50.0, 100.0, 200.0, 400.0)
+_EDGE, _LABEL_EDGE = 1.4, 2.4
 
 
 def part_of(time_s: Floats, curves: Floats, zoom: tuple[float, float] | None) -> tuple[int, int]:
@@ -31,15 +36,47 @@ def diagrams_of_proportion(
     rows: tuple[int, ...],
     time_s: Floats,
     zoom: tuple[float, float] | None,
-    unit: str,
+    unit: StrengthUnit,
+    *,
+    bands: bool = False,
 ) -> tuple[Diagram, ...]:
     """Divided responses over each other, output over input, and how straight that is.
 
     ``rows`` are the channels that are drawn over time, one for each output; ``unit`` is that of
-    the strengths.
+    the strengths; ``bands``: outputs are those in some bands.
     """
+    growth = _growth_in_bands if bands else _growth
+    straight = tuple(
+        Curve(x=found.frequency_hz, y=found.adjusted_r2[row], rank=rank, width_px=0.0)
+        for rank, row in enumerate(rows)
+    )
+    highest = float(found.frequency_hz[-1]) if found.frequency_hz.size else 1.0
+    return (
+        _overlay(found, rows, time_s, zoom, unit),
+        growth(found, rows, unit),
+        Diagram(
+            x=Axis(shown=(0.0, 1.05 * highest), title="Frequency (Hz)"),
+            y=Axis(shown=(0.0, 1.1), title="Adjusted R²"),
+            curves=straight,
+        ),
+    )
+
+
+def bands_shown(found: Proportion) -> list[int]:
+    """Which of the bands are drawn one by one: those at the frequencies of the figure."""
+    apart_hz = np.abs(found.frequency_hz - np.array(_SHOWN_HZ)[:, None])
+    return [int(one.argmin()) for one in apart_hz if one.size and one.min() <= BIN_HZ]
+
+
+def _overlay(
+    found: Proportion,
+    rows: tuple[int, ...],
+    time_s: Floats,
+    zoom: tuple[float, float] | None,
+    unit: StrengthUnit,
+) -> Diagram:
     part = part_of(time_s, found.divided[:, rows], zoom)
-    x, y = finer(time_s, found.divided[:, rows], *part)
+    x, y = finer(time_s, found.divided[:, rows] / unit.factor, *part)
     n = len(found.strengths)
     widths = np.linspace(_WIDEST_PX, _NARROWEST_PX, n)
     over = tuple(
@@ -47,30 +84,50 @@ def diagrams_of_proportion(
         for rank in range(len(rows))
         for k in range(n)
     )
-    most = float(found.strengths[-1])
+    axis = _around(y, f"Divided ({unit.divided_by})", unit.divided_by)
+    return Diagram(x=_time(x), y=axis, curves=over)
+
+
+def _growth(found: Proportion, rows: tuple[int, ...], unit: StrengthUnit) -> Diagram:
+    at = found.strengths * unit.factor
     lines: list[Curve] = []
     for rank, row in enumerate(rows):
-        at, level = found.strengths, found.rms[:, row]
+        level = found.rms[:, row]
         lines.append(Curve(x=at, y=found.line[:, row], rank=rank, width_px=1.2, pale=_PALE))
         lines.append(Curve(x=at, y=level, rank=rank, width_px=0.0))
-    straight = tuple(
-        Curve(x=found.frequency_hz, y=found.adjusted_r2[row], rank=rank, width_px=0.0)
-        for rank, row in enumerate(rows)
+    return Diagram(
+        x=_strengths((0.0, 1.05 * float(at[-1])), unit),
+        y=Axis(shown=(0.0, _top(found.rms[:, rows])), title="RMS (m/s²)"),
+        curves=tuple(lines),
     )
-    highest = float(found.frequency_hz[-1]) if found.frequency_hz.size else 1.0
-    return (
-        Diagram(x=_time(x), y=_around(y, "Divided"), curves=over),
-        Diagram(
-            x=Axis(shown=(0.0, 1.05 * most), title=f"Strength ({unit})"),
-            y=Axis(shown=(0.0, _top(found.rms[:, rows])), title="RMS (m/s²)"),
-            curves=tuple(lines),
+
+
+def _growth_in_bands(found: Proportion, rows: tuple[int, ...], unit: StrengthUnit) -> Diagram:
+    """The same in bands, whose outputs differ by powers of ten: over logarithmic axes."""
+    at = found.strengths * unit.factor
+    lines: list[Curve] = []
+    ends: list[float] = []
+    for rank, row in enumerate(rows):
+        for band in bands_shown(found):
+            level, line = found.band_rms[:, row, band], found.band_line[:, row, band]
+            if level.min() <= 0.0 or line.min() <= 0.0:
+                continue  # silent there
+            label = f"{found.frequency_hz[band]:.0f} Hz"
+            lines.append(Curve(x=at, y=line, rank=rank, width_px=1.2, pale=_PALE, label=label))
+            lines.append(Curve(x=at, y=level, rank=rank, width_px=0.0))
+            ends += [float(level.min()), float(level.max())]
+    low, high = (min(ends), max(ends)) if ends else (0.1, 1.0)
+    return Diagram(
+        x=_strengths((float(at[0]) / _EDGE, float(at[-1]) * _LABEL_EDGE), unit, log=True),
+        y=Axis(
+            shown=(low / _EDGE, high * _EDGE), title="In the band (m/s²)", short="m/s²", log=True
         ),
-        Diagram(
-            x=Axis(shown=(0.0, 1.05 * highest), title="Frequency (Hz)"),
-            y=Axis(shown=(0.0, 1.1), title="Adjusted R²"),
-            curves=straight,
-        ),
+        curves=tuple(lines),
     )
+
+
+def _strengths(shown: tuple[float, float], unit: StrengthUnit, *, log: bool = False) -> Axis:
+    return Axis(shown=shown, title=unit.title, short=unit.symbol, log=log)
 
 
 def diagrams_of_superposition(
@@ -133,9 +190,9 @@ def _time(x: Floats) -> Axis:
     return Axis(shown=(float(x[0]), float(x[-1])), title="Time (ms)", factor=1e3)
 
 
-def _around(values: Floats, title: str) -> Axis:
+def _around(values: Floats, title: str, short: str = "") -> Axis:
     peak = float(np.abs(values).max()) or 1.0
-    return Axis(shown=(-1.1 * peak, 1.1 * peak), title=title)
+    return Axis(shown=(-1.1 * peak, 1.1 * peak), title=title, short=short)
 
 
 def _top(values: Floats) -> float:

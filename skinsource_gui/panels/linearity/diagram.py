@@ -28,6 +28,8 @@ class Curve:
         Of the output in the selection: its colour; None: that of words.
     width_px
         Of the line; 0: dots.
+    label
+        Written at its end.
     pale
         0 to 1: how much of the colour is left out, so that what lies over it is seen.
     """
@@ -37,6 +39,7 @@ class Curve:
     rank: int | None
     width_px: float
     pale: float = 0.0
+    label: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -75,6 +78,7 @@ class DiagramsPicture(Figure):
             painter.setClipRect(axes.frame.adjusted(-_DOT_PX, -_DOT_PX, _DOT_PX, _DOT_PX))
             for curve in one.curves:
                 _draw(painter, axes, curve, self.theme)
+            _write_labels(painter, axes, one.curves, self.theme)
             painter.restore()
             self._placed.append((area.topLeft(), axes))
 
@@ -116,3 +120,18 @@ def _draw(painter: QPainter, axes: Axes, curve: Curve, theme: Theme) -> None:
     for x, y in axes.to_screen(curve.x, curve.y):
         if np.isfinite(x) and np.isfinite(y):
             painter.drawEllipse(QPointF(x, y), _DOT_PX, _DOT_PX)
+
+
+def _write_labels(painter: QPainter, axes: Axes, curves: tuple[Curve, ...], theme: Theme) -> None:
+    """Beside the ends of curves; none over another one."""
+    line, taken = painter.fontMetrics().height(), []
+    for curve in curves:
+        if not curve.label:
+            continue
+        x, y = axes.to_screen(curve.x[-1:], curve.y[-1:])[0]
+        room = QRectF(x + 2.0 * _DOT_PX, y - line / 2, axes.frame.right() - x, line)
+        if np.isfinite(y) and not any(abs(y - other) < 0.9 * line for other in taken):
+            taken.append(y)
+            colour = theme.text if curve.rank is None else theme.output_colour(curve.rank)
+            painter.setPen(QColor(colour))
+            painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, curve.label)

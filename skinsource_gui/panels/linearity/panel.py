@@ -1,12 +1,13 @@
 """What snapshots show of the linear model: strengths in proportion, inputs that add up."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any, ClassVar
 
 import numpy as np
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QToolButton, QWidget
 
-from skinsource.arrays import Floats
 from skinsource.chain import amplitude_unit
 from skinsource.checking import (
     Proportion,
@@ -17,7 +18,9 @@ from skinsource.checking import (
     superposition,
 )
 from skinsource.design import Design
+from skinsource.fields import SwitchSpec
 from skinsource.own_limbs import axes_on, facts_of
+from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.compared import Compared
 from skinsource_gui.figure_panel import SILENT, FigurePanel
@@ -28,12 +31,21 @@ from skinsource_gui.panels.linearity.content import (
     superposition_words,
 )
 from skinsource_gui.panels.linearity.diagram import DiagramsPicture
+from skinsource_gui.panels.linearity.settings import BANDS, VELOCITY, LinearitySettings
+from skinsource_gui.panels.linearity.strength import of_amplitudes, of_velocities
 from skinsource_gui.panels.linearity.table import tab_separated
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 
 _NEEDS = frozenset(
-    {"axis_traces", "shown_outputs", "response_time_s", "delay_removed", "sample_rate_hz"}
+    {
+        "axis_traces",
+        "delay_removed",
+        "fastest_probe_m_per_s",
+        "response_time_s",
+        "sample_rate_hz",
+        "shown_outputs",
+    }
 )
 NEITHER = (
     "Store one stimulus at three strengths or more, or inputs alone and all of them together, "
@@ -55,7 +67,8 @@ class LinearityPanel(FigurePanel):
     def __init__(self, parent: QWidget | None = None) -> None:
         self.picture = DiagramsPicture("linearity_picture", "Linearity of snapshots")
         super().__init__(self.picture, parent)
-        self._view = View()
+        self._view, self._settings = View(), LinearitySettings()
+        self._unit = of_amplitudes("")
         self._drawn: tuple[Any, ...] = ()
         self._outputs: tuple[int, ...] = ()
         self._axes: tuple[str, ...] = ()
@@ -65,6 +78,8 @@ class LinearityPanel(FigurePanel):
             "Snapshots as they were stored. Over time the part is drawn to which Traces is zoomed, "
             "else the loudest one; all the rest counts whole."
         )
+        self.velocity = self._switch(VELOCITY, lambda on: self._change(velocity=on))
+        self.bands = self._switch(BANDS, lambda on: self._change(bands=on))
         self.choices.addWidget(self.about, 1)
         self.copy = self.add_copy(self.table)
         self.say_instead(NEITHER)
@@ -74,7 +89,9 @@ class LinearityPanel(FigurePanel):
         return _NEEDS if self._view.outputs else frozenset()
 
     def show_state(self, design: Design, view: View) -> None:
-        self._view = view
+        self._view, self._settings = view, settings_of(view, self.name, LinearitySettings)
+        self.velocity.setChecked(self._settings.velocity)
+        self.bands.setChecked(self._settings.bands)
         if not view.outputs:
             self.say_instead(self.no_outputs)
         elif self.figure.message == self.no_outputs:
@@ -94,7 +111,9 @@ class LinearityPanel(FigurePanel):
         else:
             found = [one.values for one in compared if one.values is not None]
             traces = [one["axis_traces"] for one in found]
-            if not self._is_drawn((self._view.time_range_s, self._view.delay_removed, *traces)):
+            settings, looked = self._settings, self._view
+            how = looked.time_range_s, looked.delay_removed, settings.velocity, settings.bands
+            if not self._is_drawn((*how, *traces)):
                 self._show(designs, found, strengths, whole)
 
     def show_problem(self, reason: str) -> None:
@@ -108,10 +127,15 @@ class LinearityPanel(FigurePanel):
         self._drawn, self.found = (), None
         super().say_instead(message)
         self.about.say("")
+        self.velocity.hide()
+        self.bands.hide()
 
     def table(self) -> str:
         """The numbers, with tabs between the columns."""
-        return "" if self.found is None else tab_separated(self.found, self._outputs, self._axes)
+        if self.found is None:
+            return ""
+        unit, bands = self._unit, self._settings.bands
+        return tab_separated(self.found, self._outputs, self._axes, unit, bands=bands)
 
     def _is_drawn(self, wanted: tuple[Any, ...]) -> bool:
         same = len(wanted) == len(self._drawn) and all(
@@ -120,6 +144,23 @@ class LinearityPanel(FigurePanel):
         if not same:
             self._drawn = wanted
         return same
+
+    def _switch(self, spec: SwitchSpec, chosen: Callable[[bool], None]) -> QToolButton:
+        """A switch above the diagrams, of strengths alone."""
+        switch = QToolButton()
+        switch.setObjectName(f"linearity_{spec.label.split()[-1].replace('/', '_')}")
+        switch.setText(spec.label)
+        switch.setToolTip(spec.hint)
+        switch.setCheckable(True)
+        switch.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        switch.clicked.connect(chosen)
+        switch.hide()
+        self.choices.addWidget(switch)
+        return switch
+
+    def _change(self, **changes: Any) -> None:
+        settings = replace(self._settings, **changes)
+        self.view_changed.emit(with_settings(self._view, self.name, settings))
 
     def _show(
         self,
@@ -148,14 +189,23 @@ class LinearityPanel(FigurePanel):
         if strengths:
             rate_hz = longest["sample_rate_hz"]
             self.found = shown = proportion(strengths, np.stack(channels), rate_hz, limb.band_hz)
-            unit = amplitude_unit(design.scaling, design.actuated)
-            self.picture.show_diagrams(diagrams_of_proportion(shown, rows, time_s, zoom, unit))
+            fastest = results[0]["fastest_probe_m_per_s"]
+            self.velocity.setVisible(bool(fastest))
+            self._unit = of_amplitudes(amplitude_unit(design.scaling, design.actuated))
+            if fastest and self._settings.velocity:
+                self._unit = of_velocities(fastest / strengths[0])
+            bands = self._settings.bands
+            self.picture.show_diagrams(
+                diagrams_of_proportion(shown, rows, time_s, zoom, self._unit, bands=bands)
+            )
             self.show_found(proportion_words(shown))
         elif whole is not None:
+            self.velocity.hide()
             parts = [one for k, one in enumerate(channels) if k != whole]
             self.found = added = superposition(parts, channels[whole])
             self.picture.show_diagrams(diagrams_of_superposition(added, rows, time_s, zoom))
             self.show_found(superposition_words(added))
+        self.bands.setVisible(bool(strengths))
         self._drawn = drawn
         self.copy.setEnabled(True)
         synthetic = " · synthetic limb" if limb.synthetic else ""

@@ -1,21 +1,51 @@
 """The numbers of the panel for a spreadsheet."""
 
 from skinsource.checking import Proportion, Superposition
+from skinsource_gui.panels.linearity.strength import StrengthUnit
 from skinsource_gui.widgets.copied_numbers import copied
+
+_Lines = list[tuple[str, ...]]
 
 
 def tab_separated(
-    found: Proportion | Superposition, outputs: tuple[int, ...], axes: tuple[str, ...]
+    found: Proportion | Superposition,
+    outputs: tuple[int, ...],
+    axes: tuple[str, ...],
+    unit: StrengthUnit,
+    *,
+    bands: bool = False,
 ) -> str:
-    """RMS by strength, or r of each channel; channels are ``axes`` of each of ``outputs``."""
+    """RMS by strength, output by band, or r of each channel.
+
+    Channels are ``axes`` of each of ``outputs``; ``unit`` is that of strengths; ``bands``: outputs
+    are told in bands, all of them.
+    """
     channels = [(output, axis) for output in outputs for axis in axes]
-    lines: list[tuple[str, ...]]
+    lines: _Lines
     if isinstance(found, Proportion):
-        lines = [("strength", *(f"rms_{output}_{axis}_m_per_s2" for output, axis in channels))]
-        for strength, rms in zip(found.strengths, found.rms, strict=True):
-            lines.append((copied(strength), *map(copied, rms)))
+        names = [f"{output}_{axis}" for output, axis in channels]
+        lines = (_by_band if bands else _by_strength)(found, names, unit)
     else:
         lines = [("output", "axis", "pearson_r")]
         for (output, axis), r in zip(channels, found.correlation, strict=True):
             lines.append((str(output), axis, copied(r)))
     return "".join("\t".join(line) + "\n" for line in lines)
+
+
+def _by_strength(found: Proportion, channels: list[str], unit: StrengthUnit) -> _Lines:
+    lines: _Lines = [(unit.column, *(f"rms_{one}_m_per_s2" for one in channels))]
+    for strength, rms in zip(found.strengths * unit.si_factor, found.rms, strict=True):
+        lines.append((copied(strength), *map(copied, rms)))
+    return lines
+
+
+def _by_band(found: Proportion, channels: list[str], unit: StrengthUnit) -> _Lines:
+    told = [f"{unit.column} {strength:.6g}" for strength in found.strengths * unit.si_factor]
+    of_strengths = [f"band_rms_{one}_m_per_s2 at {at}" for at in told for one in channels]
+    lines: _Lines = [
+        ("frequency_hz", *of_strengths, *(f"adjusted_r2_{one}" for one in channels)),
+    ]
+    for k, frequency_hz in enumerate(found.frequency_hz):
+        levels, r2 = found.band_rms[..., k].ravel(), found.adjusted_r2[:, k]
+        lines.append((copied(frequency_hz), *map(copied, levels), *map(copied, r2)))
+    return lines

@@ -1,6 +1,6 @@
 """A frame with two axes, and where values lie in it."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 from skinsource.arrays import Floats
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.plot.ranges import Range
-from skinsource_gui.widgets.plot.ticks import Tick, readable_ticks
+from skinsource_gui.widgets.plot.ticks import Tick, log_ticks, readable_ticks
 
 _GAP_PX = 4.0
 _TICK_X_PX, _TICK_Y_PX = 60.0, 34.0
@@ -27,16 +27,44 @@ class Axis:
         With its unit.
     factor
         What values are multiplied with on its labels.
+    short
+        A title for where there is too little room; empty: there is none.
+    log
+        Logarithmic; both ends are above 0.
     """
 
     shown: Range
     title: str
     factor: float = 1.0
+    short: str = ""
+    log: bool = False
+
+    def part(self, values: Floats) -> Floats:
+        """How far along it values lie, 0 to 1; NaN where it cannot show them."""
+        ends, at = np.array(self.shown, float), np.asarray(values, float)
+        if self.log:
+            ends = np.log(ends)
+            at = np.log(at, out=np.full(at.shape, np.nan), where=at > 0.0)
+        return (at - ends[0]) / (ends[1] - ends[0])
+
+    def value(self, part: float) -> float:
+        """The value that lies there."""
+        low, high = self.shown
+        return float(low * (high / low) ** part) if self.log else low + part * (high - low)
+
+    def title_in(self, metrics: QFontMetricsF, room_px: float) -> str:
+        """Its title, or the short one where that alone has room."""
+        fits = metrics.horizontalAdvance(self.title) <= room_px
+        return self.title if fits or not self.short else self.short
 
     def ticks(self, length_px: float, each_px: float) -> tuple[Tick, ...]:
         """Round numbers along it."""
         low, high = self.shown
         airy = max(length_px / each_px, 2.0)
+        if self.log:
+            # Numbers that rise by factors stand apart, where as many round ones would not.
+            ticks = log_ticks(low * self.factor, high * self.factor, 2.0 * airy)
+            return tuple(replace(one, value=one.value / self.factor) for one in ticks)
         return readable_ticks(low, high, airy, 2.0 * airy, self.factor)
 
 
@@ -58,19 +86,17 @@ class Axes:
 
     def to_screen(self, x: Floats, y: Floats) -> Floats:
         """Places on the screen, (n, 2)."""
-        (x0, x1), (y0, y1) = self.x.shown, self.y.shown
-        across = self.frame.left() + (np.asarray(x) - x0) / (x1 - x0) * self.frame.width()
-        up = self.frame.bottom() - (np.asarray(y) - y0) / (y1 - y0) * self.frame.height()
+        across = self.frame.left() + self.x.part(x) * self.frame.width()
+        up = self.frame.bottom() - self.y.part(y) * self.frame.height()
         return np.stack(np.broadcast_arrays(across, up), axis=-1)
 
     def value_at(self, point: QPointF) -> tuple[float, float] | None:
         """Values at a place of the screen; None outside of the frame."""
         if not self.frame.adjusted(-1, -1, 1, 1).contains(point):
             return None
-        (x0, x1), (y0, y1) = self.x.shown, self.y.shown
         across = (point.x() - self.frame.left()) / self.frame.width()
         up = (self.frame.bottom() - point.y()) / self.frame.height()
-        return x0 + across * (x1 - x0), y0 + up * (y1 - y0)
+        return self.x.value(across), self.y.value(up)
 
     def polygon(self, x: Floats, y: Floats) -> QPolygonF:
         """A line through points."""
@@ -103,12 +129,13 @@ class Axes:
         painter.drawRect(frame)
         painter.setPen(QColor(theme.dim))
         below = QRectF(frame.left(), frame.bottom() + line + 2, frame.width(), line)
-        painter.drawText(below, centre, self.x.title)
+        painter.drawText(below, centre, self.x.title_in(metrics, frame.width()))
         painter.save()
         painter.translate(line / 2 + 1, frame.center().y())
         painter.rotate(-90.0)
         side = QRectF(-frame.height() / 2, -line / 2, frame.height(), line)
-        painter.drawText(side, Qt.AlignmentFlag.AlignCenter, self.y.title)
+        title = self.y.title_in(metrics, frame.height())
+        painter.drawText(side, Qt.AlignmentFlag.AlignCenter, title)
         painter.restore()
 
 

@@ -81,7 +81,7 @@ def _overlay(name: str, limb: int) -> MadeScene:
         turned="amplitude",
         axes="z",
         outputs=(20, 26),
-        panels={"traces": {"layout": "stacked"}},
+        panels={"traces": {"layout": "stacked"}, "linearity": {"velocity": True}},
     )
 
 
@@ -109,7 +109,7 @@ def _fit(name: str, title: str, sentence: str, *inferred: str) -> MadeScene:
         turned="amplitude",
         axes="z",
         outputs=(20, 26),
-        panels={"spectra": {"frequency_range_hz": (25.0, 600.0)}},
+        panels={"spectra": {"frequency_range_hz": (25.0, 600.0)}, "linearity": {"bands": True}},
     )
 
 
@@ -119,7 +119,6 @@ _LINE = _fit(
     "A sweep from 25 to 600 Hz at four levels: in each band of 2 Hz the output is a straight line "
     "of the input.",
     "which outputs and bands are shown",
-    "in the panel Linearity the RMS over all bands",
 )
 _FITS = _fit(
     "5E",

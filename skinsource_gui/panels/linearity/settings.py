@@ -1,0 +1,35 @@
+"""What only the panel of linearity looks at."""
+
+from dataclasses import dataclass
+
+from skinsource import fields
+from skinsource.fields import SwitchSpec
+
+VELOCITY = SwitchSpec(
+    label="In mm/s",
+    hint="Tell strengths as the largest velocity of the probe, in place of the amplitude",
+)
+BANDS = SwitchSpec(
+    label="By band",
+    hint="Draw and copy outputs in bands of 2 Hz, those at 50, 100, 200 and 400 Hz, in place of "
+    "the RMS over all",
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LinearitySettings:
+    """How outputs are held against the strengths of inputs.
+
+    Attributes
+    ----------
+    velocity
+        Whether strengths are velocities of the probe, where these are known.
+    bands
+        Whether outputs are those in bands.
+    """
+
+    velocity: bool = fields.switch(False, VELOCITY)
+    bands: bool = fields.switch(False, BANDS)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
