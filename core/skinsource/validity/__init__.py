@@ -3,12 +3,11 @@
 from skinsource.validity.finding import Finding, Findings
 from skinsource.validity.judging import (
     SPATIAL_LIMIT_HZ,
-    fastest_probe,
     found_in_drives,
     found_in_outputs,
     found_in_setup,
-    probe_velocity,
 )
+from skinsource.validity.probe import fastest_probe, probe_velocity
 
 __all__ = [
     "SPATIAL_LIMIT_HZ",

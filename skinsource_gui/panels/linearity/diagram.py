@@ -124,7 +124,7 @@ def _draw(painter: QPainter, axes: Axes, curve: Curve, theme: Theme) -> None:
 
 def _write_labels(painter: QPainter, axes: Axes, curves: tuple[Curve, ...], theme: Theme) -> None:
     """Beside the ends of curves; none over another one."""
-    line, taken = painter.fontMetrics().height(), []
+    line, taken = painter.fontMetrics().height(), list[float]()
     for curve in curves:
         if not curve.label:
             continue

@@ -8,6 +8,7 @@ import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QToolButton, QWidget
 
+from skinsource.arrays import Floats
 from skinsource.chain import amplitude_unit
 from skinsource.checking import (
     Proportion,

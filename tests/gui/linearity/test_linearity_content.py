@@ -10,6 +10,7 @@ from skinsource_gui.panels.linearity.content import (
     part_of,
     proportion_words,
 )
+from skinsource_gui.panels.linearity.strength import of_amplitudes
 
 RATE_HZ = 1300.0
 TIME_S = np.arange(4000) / RATE_HZ
@@ -51,7 +52,7 @@ def test_of_a_part_in_which_there_is_nothing_two_samples_are_drawn(zoom):
 
 
 def test_each_strength_is_seen_below_the_next_one_and_in_the_colour_of_its_output():
-    over = diagrams_of_proportion(bent(), ROWS, TIME_S, (0.1, 0.2), "m/s²")[0].curves
+    over = diagrams_of_proportion(bent(), ROWS, TIME_S, (0.1, 0.2), of_amplitudes("m/s²"))[0].curves
     assert [one.rank for one in over] == [0, 0, 0, 1, 1, 1]
     for curves in (over[:3], over[3:]):
         widths, pale = ([getattr(one, name) for one in curves] for name in ("width_px", "pale"))
@@ -69,7 +70,7 @@ def test_each_strength_is_seen_below_the_next_one_and_in_the_colour_of_its_outpu
 
 def test_dots_stand_at_what_was_found_and_lines_at_what_would_be_straight():
     found = bent()
-    growth, straight = diagrams_of_proportion(found, ROWS, TIME_S, None, "V")[1:]
+    growth, straight = diagrams_of_proportion(found, ROWS, TIME_S, None, of_amplitudes("V"))[1:]
     assert growth.x.title == "Strength (V)"
     for rank, row in enumerate(ROWS):
         line, dots = growth.curves[2 * rank : 2 * rank + 2]
@@ -86,7 +87,7 @@ def test_a_response_without_a_frequency_in_its_band_has_no_straightness_to_tell(
     short = STRENGTHS[:, None, None] * responses(30)
     found = proportion(STRENGTHS, short, RATE_HZ, (3.0, 5.0))
     assert "R²" not in proportion_words(found)
-    *_, straight = diagrams_of_proportion(found, ROWS, TIME_S[:30], None, "×")
+    *_, straight = diagrams_of_proportion(found, ROWS, TIME_S[:30], None, of_amplitudes("×"))
     assert straight.x.shown[1] > 0.0
     least = np.nanmin(bent().adjusted_r2)
     assert f"R² in bands of 2 Hz {least:.6f} at least" in proportion_words(bent())

@@ -48,13 +48,16 @@ def test_all_share_a_scale_until_each_is_drawn_to_its_maximum(window, panel, qtb
 
 def test_the_switch_computes_nothing(window, panel, qtbot, settle):
     shown(panel, qtbot, 4)
+    before = [one.values for one in panel._compared]
     asked = []
     ask = window.engine.request
     window.engine.request = lambda one: (asked.append(one.slot.name), ask(one))
     for _ in range(2):
         switch(panel)
         settle()
-    assert asked == []
+        now = [one.values for one in panel._compared]
+        assert all(one is other for one, other in zip(before, now, strict=True))
+    assert not any("limb" in one for one in asked)
 
 
 def test_readings_and_copies_say_what_levels_are_relative_to(window, panel, qtbot):
