@@ -19,12 +19,14 @@ HINTS = (
     "the paper to begin with.",
 )
 NEXT, DONE, ENOUGH = "Next", "Done", "No more hints"
+LATER = "First steps come once nobody presents"
 
 
 class FirstHints(QObject):
     """Says three hints, one after the other, where the studio was never started before.
 
-    The next one comes with its button, or once what the hint says was done.
+    The next one comes with its button, or once what the hint says was done.  While somebody
+    presents they are put away: an audience is not to be told how to begin.
 
     Parameters
     ----------
@@ -40,6 +42,7 @@ class FirstHints(QObject):
         super().__init__(notice)
         self._preferences, self._notice, self._document = preferences, notice, document
         self._step: int | None = None
+        self._away = False
         self._design, self._view = document.design, document.view
 
     def offer(self) -> None:
@@ -56,10 +59,28 @@ class FirstHints(QObject):
         self._notice.closed.connect(self._end)
         self._document.settled.connect(self._follow)
         self._say(0)
+        if self._away:
+            self._notice.say(LATER, passes=True)
+
+    def put_away(self, away: bool) -> None:
+        """Put them away, whichever is said, or say it again."""
+        self._away = away
+        if self._step is None:
+            return
+        if not away:
+            self._say(self._step)
+        elif self._says_a_hint:
+            self._notice.be_quiet()
+
+    @property
+    def _says_a_hint(self) -> bool:
+        return self._notice.text.endswith(HINTS)
 
     def _say(self, step: int) -> None:
         self._step = step
         self._design, self._view = self._document.design, self._document.view
+        if self._away:
+            return
         words = f"{step + 1} of {len(HINTS)}: {HINTS[step]}"
         last = step == len(HINTS) - 1
         choices: tuple[tuple[str, Callable[[], None]], ...]
@@ -71,7 +92,7 @@ class FirstHints(QObject):
 
     def _follow(self) -> None:
         """Say what is next where a hint was followed; say it again where an edit took it away."""
-        if self._step is None:
+        if self._step is None or self._away:
             return
         design, view = self._document.design, self._document.view
         if not _followed(self._step, self._design, self._view, design, view):
@@ -81,7 +102,7 @@ class FirstHints(QObject):
             self._say(self._step + 1)
         else:
             self._end()
-            if self._notice.text.endswith(HINTS[-1]):
+            if self._says_a_hint:
                 self._notice.be_quiet()
 
     def _end(self) -> None:

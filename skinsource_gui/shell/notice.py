@@ -111,6 +111,11 @@ class Notice(QObject):
         self._place()
         self._let_pass(_LEAST_MS + _LETTER_MS * len(text) if passes else None)
 
+    def pass_now(self) -> None:
+        """Take away what would go by itself."""
+        if self._passes:
+            self.be_quiet()
+
     def be_quiet(self) -> None:
         """Take away what it says."""
         if self.buttons.isAncestorOf(self._window.focusWidget()):

@@ -164,9 +164,8 @@ class MainWindow(QMainWindow):
         self.playback = Playback(self.document, self.preferences, self)
         self.running_jobs = RunningJobs(self.runner, self)
         self.levelling = WaveletLevelling(self.document, self.runner, self)
-        desk = self.arrangements, self.layout_of_docks
-        keys = self.document, self.panels, self.preferences, self.files, *desk
-        self.presenter = Presenter(self, *keys, lambda: self.actions_by_name)
+        stage = self.document, self.panels, self.preferences, self.files, arranged
+        self.presenter = Presenter(self, *stage, self.layout_of_docks, lambda: self.actions_by_name)
         theme = partial(getattr, self, "theme")
         measured = self.runner, self.status_line, theme, self.preferences, self.document
         self.pages = Pages(
@@ -234,6 +233,8 @@ class MainWindow(QMainWindow):
             left.connect(self.layout_of_docks.leave_scene)
         self.files.opened.connect(self.layout_of_docks.show_panels)
         self.scenes.opened.connect(self.presenter.note_scene)
+        for begins_or_ends in (self.notice.pass_now, self.hints.put_away):
+            self.presenter.presenting_changed.connect(begins_or_ends)
         saving = self.files, self.scenes, self.library, self.presenter
         for fails in (*saving, self.exports, self.stimuli, self.levelling):
             fails.failed.connect(reports.complain)

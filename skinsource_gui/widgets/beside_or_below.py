@@ -2,9 +2,10 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QSize
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QBoxLayout, QHBoxLayout, QWidget
+
+from skinsource_gui.widgets.room_or_words import RoomOrWords
 
 _BESIDE, _BELOW = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
 
@@ -37,6 +38,7 @@ class BesideOrBelow(QWidget):
             self._rows.append(row)
             # What is left over belongs to the last group.
             self._box.addLayout(row, int(len(self._rows) == len(groups)))
+        RoomOrWords(self).changed.connect(self._fold)
 
     @property
     def folded(self) -> bool:
@@ -46,17 +48,6 @@ class BesideOrBelow(QWidget):
     def minimumSizeHint(self) -> QSize:
         widest = max(row.minimumSize().width() for row in self._rows)
         return QSize(widest, self._box.minimumSize().height())
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._fold()
-
-    def event(self, event: QEvent) -> bool:
-        done = super().event(event)
-        if event.type() == QEvent.Type.LayoutRequest:
-            # Others are shown, or have other words.
-            self._fold()
-        return done
 
     def _fold(self) -> None:
         needed = sum(row.minimumSize().width() for row in self._rows)

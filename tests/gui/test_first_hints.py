@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QMainWindow, QPushButton, QToolButton
 
 import skinsource as ss
 from skinsource.edits import Edit
-from skinsource_gui.shell.first_hints import HINTS, FirstHints
+from skinsource_gui.shell.first_hints import HINTS, LATER, FirstHints
 from skinsource_gui.shell.notice import Notice
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
@@ -98,6 +98,42 @@ def test_hints_that_were_closed_do_not_come_back_with_an_edit(qtbot, tmp_path):
     window.findChild(QToolButton, "close_notice").click()
     apply(done, inputs=(ss.track(7, ss.waveforms.Impulse()),))
     assert notice.text == ""
+
+
+def test_hints_are_put_away_while_somebody_presents_and_come_back_after(window, settle):
+    window.do("show_first_steps")
+    settle()
+    press(window, "Next")
+    window.do("present")
+    settle()
+    assert window.notice.text.startswith("Page Down")
+    for _ in range(2):
+        window.do("next_scene")
+        settle()
+        assert window.notice.text.startswith("Scene")
+    window.notice.be_quiet()
+    # As a scene would that shows what a hint says.
+    apply(window.document, inputs=(ss.track(7, ss.waveforms.Impulse()),))
+    settle()
+    assert window.notice.text == ""
+    window.do("present")
+    settle()
+    assert window.notice.text == f"2 of 3: {HINTS[1]}"
+    press(window, "No more hints")
+    window.do("present")
+    window.do("present")
+    settle()
+    assert window.notice.text == ""
+
+
+def test_first_steps_that_are_asked_for_while_somebody_presents_come_after(window, settle):
+    window.do("present")
+    window.do("show_first_steps")
+    settle()
+    assert window.notice.text == LATER
+    window.do("present")
+    settle()
+    assert window.notice.text == f"1 of 3: {HINTS[0]}"
 
 
 def test_who_asks_for_the_first_steps_has_them_again_from_the_first_one(window, settle):

@@ -11,6 +11,7 @@ from skinsource.fields import Spec, specs_of
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.panel import Panel
+from skinsource_gui.panels.frequency_and_amplitude.heading import Heading
 from skinsource_gui.panels.frequency_and_amplitude.settings import (
     ALL,
     CONTROL,
@@ -61,9 +62,8 @@ class FrequencyAndAmplitudePanel(Panel):
         self._design: Design | None = None
         self._view = View()
         self._theme = LIGHT
-        self._words = QLabel(add_words(self.in_sight))
+        self._words = Heading(add_words(self.in_sight))
         self._words.setObjectName("frequency_and_amplitude_words")
-        self._words.setWordWrap(True)
         self._control = ChoiceField(CONTROL, self)
         self._control.setObjectName("control_field")
         self._control_label, self._control_part = QLabel(CONTROL.label), _Labelled()
@@ -100,15 +100,16 @@ class FrequencyAndAmplitudePanel(Panel):
             self._show_input(design, view, one, control)
         else:
             words = select_words if design.inputs else add_words
-            self._words.setText(words(self.in_sight))
+            self._words.show_phrases(words(self.in_sight))
             self._show_frequency(None)
         self._row.fold()
 
     def _show_input(self, design: Design, view: View, one: Input, control: str) -> None:
         clip = clip_of(one, view)
         playing = EMPTY.capitalize() if clip is None else clip.waveform.title
-        title = f"{design.title} · " if design.title else ""
-        self._words.setText(f"{title}{playing} at place {one.location}")
+        played = f"{playing} at place {one.location}"
+        title = design.title
+        self._words.show_phrases(*((f"{title} · {played}", title) if title else ()), played)
         if clip is not None:
             self._onset.set_value(clip.onset_s)
             self._onset_part.setVisible(control == TURNS_ONSET)

@@ -1,7 +1,7 @@
 """Which input is being edited."""
 
-from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QFont, QResizeEvent
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from skinsource.design import Input
@@ -9,6 +9,7 @@ from skinsource.locations import PlaceWords, input_words
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.inputs.letter_button import mute_button, solo_button
 from skinsource_gui.widgets.inputs.swatch import Swatch
+from skinsource_gui.widgets.room_or_words import RoomOrWords
 from skinsource_gui.widgets.tooltips import show_tooltip
 
 
@@ -40,6 +41,7 @@ class InputHeading(QWidget):
         layout.addWidget(self._state)
         layout.addWidget(self._mute)
         layout.addWidget(self._solo)
+        RoomOrWords(self).changed.connect(self._fit_words)
         self._mute.clicked.connect(self.mute_toggled)
         self._solo.clicked.connect(self.solo_toggled)
 
@@ -58,17 +60,6 @@ class InputHeading(QWidget):
         self._mute.setChecked(all(one.muted for one in together))
         self._solo.setChecked(all(one.solo for one in together))
         self._fit_words()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._fit_words()
-
-    def event(self, event: QEvent) -> bool:
-        handled = super().event(event)
-        if event.type() == QEvent.Type.LayoutRequest:
-            # Larger words, in the same room.
-            self._fit_words()
-        return handled
 
     def _fit_words(self) -> None:
         if self._place is None:

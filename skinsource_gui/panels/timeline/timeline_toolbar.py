@@ -1,10 +1,10 @@
 """Buttons beside the ruler."""
 
-from PySide6.QtCore import QEvent, Signal
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.room_or_words import RoomOrWords
 from skinsource_gui.widgets.words_in_room import fitting_font, write_in
 
 _ZOOM = 1.5
@@ -37,6 +37,7 @@ class TimelineToolbar(QWidget):
         for button in self._buttons:
             row.addWidget(button)
         row.addStretch(1)
+        RoomOrWords(self).changed.connect(self._fit)
 
     def show_state(self, *, snaps: bool, zoomed: bool) -> None:
         """Whether edges snap; whether less than everything is seen."""
@@ -47,16 +48,6 @@ class TimelineToolbar(QWidget):
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
         self.setStyleSheet("QToolButton { padding: 1px 6px; }")
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._fit()
-
-    def event(self, event: QEvent) -> bool:
-        handled = super().event(event)
-        if event.type() in (QEvent.Type.LayoutRequest, QEvent.Type.FontChange):
-            self._fit()
-        return handled
 
     def _fit(self) -> None:
         # Heads do not become as wide as the largest letters, so that lanes have room.

@@ -54,6 +54,8 @@ class Presenter(QObject):
     done = Signal(str)
     #: Why a scene does not open.
     failed = Signal(str)
+    #: Whether somebody presents: as the bars go, and once they are back.
+    presenting_changed = Signal(bool)
 
     def __init__(
         self,
@@ -99,6 +101,7 @@ class Presenter(QObject):
         self._layout.hold()
         self._before, self._arranged = self._layout.own(), self._preferences.arrangement
         self._size, self._focused = window.size(), window.focusWidget()
+        self.presenting_changed.emit(True)
         for bar in self._bars():
             bar.hide()
         self._layout.show_scene(PRESENTATION, self._panels)
@@ -133,6 +136,7 @@ class Presenter(QObject):
         window.statusBar().clearMessage()
         for bar in self._bars():
             bar.show()
+        self.presenting_changed.emit(False)
         self._arrangements.show(self._arranged)
         # Widths of columns are put back into a window as wide as it was, once it is.
         window.installEventFilter(self)

@@ -3,12 +3,12 @@
 from collections.abc import Sequence
 from itertools import pairwise
 
-from PySide6.QtCore import QEvent, QSize, Qt
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from skinsource_gui.theme import UNIT_PX, letter_scale
 from skinsource_gui.widgets.fields.edited_cell import LabelledCell
+from skinsource_gui.widgets.room_or_words import RoomOrWords
 
 #: From this width on, two fields stand side by side, in letters of the usual size.
 WIDE_PX = 440
@@ -30,6 +30,7 @@ class FieldGrid(QWidget):
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setHorizontalSpacing(UNIT_PX)
         self._grid.setVerticalSpacing(UNIT_PX // 4)
+        RoomOrWords(self).changed.connect(self._fold)
 
     def set_margins(self, left: int, top: int, right: int, bottom: int) -> None:
         """Leave room around the cells, px."""
@@ -65,17 +66,6 @@ class FieldGrid(QWidget):
         margins = self._grid.contentsMargins()
         least = fields + margins.left() + margins.right()
         return super().minimumSizeHint().boundedTo(QSize(least, _ANY_HEIGHT_PX))
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._fold()
-
-    def event(self, event: QEvent) -> bool:
-        done = super().event(event)
-        if event.type() == QEvent.Type.LayoutRequest:
-            # Letters of another size.
-            self._fold()
-        return done
 
     def _fold(self) -> None:
         wide_px = WIDE_PX * letter_scale(self.font())

@@ -2,8 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QBoxLayout,
     QButtonGroup,
@@ -14,6 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.widgets.room_or_words import RoomOrWords
 from skinsource_gui.widgets.words_in_room import (
     fitting_font,
     readable_of,
@@ -67,6 +67,7 @@ class PlotToolbar(QWidget):
         self._everything.clicked.connect(self.everything_wanted)
         self._everything.setVisible(False)
         self._row.addWidget(self._everything)
+        RoomOrWords(self).changed.connect(self._fit)
 
     def add_layout(self, name: str, text: str, hint: str) -> None:
         """Add one beside those that each plot has, before there are switches."""
@@ -94,16 +95,6 @@ class PlotToolbar(QWidget):
         if not zoomed and self._everything.hasFocus():
             self._layout_buttons[layout].setFocus(Qt.FocusReason.OtherFocusReason)
         self._everything.setVisible(zoomed)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._fit()
-
-    def event(self, event: QEvent) -> bool:
-        handled = super().event(event)
-        if event.type() in (QEvent.Type.LayoutRequest, QEvent.Type.FontChange):
-            self._fit()
-        return handled
 
     def _fit(self) -> None:
         """Write smaller where there is too little room: cut words say less than small ones."""

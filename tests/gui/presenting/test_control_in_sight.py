@@ -1,0 +1,108 @@
+"""What a scene is about can be turned and read in front of people, in letters of any size."""
+
+import pytest
+from PySide6.QtCore import QRect
+from PySide6.QtGui import QFont, QFontMetrics
+from PySide6.QtWidgets import QApplication
+
+from skinsource.scenes import all_scenes
+from skinsource_gui.panels.frequency_and_amplitude.heading import Heading
+from skinsource_gui.widgets.fields.field_cell import FieldCell
+
+
+@pytest.fixture
+def presented(make_window, qtbot, design):
+    """A studio that presents on a screen of some size, in letters of some size."""
+    windows = []
+
+    def make(screen, scale):
+        window = make_window(design)
+        windows.append(window)
+        window.appearance._scale_text(scale)
+        window.do("present")
+        window.showNormal()
+        window.resize(*screen)
+        return window
+
+    yield make
+    for window in windows:
+        window.appearance.reset_text()
+        window.appearance.fit_room(1.0)
+
+
+def settle(window, qtbot):
+    settling = window.layout_of_docks.settling
+    for _ in range(2):
+        QApplication.processEvents()
+        qtbot.waitUntil(lambda: not (settling._widened.isActive() or settling._settled.isActive()))
+
+
+def turned(window):
+    """The controls of the panel that can be seen."""
+    cells = window.panel("frequency_and_amplitude").findChildren(FieldCell)
+    return [one for one in cells if one.isVisible()]
+
+
+def is_whole(window, widget):
+    """Whether all of a widget is within the window, and within what its dock does not scroll."""
+    view = window.docks["frequency_and_amplitude"].widget().viewport()
+    place = QRect(widget.mapTo(window, widget.rect().topLeft()), widget.size())
+    shown = QRect(view.mapTo(window, view.rect().topLeft()), view.size())
+    return window.rect().contains(place) and shown.contains(place)
+
+
+@pytest.mark.parametrize(
+    ("screen", "scale"),
+    [((1366, 768), 1.0), ((1366, 768), 2.0), ((1366, 768), 3.0), ((800, 600), 1.0)],
+)
+def test_the_one_control_of_each_scene_is_whole_in_the_window(presented, qtbot, screen, scale):
+    window = presented(screen, scale)
+    for scene in all_scenes():
+        window.do("next_scene")
+        assert scene.name in window.document.design.title
+        settle(window, qtbot)
+        (cell,) = turned(window)
+        for part in (cell.label, cell.field):
+            assert is_whole(window, part), (scene.name, part.objectName())
+        area = window.docks["frequency_and_amplitude"].widget()
+        assert area.verticalScrollBar().maximum() == 0, scene.name
+
+
+@pytest.fixture
+def heading(qtbot):
+    one = Heading("")
+    qtbot.addWidget(one)
+    one.setFont(QFont("Sans", 10))
+    one.show()
+    return one
+
+
+TITLE = "Five strengths of three tones on the palm side of the hand of the first of four people"
+
+
+def test_words_above_what_is_turned_are_as_high_for_long_titles_as_for_short_ones(heading):
+    heading.resize(2 * QFontMetrics(heading.font()).horizontalAdvance("Tone at place 8"), 100)
+    heading.show_phrases(f"{TITLE} · Tone at place 8", TITLE, "Tone at place 8")
+    assert heading.text() == "Tone at place 8"
+    assert heading.toolTip() == f"{TITLE} · Tone at place 8"
+    height = heading.minimumHeight()
+    heading.show_phrases("Tone at place 8")
+    assert not heading.toolTip()
+    assert heading.minimumHeight() == height
+
+
+def test_with_more_room_more_is_said(heading):
+    full = QFontMetrics(heading.font()).horizontalAdvance(TITLE)
+    heading.show_phrases(f"{TITLE} · Tone at place 8", TITLE, "Tone at place 8")
+    said = []
+    for share in (0.3, 0.6, 1.0):
+        heading.resize(int(share * full), 100)
+        said.append(heading.text())
+    assert said == ["Tone at place 8", TITLE, f"{TITLE} · Tone at place 8"]
+
+
+def test_words_that_can_be_said_in_no_shorter_way_have_the_lines_that_they_need(heading):
+    heading.resize(200, 100)
+    heading.show_phrases(TITLE)
+    assert heading.text() == TITLE
+    assert heading.minimumHeight() >= heading.heightForWidth(200)
