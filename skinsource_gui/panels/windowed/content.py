@@ -64,6 +64,28 @@ class WindowedContent:
         )
 
     @property
+    def begin_phrases(self) -> tuple[str, ...]:
+        """What is said where windows have only their begins above them, the longest first."""
+        length_ms = 1e3 * self.windows.window_samples / self.sample_rate_hz
+        length = f"{length_ms:.0f} ms" if length_ms >= 100.0 else f"{length_ms:.3g} ms"
+        plain = (
+            f"Windows of {length}, begins in ms",
+            f"{length} each, begins in ms",
+            f"{length} each",
+        )
+        whole = f"Windows of {length}; above each when it begins, in ms of the stimulus"
+        if not self.traces_late_s:
+            return whole, *plain, "ms"
+        late = f"{self.traces_late_s * 1e3:.0f} ms"
+        return (
+            f"{whole}; the traces show it about {late} later",
+            f"{plain[0]}; traces {late} later",
+            *(f"{one}; traces +{late}" for one in plain[1:]),
+            *plain,
+            "ms",
+        )
+
+    @property
     def told_extents(self) -> tuple[Extent | None, ...]:
         """Extents of the windows that are more than noise."""
         if not any(self.in_noise):

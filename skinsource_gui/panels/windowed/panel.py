@@ -19,6 +19,7 @@ from skinsource_gui.panels.windowed.content import WindowedContent
 from skinsource_gui.panels.windowed.strip_layout import strip_layout
 from skinsource_gui.panels.windowed.strip_painter import paint_strip
 from skinsource_gui.panels.windowed.strip_view import StripView
+from skinsource_gui.panels.windowed.window_titles import head_words
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.beside_or_below import BesideOrBelow
 from skinsource_gui.widgets.fields.field_cell import FieldCell
@@ -150,13 +151,17 @@ class WindowedPanel(Panel):
         content, line = self.strip.content, float(painter.fontMetrics().height())
         painter.setPen(QColor(theme.text))
         heading = QRectF(line, 0.5 * line, width - 2 * line, 3.4 * line)
-        painter.drawText(heading, 0, self._heading())
         if content is None or self.strip.message:
+            painter.drawText(heading, 0, self._heading())
             painter.drawText(QRectF(line, 5 * line, width, line), 0, self.strip.message)
             return
         room = QRectF(0.0, 4.0 * line, width, height - 4.5 * line)
+        layout = strip_layout(room, content.windows.count, line)
+        width_of = painter.fontMetrics().horizontalAdvance
+        times = head_words(content, layout.cells, width_of, heading.width())
+        painter.drawText(heading, 0, self._heading(times))
         with on_paper():
-            paint_strip(painter, content, strip_layout(room, content.windows.count, line), theme)
+            paint_strip(painter, content, layout, theme)
 
     @property
     def _looks(self) -> dict[str, Any]:
@@ -166,14 +171,14 @@ class WindowedPanel(Panel):
             late_s = facts_of(self._design.limb).pre_trigger_delay_s
         return {"traces_late_s": late_s, "look": level_look(self._view)}
 
-    def _heading(self) -> str:
+    def _heading(self, times: str = "") -> str:
         if self._design is None:
             return ""
         content, view = self.strip.content, self._view
         limb = limb_word(self._design.limb).title
         lines = [f"{limb}: RMS of {signal_words(view.axes, view.method)} in windows"]
-        if content is not None:
-            lines.append(content.time_phrases[0])
+        if times:
+            lines.append(times)
         if content is not None and content.synthetic:
             lines.append("SYNTHETIC LIMB")
         return "\n".join(lines)

@@ -6,8 +6,9 @@ from math import ceil
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from skinsource_gui.panels.windowed.content import WindowedContent, window_words
+from skinsource_gui.panels.windowed.content import WindowedContent
 from skinsource_gui.panels.windowed.strip_layout import StripLayout
+from skinsource_gui.panels.windowed.window_titles import window_titles
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.map.colour_maps import colour_table
 from skinsource_gui.widgets.map.length_bar import paint_small_bar
@@ -49,13 +50,13 @@ def paint_strip(
     line = float(painter.fontMetrics().height())
     scale = content.scale
     table = colour_table(scale.colours)
-    titles = [window_words(bounds) for bounds in content.bounds_s]
-    metrics, places = painter.fontMetrics(), zip(layout.cells, titles, strict=True)
-    if any(metrics.horizontalAdvance(words) > cell.width() for cell, words in places):
-        titles = [str(window + 1) for window in range(len(titles))]
+    width_of = painter.fontMetrics().horizontalAdvance
+    titles = window_titles(content.bounds_s, layout.cells, width_of).words
     for window, (cell, words) in enumerate(zip(layout.cells, titles, strict=True)):
         painter.setPen(QColor(theme.text))
-        painter.drawText(QRectF(cell.left(), cell.top(), cell.width(), line), _CENTRE, words)
+        # One that is named for some may be wider than its map.
+        middle = QRectF(cell.left(), cell.top(), cell.width(), line)
+        painter.drawText(middle, _CENTRE | Qt.TextFlag.TextDontClip, words)
         area = cell.adjusted(2.0, line + _RING_PX, -2.0, -2.0)
         paint_small_map(
             painter, area, content.map_of(window), content.design, theme, scale.range_db, table

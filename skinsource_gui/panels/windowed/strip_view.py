@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QFocusEvent,
-    QFontMetricsF,
+    QFontMetrics,
     QHelpEvent,
     QKeyEvent,
     QMouseEvent,
@@ -18,6 +18,7 @@ from PySide6.QtWidgets import QToolTip, QWidget
 from skinsource_gui.panels.windowed.content import WindowedContent, window_words
 from skinsource_gui.panels.windowed.strip_layout import StripLayout, least_height, strip_layout
 from skinsource_gui.panels.windowed.strip_painter import paint_strip
+from skinsource_gui.panels.windowed.window_titles import head_words
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
 
@@ -88,13 +89,11 @@ class StripView(QWidget):
             return ""
         if self.outdated:
             return "Computing…"
-        metrics = QFontMetricsF(tabular(self.font()))
-        room = self.places.head.width() - metrics.height()
+        metrics, places = QFontMetrics(tabular(self.font())), self.places
+        room = places.head.width() - metrics.height()
         if self.content.synthetic:
             room -= metrics.horizontalAdvance(_SYNTHETIC)
-        phrases = self.content.time_phrases
-        fitting = (one for one in phrases if metrics.horizontalAdvance(one) <= room)
-        return next(fitting, "")
+        return head_words(self.content, places.cells, metrics.horizontalAdvance, room)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, theme = QPainter(self), self._theme

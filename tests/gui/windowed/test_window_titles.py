@@ -1,0 +1,104 @@
+"""However many windows there are, it is said when they are."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QRectF
+
+import skinsource as ss
+from skinsource.design import Design, track
+from skinsource.waveforms import WaveletTrain
+from skinsource_gui.panels.windowed.strip_layout import strip_layout
+from skinsource_gui.panels.windowed.window_titles import window_titles
+from skinsource_gui.widgets.pictures.picture_file import save_drawing
+
+TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))
+
+
+def width_of(words):
+    return 8.0 * len(words)
+
+
+def bounds_s(count, length_s=0.05):
+    return [(k * length_s, (k + 1) * length_s) for k in range(count)]
+
+
+def cells(count, width, columns=None):
+    columns = columns or count
+    return [QRectF(width * (k % columns), 90.0 * (k // columns), width, 90.0) for k in range(count)]
+
+
+def test_where_there_is_room_begin_and_end_stand_above_each_map():
+    found = window_titles(bounds_s(3), cells(3, 100.0), width_of)
+    assert found.words == ("0–50 ms", "50–100 ms", "100–150 ms")
+    assert not found.by_begin
+
+
+def test_where_there_is_less_room_begins_stand_there():
+    found = window_titles(bounds_s(3), cells(3, 40.0), width_of)
+    assert found.words == ("0", "50", "100")
+    assert found.by_begin
+
+
+def test_where_begins_have_no_room_either_each_second_or_third_of_a_row_has_one():
+    assert window_titles(bounds_s(5), cells(5, 20.0), width_of).words == ("0", "", "100", "", "200")
+    rows = window_titles(bounds_s(8), cells(8, 12.0, columns=4), width_of)
+    assert rows.words == ("0", "", "", "150", "200", "", "", "350")
+
+
+@pytest.mark.parametrize("count", [1, 5, 11, 24, 60])
+@pytest.mark.parametrize("width", [180.0, 420.0, 1300.0])
+def test_no_two_times_lie_on_each_other(count, width):
+    places = strip_layout(QRectF(0, 0, width, 400.0), count, 16.0).cells
+    words = window_titles(bounds_s(count, 0.6 / count), places, width_of).words
+    assert words[0]
+    ends = {}
+    for cell, one in zip(places, words, strict=True):
+        half = width_of(one) / 2
+        if one:
+            assert cell.center().x() - half >= ends.get(cell.top(), -20.0)
+            ends[cell.top()] = cell.center().x() + half
+
+
+@pytest.fixture
+def studio(make_window, qtbot):
+    window = make_window(TRAIN, ss.View(method="mag", windows_cut="count", window_count=5))
+    window.docks["windowed"].bring_forward()
+
+    def show(count, **looks):
+        view = replace(window.document.view, window_count=count, **looks)
+        window.document.look(view)
+        strip = window.panel("windowed").strip
+        qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
+        qtbot.waitUntil(lambda: strip.content.windows.count == count, timeout=30_000)
+        return window.panel("windowed")
+
+    return show
+
+
+@pytest.mark.parametrize(("count", "length"), [(11, "53.8 ms"), (24, "24.6 ms"), (60, "10 ms")])
+def test_how_long_windows_are_is_said_where_only_their_begins_are(studio, tmp_path, count, length):
+    panel = studio(count)
+    assert length in panel.strip.head_words
+    assert "traces" in panel.strip.head_words
+    save_drawing(tmp_path / "a.svg", panel.draw_picture, 1400, 900)
+    printed = (tmp_path / "a.svg").read_text("utf-8")
+    assert f"Windows of {length}; above each when it begins, in ms of the stimulus; " in printed
+    assert "the traces show it about 52 ms later" in printed
+    content = studio(count, delay_removed=True).strip.content
+    assert not any("traces" in one for one in content.begin_phrases)
+
+
+def test_with_begin_and_end_above_each_map_only_what_times_they_are_is_said(studio, tmp_path):
+    panel = studio(5)
+    save_drawing(tmp_path / "a.svg", panel.draw_picture, 1400, 900)
+    printed = (tmp_path / "a.svg").read_text("utf-8")
+    assert "480–600 ms" in printed
+    assert "Times of the stimulus; the traces show it about 52 ms later" in printed
+    assert "Windows of" not in printed
+
+
+def test_long_windows_are_said_in_whole_ms(studio):
+    content = studio(5).strip.content
+    longer = replace(content, windows=replace(content.windows, window_samples=156_000))
+    assert "Windows of 120000 ms, begins in ms" in longer.begin_phrases
