@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource.arrays import Floats
+from skinsource.counting import counted
 from skinsource.fields import ChoiceSpec
 from skinsource.files import named
 from skinsource.limb import LimbFacts
@@ -235,7 +236,7 @@ def about(found: Found) -> str:
     one = signals[0]
     rate_hz = found.rate_of(one)
     many = f"{len(signals)} signals" if len(signals) > 1 else "one signal"
-    words = [f"{found.format}, {many} of {one.n_samples} samples"]
+    words = [f"{found.format}, {many} of {counted(one.n_samples, 'sample')}"]
     if rate_hz is not None:
         words.append(f"{rate_hz:g} Hz, {one.n_samples / rate_hz:.4g} s")
     if one.unit:

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from skinsource import edits
 from skinsource.clips import Fragment
+from skinsource.counting import counted
 from skinsource.design import Design
 from skinsource.presets import whole_design
 from skinsource.view import View
@@ -42,7 +43,7 @@ def choices(design: Design, view: View) -> tuple[Choice, ...]:
 
 def _choice(words: str, name: str, fragment: Fragment) -> Choice:
     n = sum(len(lane.clips) for lane in fragment.lanes)
-    clips = "1 clip" if n == 1 else f"{n} clips"
+    clips = counted(n, "clip")
     if len(fragment.lanes) > 1:
         clips += f" on {len(fragment.lanes)} tracks"
     return Choice(words=f"{words}: {clips}", name=name[:100], fragment=fragment)

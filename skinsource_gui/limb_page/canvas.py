@@ -15,6 +15,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from skinsource.arrays import Floats
+from skinsource.counting import counted
 from skinsource_gui.limb_page.draft import Draft
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 
@@ -55,8 +56,10 @@ class PlacesCanvas(QWidget):
     def show_draft(self, draft: Draft) -> None:
         """Show outline and places."""
         self._draft = draft
-        placed = f"{len(draft.inputs)} inputs, {len(draft.outputs)} outputs"
-        self.setAccessibleDescription(f"{placed}, outline of {len(draft.outline)} corners")
+        placed = f"{counted(len(draft.inputs), 'input')}, {counted(len(draft.outputs), 'output')}"
+        self.setAccessibleDescription(
+            f"{placed}, outline of {counted(len(draft.outline), 'corner')}"
+        )
         self.update()
 
     def sizeHint(self) -> QSize:

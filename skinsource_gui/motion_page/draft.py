@@ -7,6 +7,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
+from skinsource.counting import counted
 from skinsource.design import MAX_INPUTS, Design
 from skinsource.edits.kinds import as_kind
 from skinsource.errors import InvalidInputError
@@ -113,8 +114,8 @@ class Draft(QObject):
         tracks = self.motion.tracks()
         if len(self._design.inputs) + len(tracks) > MAX_INPUTS:
             raise InvalidInputError(
-                f"it takes {len(tracks)} inputs more, and a design holds at most {MAX_INPUTS}; "
-                "remove some first"
+                f"it takes {counted(len(tracks), 'input')} more, and a design holds at most "
+                f"{MAX_INPUTS}; remove some first"
             )
         after = self._design
         for one in tracks:
@@ -151,7 +152,7 @@ def _why_no_path(motion: Motion, path: tuple[int, ...], n_places: int) -> str:
     if strange is not None:
         return f"There is no place {strange}; the hand has 1 to {n_places}."
     if len(path) < spec.fewest:
-        return f"Click {spec.fewest - len(path)} more place{'s' * (spec.fewest - len(path) > 1)}."
+        return f"Click {counted(spec.fewest - len(path), 'more place')}."
     if len(path) > spec.most:
         return f"{motion.title} takes {spec.most} places; remove the last."
     try:

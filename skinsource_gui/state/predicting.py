@@ -5,6 +5,7 @@ from dataclasses import replace
 from typing import Any
 
 from skinsource import edits
+from skinsource.counting import counted
 from skinsource.design import Design
 from skinsource.edits import Refusal
 from skinsource.errors import SkinSourceError
@@ -73,8 +74,9 @@ def too_large(limb: str) -> str:
     if facts.live:
         return ""
     return (
-        f"{facts.title} has {facts.n_inputs} places and {facts.n_outputs} outputs, and results "
-        f"follow edits up to {LIVE_INPUTS} and {LIVE_OUTPUTS}. File > Export and sweeps compute it."
+        f"{facts.title} has {counted(facts.n_inputs, 'place')} and "
+        f"{counted(facts.n_outputs, 'output')}, and results follow edits up to "
+        f"{LIVE_INPUTS} and {LIVE_OUTPUTS}. File > Export and sweeps compute it."
     )
 
 

@@ -42,6 +42,18 @@ def test_a_caption_says_what_is_played_where_how_strong_and_on_which_limb():
     assert caption_of(replace(DESIGN, inputs=(), title="A")).startswith("A. Silent")
     many = replace(DESIGN, inputs=tuple(ss.track(place) for place in range(1, 10)))
     assert "and 3 more inputs" in caption_of(many)
+    one_more = replace(DESIGN, inputs=many.inputs[:7])
+    assert "and 1 more input." in caption_of(one_more)
+
+
+def test_a_caption_counts_the_clips_that_it_does_not_name():
+    def said(n):
+        clips = tuple(ss.Clip(waveform=ss.waveforms.Tap(), onset_s=0.1 * k) for k in range(n))
+        return caption_of(replace(DESIGN, inputs=(ss.Input(location=3, clips=clips),)))
+
+    assert "more" not in said(3)
+    assert "at 200 ms, 1 more clip. Limb" in said(4)
+    assert "at 200 ms, 2 more clips. Limb" in said(5)
 
 
 def test_a_caption_names_what_shapes_the_stimulus_and_what_it_is_predicted_through():

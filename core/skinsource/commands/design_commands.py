@@ -9,6 +9,7 @@ from typing import Any
 from skinsource.chain import amplitude_unit
 from skinsource.choice_words import SCALINGS, level_words, limb_word, signal_words, word_of
 from skinsource.clips import Clip
+from skinsource.counting import counted
 from skinsource.design import Design, Input, audible_inputs
 from skinsource.design_file import open_design
 from skinsource.evaluation import evaluate
@@ -103,7 +104,7 @@ def _about_input(one: Input, unit: str, limb: str) -> list[str]:
     marks = "".join(
         f", {word}" for word, is_so in (("muted", one.muted), ("solo", one.solo)) if is_so
     )
-    curve = f", gain curve of {len(one.gain_curve)} points" if one.gain_curve else ""
+    curve = f", gain curve of {counted(len(one.gain_curve), 'point')}" if one.gain_curve else ""
     return [
         f"  {one.id:3}  place {one.location}, {input_words(one.location, limb).name}: "
         f"amplitude {one.amplitude:g} {unit}{curve}{marks}",

@@ -6,6 +6,7 @@ from typing import Protocol
 
 from skinsource.choice_words import SCALINGS, limb_word, word_of
 from skinsource.clips import Clip
+from skinsource.counting import counted
 from skinsource.displaying.track_svg import Track, tracks_svg
 from skinsource.locations import input_words
 from skinsource.own_limbs import facts_of
@@ -83,7 +84,7 @@ def _table(design: Shown, unit: str) -> str:
         for location, amplitude, clip in rows[:_MOST_CLIPS]
     ]
     left_out = len(design.clips) - len(cells)
-    more = f"<p>… and {left_out} more clips</p>" if left_out > 0 else ""
+    more = f"<p>… and {counted(left_out, 'more clip')}</p>" if left_out > 0 else ""
     heads = ("Place", "Amplitude", "Onset", "Waveform", "")
     head = "".join(f"<th>{one}</th>" for one in heads)
     return f"<table><tr>{head}</tr>{''.join(cells)}</table>{more}"

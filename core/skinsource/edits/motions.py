@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from skinsource.counting import counted
 from skinsource.design import MAX_INPUTS, Design
 from skinsource.edits.edit import Edit, Refusal, refused
 from skinsource.errors import InvalidInputError
@@ -18,8 +19,8 @@ def add_motion(design: Design, view: View, motion: Motion) -> Edit | Refusal:
         tracks = motion.tracks()
         if len(design.inputs) + len(tracks) > MAX_INPUTS:
             return Refusal(
-                sentence=f"{motion.title} takes {len(tracks)} inputs more, and a design holds at "
-                f"most {MAX_INPUTS}; remove some first."
+                sentence=f"{motion.title} takes {counted(len(tracks), 'input')} more, and a "
+                f"design holds at most {MAX_INPUTS}; remove some first."
             )
         after = design
         for one in tracks:
@@ -27,7 +28,7 @@ def add_motion(design: Design, view: View, motion: Motion) -> Edit | Refusal:
     except InvalidInputError as error:
         return refused(error)
     return Edit(
-        label=f"Add {motion.title.lower()} at {len(tracks)} places",
+        label=f"Add {motion.title.lower()} at {counted(len(tracks), 'place')}",
         design=after,
         view=replace(view, selected_inputs=after.ids[len(design.inputs) :], selected_clips=()),
     )

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from skinsource.chain import Actuation, ActuatorAt
 from skinsource.choice_words import AXES, METHODS, SCALINGS, SPANS, limb_word, word_of
 from skinsource.clips import Clip
+from skinsource.counting import counted
 from skinsource.design import Input
 
 
@@ -29,7 +30,7 @@ def describe_played(
         curve = f", gain curve {one.gain_curve}" if one.gain_curve else ""
         lines.append(
             f"input at place {one.location}: amplitude {one.amplitude!r}, "
-            f"{len(one.clips)} clip{'' if len(one.clips) == 1 else 's'}{curve}{muted}{solo}"
+            f"{counted(len(one.clips), 'clip')}{curve}{muted}{solo}"
         )
         lines += [f"  clip of the input at place {one.location}: {words_of(x)}" for x in one.clips]
     return lines

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from skinsource.counting import counted
 from skinsource.design import Design
 from skinsource.errors import StorageError
 from skinsource.export.exported_design import ExportedDesign
@@ -79,8 +80,9 @@ def export_field(
 def _about(exported: ExportedDesign) -> list[str]:
     return [
         *about_design(exported),
-        f"acceleration_m_per_s2: {exported.limb.n_outputs} outputs, {exported.limb.n_axes} axes "
-        f"({', '.join(exported.limb.axes)}), {exported.n_times} times, in m/s²",
+        f"acceleration_m_per_s2: {counted(exported.limb.n_outputs, 'output')}, "
+        f"{counted(exported.limb.n_axes, 'axis', 'axes')} ({', '.join(exported.limb.axes)}), "
+        f"{counted(exported.n_times, 'time')}, in m/s²",
         f"times: sample k at {_first(exported)}k / {exported.sample_rate_hz:g} s; pre-trigger "
         f"delay of {exported.limb.pre_trigger_delay_s * 1e3:g} ms: contained in the times",
         about_levels(exported),

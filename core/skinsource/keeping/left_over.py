@@ -10,6 +10,7 @@ from pathlib import Path
 
 import psutil
 
+from skinsource.counting import counted
 from skinsource.design_file import SUFFIX
 from skinsource.errors import SkinSourceError
 from skinsource.files import make_folder, read_bytes, write_bytes
@@ -146,7 +147,7 @@ def age_words(seconds: float) -> str:
     for unit_s, noun in ((_DAY_S, "day"), (_HOUR_S, "hour"), (_MINUTE_S, "minute")):
         count = int(seconds // unit_s)
         if count >= 1:
-            return f"{count} {noun}{'s' if count > 1 else ''} ago"
+            return f"{counted(count, noun)} ago"
     return "less than a minute ago"
 
 

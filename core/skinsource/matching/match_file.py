@@ -7,6 +7,7 @@ from dataclasses import astuple, fields
 from pathlib import Path
 
 from skinsource.arguments import one_of, real_number, whole_number
+from skinsource.counting import counted
 from skinsource.errors import FileFormatError, InvalidInputError
 from skinsource.files import is_there, named, read_bytes, write_bytes
 from skinsource.limb import MOST_PLACES
@@ -103,7 +104,7 @@ def check_reference(
 
 def _match(row: list[str]) -> Match:
     if len(row) != len(_COLUMNS):
-        raise InvalidInputError(f"it has {len(row)} values, expected {len(_COLUMNS)}")
+        raise InvalidInputError(f"it has {counted(len(row), 'value')}, expected {len(_COLUMNS)}")
     cell = dict(zip(_COLUMNS, row, strict=True))
     return Match(
         person=check_person(cell["person"]),

@@ -5,6 +5,7 @@ from typing import ClassVar
 
 from skinsource import fields
 from skinsource.clips import Clip
+from skinsource.counting import counted
 from skinsource.design import Input
 from skinsource.fields import NumberSpec
 from skinsource.motions.fields_of_motions import (
@@ -71,7 +72,7 @@ class Alternation:
         n, burst_s = self.rounds * len(self.path), self.waveform.duration_s
         whole_s = (n - 1) * self.spacing_s + burst_s
         return (
-            f"{n} bursts of {in_ms(burst_s)}, {beside(self.spacing_s, burst_s)}; "
+            f"{counted(n, 'burst')} of {in_ms(burst_s)}, {beside(self.spacing_s, burst_s)}; "
             f"{in_ms(whole_s)} in all"
         )
 

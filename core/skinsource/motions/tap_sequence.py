@@ -5,6 +5,7 @@ from typing import ClassVar
 
 from skinsource import fields
 from skinsource.clips import Clip
+from skinsource.counting import counted
 from skinsource.design import Input
 from skinsource.fields import NumberSpec
 from skinsource.motions.fields_of_motions import (
@@ -73,7 +74,7 @@ class TapSequence:
         """Its times in words."""
         n = self.taps * len(self.path)
         whole_s = (n - 1) * self.spacing_s + self.waveform.duration_s
-        return f"{n} taps, one every {in_ms(self.spacing_s)}; {in_ms(whole_s)} in all"
+        return f"{counted(n, 'tap')}, one every {in_ms(self.spacing_s)}; {in_ms(whole_s)} in all"
 
     def tracks(self) -> tuple[Input, ...]:
         """Return a track for each place."""

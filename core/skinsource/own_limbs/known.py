@@ -4,6 +4,7 @@ import os
 from functools import lru_cache
 from pathlib import Path
 
+from skinsource.counting import counted
 from skinsource.errors import InvalidInputError, SkinSourceError
 from skinsource.limb import BAND_HZ, PUBLISHED, Axes, Band, LimbFacts, LimbMap, axes_of, words
 from skinsource.own_limbs.content import is_free_name
@@ -105,7 +106,8 @@ def _read(name: str, path: Path, _state: tuple[int, ...]) -> tuple[LimbFacts, Li
     facts = LimbFacts(
         name=name,
         title=held.title or name,
-        sentence=f"{hand}, imported: {held.n_inputs} places, {held.n_outputs} outputs along "
+        sentence=f"{hand}, imported: {counted(held.n_inputs, 'place')}, "
+        f"{counted(held.n_outputs, 'output')} along "
         f"{words(held.axes)}, {held.sample_rate_hz:g} Hz{_band_words(held.band_hz)}.",
         n_inputs=held.n_inputs,
         n_outputs=held.n_outputs,

@@ -15,6 +15,7 @@ from typing import IO, Any
 import numpy as np
 
 from skinsource.arrays import Floats
+from skinsource.counting import counted
 from skinsource.errors import FileFormatError, InvalidInputError, StorageError
 from skinsource.files import named, replacing
 from skinsource.job import Progress, Stop, never, silent, stop_if
@@ -178,7 +179,9 @@ def _checked(limb: OwnLimb, responses: Iterable[Floats]) -> Iterator[Floats]:
         count = number
         yield response
     if count != limb.n_inputs:
-        raise InvalidInputError(f"there are responses to {count} inputs, expected {limb.n_inputs}")
+        raise InvalidInputError(
+            f"there are responses to {counted(count, 'input')}, expected {limb.n_inputs}"
+        )
 
 
 #: As `skinsource.chain` takes it.

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from skinsource.counting import counted
 from skinsource.errors import NothingToPlayOnError, PlaybackError
 from skinsource.playing.output import RATES_HZ, Output
 from skinsource.playing.portaudio import sound_library
@@ -40,7 +41,7 @@ class Device:
     @property
     def title(self) -> str:
         """Words for it."""
-        return f"{self.name} ({self.host_api}, {self.n_outputs} outputs)"
+        return f"{self.name} ({self.host_api}, {counted(self.n_outputs, 'output')})"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -152,8 +153,8 @@ def check_outputs(device: Device, outputs: Mapping[int, int]) -> None:
     place, output = max(outputs.items(), key=lambda one: one[1], default=(0, 0))
     if output > device.n_outputs:
         raise PlaybackError(
-            f"{device.name} has {device.n_outputs} output"
-            f"{'' if device.n_outputs == 1 else 's'}, and place {place} is to play on output "
+            f"{device.name} has {counted(device.n_outputs, 'output')}, "
+            f"and place {place} is to play on output "
             f"{output}. Mute what has no actuator, give it another output, or choose another "
             "device."
         )

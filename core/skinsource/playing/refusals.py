@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from skinsource.counting import counted
 from skinsource.playing.devices import Device
 from skinsource.quoting import printable
 
@@ -12,8 +13,8 @@ _WRONG_RATE, _TOO_MANY_CHANNELS, _UNAVAILABLE = -9997, -9998, -9985
 def refusal(error: Any, device: Device, sample_rate_hz: int, n_outputs: int) -> str:
     """Say what a device does not play, and what to do."""
     channels = (
-        f"{n_outputs} outputs. Mute what has no actuator, give it another output, or choose "
-        "another device."
+        f"{counted(n_outputs, 'output')}. Mute what has no actuator, give it another output, or "
+        "choose another device."
     )
     return _words(error, device.name, device.sample_rate_hz, sample_rate_hz, channels, "played on")
 
@@ -22,7 +23,7 @@ def refusal_to_record(
     error: Any, name: str, prefers_hz: int, sample_rate_hz: int, n_inputs: int
 ) -> str:
     """Say what a device does not record, and what to do."""
-    channels = f"{n_inputs} inputs. Choose another input, or another device."
+    channels = f"{counted(n_inputs, 'input')}. Choose another input, or another device."
     return _words(error, name, prefers_hz, sample_rate_hz, channels, "recorded from")
 
 

@@ -9,6 +9,7 @@ from typing import TextIO
 import numpy as np
 
 from skinsource.arrays import Floats
+from skinsource.counting import counted
 from skinsource.quoting import printable, quoted
 from skinsource.recordings import limits
 from skinsource.recordings.found import Found, Series
@@ -168,7 +169,7 @@ def _parsed(path: Path, lines: list[str], first_line: int, layout: TextLayout) -
         values = [number(cell, layout.decimal) for cell in cells]
         if len(cells) != columns or None in values:
             wrong = [cell for cell, value in zip(cells, values, strict=True) if value is None]
-            found_words = quoted(wrong[0]) if wrong else f"{len(cells)} cells"
+            found_words = quoted(wrong[0]) if wrong else counted(len(cells), "cell")
             raise refusal(
                 path,
                 f"about line {first_line + k} holds {found_words}",

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from skinsource.counting import counted
 from skinsource.errors import PlaybackError
 from skinsource.playing.devices import Device, listed
 from skinsource.quoting import quoted
@@ -36,7 +37,7 @@ class InputDevice:
     @property
     def title(self) -> str:
         """Words for it."""
-        return f"{self.name} ({self.host_api}, {self.n_inputs} inputs)"
+        return f"{self.name} ({self.host_api}, {counted(self.n_inputs, 'input')})"
 
 
 def input_devices() -> tuple[InputDevice, ...]:
@@ -102,6 +103,6 @@ def check_inputs(device: InputDevice, *numbers: int) -> None:
     """
     if max(numbers) > device.n_inputs:
         raise PlaybackError(
-            f"{device.name} has {device.n_inputs} input{'' if device.n_inputs == 1 else 's'}, and "
+            f"{device.name} has {counted(device.n_inputs, 'input')}, and "
             f"input {max(numbers)} is to be recorded. Choose another input, or another device."
         )

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from skinsource.counting import counted
 from skinsource.design import Design
 from skinsource.edits import Refusal, change_limb
 from skinsource.errors import InvalidInputError
@@ -34,8 +35,10 @@ def reason_against(known: Scene, designs: tuple[Design, ...], view: View, limb: 
         return f"It compares axes, and this limb measures along {words(facts.axes)} alone."
     needed, there = len(_places_of(designs)), len(_candidates(facts))
     if needed > there:
-        have = "1 place" if there == 1 else f"{there} places"
-        return f"It is played at {needed} places, and this limb has {have} on its map."
+        return (
+            f"It is played at {counted(needed, 'place')}, and this limb has "
+            f"{counted(there, 'place')} on its map."
+        )
     return _unplayable(designs, facts)
 
 

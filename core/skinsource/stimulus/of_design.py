@@ -11,6 +11,7 @@ from skinsource.arguments import one_of, whole_number
 from skinsource.arrays import Floats
 from skinsource.catalogue import load_limb
 from skinsource.chain import Part, amplitude_unit, drive_played, placed_chain
+from skinsource.counting import counted
 from skinsource.design import Design, Input, audible_inputs
 from skinsource.effects import played
 from skinsource.errors import InvalidInputError
@@ -197,8 +198,8 @@ def _sampled(
 def _refuse_too_long(n_channels: int, n_times: int) -> None:
     if n_channels * n_times > MOST_SAMPLES:
         raise InvalidInputError(
-            f"The stimulus has {n_times} samples in {n_channels} "
-            f"channel{'' if n_channels == 1 else 's'}, {n_channels * n_times:.2g} together, "
+            f"The stimulus has {counted(n_times, 'sample')} in {counted(n_channels, 'channel')}, "
+            f"{n_channels * n_times:.2g} together, "
             f"expected at most {MOST_SAMPLES:.2g}. Choose a lower rate, fewer inputs or fewer "
             "clips."
         )

@@ -11,6 +11,7 @@ from skinsource import codec
 from skinsource.chain import Actuation
 from skinsource.codec.json_text import dumped
 from skinsource.codec.references import taken_out
+from skinsource.counting import counted
 from skinsource.design import Design, audible_inputs
 from skinsource.equalising import Equaliser
 from skinsource.errors import InvalidInputError
@@ -262,8 +263,8 @@ def _outgoing(
     n = len(stimulus.channels)
     if format.most_channels is not None and n > format.most_channels:
         raise InvalidInputError(
-            f"The format {format.name} holds at most {format.most_channels} "
-            f"channel{'' if format.most_channels == 1 else 's'}, found {n}. Choose WAV, fewer "
+            f"The format {format.name} holds at most "
+            f"{counted(format.most_channels, 'channel')}, found {n}. Choose WAV, fewer "
             "inputs, or one file per input."
         )
     return Outgoing(

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from skinsource.arrays import Floats
+from skinsource.counting import counted
 from skinsource.errors import InvalidInputError
 from skinsource.export.output_file import steadily_written
 from skinsource.fields import ChoiceSpec
@@ -34,7 +35,7 @@ def write_csv(outgoing: Outgoing, path: Path) -> Facts:
     most = {"keysight": _MOST_KEYSIGHT, "pwl": 1}.get(layout)
     if most is not None and n_channels > most:
         raise InvalidInputError(
-            f"The layout {layout} holds at most {most} channel{'' if most == 1 else 's'}, found "
+            f"The layout {layout} holds at most {counted(most, 'channel')}, found "
             f"{n_channels}. Choose the layout table, or one file per input."
         )
     names = [f"{name}_of_full_scale" for name in channel_names(outgoing.stimulus)]

@@ -7,6 +7,7 @@ from typing import Literal, get_args
 import numpy as np
 
 from skinsource.arguments import one_of, whole_number
+from skinsource.counting import counted
 from skinsource.errors import InvalidInputError
 
 Kind = Literal["given", "random", "counterbalanced"]
@@ -70,8 +71,8 @@ def trials(order: Order, stimuli: Sequence[int]) -> tuple[Trial, ...]:
     n_blocks = order.participants * order.blocks
     if n_blocks * n_stimuli > _MOST_TRIALS:
         raise InvalidInputError(
-            f"{n_blocks} blocks of {n_stimuli} stimuli are {n_blocks * n_stimuli} trials, expected "
-            f"at most {_MOST_TRIALS}"
+            f"{counted(n_blocks, 'block')} of {counted(n_stimuli, 'stimulus', 'stimuli')} are "
+            f"{n_blocks * n_stimuli} trials, expected at most {_MOST_TRIALS}"
         )
     rng = np.random.default_rng(order.seed)
     # Which stimulus is which letter: the square itself is the same for all seeds.

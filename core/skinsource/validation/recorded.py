@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from skinsource.arrays import Floats
+from skinsource.counting import counted
 from skinsource.errors import InvalidInputError, RecordingError
 from skinsource.files import named
 from skinsource.job import Stop, never
@@ -97,7 +98,8 @@ def _read(
             raise
         raise _refusal(
             file,
-            f"its arrays are {shapes}, expected times × {n_outputs} outputs × {n_axes} axes",
+            f"its arrays are {shapes}, expected times × {counted(n_outputs, 'output')} × "
+            f"{counted(n_axes, 'axis', 'axes')}",
         ) from None
     return _from_columns(reader, file, found, (n_outputs, n_axes), stop)
 
@@ -135,12 +137,13 @@ def _from_columns(
     if _are_instants(signals, expected):
         return _from_instants(reader, file, found, (signals, size), stop)
     if len(signals) != expected or len({one.n_samples for one in signals}) != 1:
-        one_axis = f", or choose one axis (x, y or z), which takes {n_outputs} signals"
+        one_axis = f", or choose one axis (x, y or z), which takes {counted(n_outputs, 'signal')}"
+        advice = one_axis if n_axes > 1 else ""
         raise _refusal(
             file,
-            f"{len(signals)} signals, expected {expected} of one length: {n_outputs} outputs along "
-            f"{n_axes} axes, output by output. Save the responses as an array of times by outputs "
-            f"by axes{one_axis if n_axes > 1 else ''}",
+            f"{counted(len(signals), 'signal')}, expected {expected} of one length: "
+            f"{counted(n_outputs, 'output')} along {counted(n_axes, 'axis', 'axes')}, output "
+            f"by output. Save the responses as an array of times by outputs by axes{advice}",
         )
     keys, n_times = [one.key for one in signals], signals[0].n_samples
     values = reader.read(file, keys, 0, n_times, stop=stop).astype(np.float64)

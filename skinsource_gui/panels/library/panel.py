@@ -8,6 +8,7 @@ from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QBoxLayout, QLabel, QMenu, QMessageBox, QVBoxLayout, QWidget
 
 from skinsource import edits
+from skinsource.counting import counted
 from skinsource.design import Design
 from skinsource.presets import Entry, matching
 from skinsource.view import View
@@ -134,7 +135,8 @@ class LibraryPanel(Panel):
         faults = self.shelves.faults
         self.faults.setVisible(bool(faults))
         if faults:
-            more = f" {len(faults) - 1} more are left out." if faults[1:] else ""
+            others = counted(len(faults) - 1, "other")
+            more = f" Left out as well: {others}." if faults[1:] else ""
             self.faults.setText(f"Left out: {faults[0].sentence}{more}")
             self.faults.setToolTip("\n".join(fault.sentence for fault in faults))
 

@@ -3,6 +3,7 @@
 from PySide6.QtCore import QPointF
 
 from skinsource.choice_words import TRIAD_SENTENCE
+from skinsource.counting import counted
 from skinsource_gui.panels.skin.inputs.pointing import inputs_words
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_quantity import LEVELS
@@ -46,8 +47,7 @@ def selection_readout(outputs: tuple[int, ...]) -> str:
     """How many outputs are selected, and in a second line how to select others."""
     if not outputs:
         return "No output selected\nClick one, or drag around several"
-    count = "1 output" if len(outputs) == 1 else f"{len(outputs)} outputs"
-    return f"{count} selected\nShift+click adds or removes one"
+    return f"{counted(len(outputs), 'output')} selected\nShift+click adds or removes one"
 
 
 def _value_text(value: float, content: MapContent) -> str:

@@ -12,6 +12,7 @@ from skinsource.chain import amplitude_unit
 from skinsource.choice_words import SCALINGS, limb_word, word_of
 from skinsource.clips import Clip
 from skinsource.comparing import match_words
+from skinsource.counting import counted
 from skinsource.design import Design, Input, audible_inputs
 from skinsource.effects import Effect, Envelope
 from skinsource.effects.envelope import UNCHANGED
@@ -55,7 +56,7 @@ def caption_of(
     unit = amplitude_unit(design.scaling, design.actuated)
     said = [_input_words(one, unit) for one in heard[:_MOST_INPUTS]]
     if len(heard) > _MOST_INPUTS:
-        said.append(f"and {len(heard) - _MOST_INPUTS} more inputs")
+        said.append(f"and {counted(len(heard) - _MOST_INPUTS, 'more input')}")
     stimulus = "; ".join(said) or "Silent: nothing is driven"
     title = f"{design.title}. " if design.title else ""
     scaling = word_of(SCALINGS, design.scaling).title.lower()
@@ -162,7 +163,7 @@ def _input_words(one: Input, unit: str) -> str:
     clips = [clip for clip in one.clips if not clip.muted]
     said = [_clip_words(clip) for clip in clips[:_MOST_CLIPS]]
     if len(clips) > _MOST_CLIPS:
-        said.append(f"{len(clips) - _MOST_CLIPS} more clips")
+        said.append(counted(len(clips) - _MOST_CLIPS, "more clip"))
     amplitude = f"{one.amplitude:g} {unit}".strip()
     curve = f", with a gain curve {_points(one.gain_curve)}" if one.gain_curve else ""
     return f"Place {one.location}, {amplitude}{curve}: {', '.join(said) or 'no clips'}"
@@ -189,4 +190,4 @@ def _changes(effect: Effect) -> bool:
 
 
 def _points(curve: Sequence[object]) -> str:
-    return f"of {len(curve)} point{'' if len(curve) == 1 else 's'}"
+    return f"of {counted(len(curve), 'point')}"

@@ -87,4 +87,5 @@ def test_many_clips_are_counted_and_not_all_listed():
     design = ss.Design(limb="synthetic-1", inputs=(ss.Input(location=3, clips=clips),))
     html = design._repr_html_()
     assert "… and 20 more clips" in html
+    assert "… and 1 more clip<" in design.with_input(0, clips=clips[:41])._repr_html_()
     assert html.count("<tr>") == 41

@@ -279,7 +279,7 @@ def test_responses_that_are_no_numbers_leave_nothing_behind(user_data):
     bad[3, 1, 7] = np.nan
     with pytest.raises(InvalidInputError, match=r"input 2, output 4, axis z, tap 7 is nan"):
         install_limb(limb, [response(1), bad])
-    with pytest.raises(InvalidInputError, match="to 1 inputs, expected 7"):
+    with pytest.raises(InvalidInputError, match="to 1 input, expected 7"):
         install_limb(limb, [response(1)])
     with pytest.raises(InvalidInputError, match=r"shape \(31, 1, 90\), expected \(31, 2, 90\)"):
         install_limb(limb, [response(1, "z")])
