@@ -9,8 +9,8 @@ from PySide6.QtCore import QObject, Signal
 from skinsource import edits
 from skinsource.comparing import (
     Snapshot,
-    gain_words,
     loudest_db,
+    match_words,
     matching_gain,
     name_of,
     nothing_to_compare,
@@ -146,9 +146,10 @@ class Comparison(QObject):
                 gain = self._gain(number)
                 outcome = edits.show_snapshot(document.design, document.view, number, gain)
                 document.apply(outcome, self._going)
-                words = gain_words(gain)
-                if isinstance(outcome, Edit) and words:
-                    self.done.emit(f"{outcome.label}, {words} to match the others. {_AS_STORED}")
+                matched = match_words(gain)
+                if isinstance(outcome, Edit) and matched:
+                    words = f"{matched[:1].lower()}{matched[1:]}"
+                    self.done.emit(f"{_named(number)} is {words}. {_AS_STORED}")
                 elif isinstance(outcome, Edit) and outcome.design != asked[0]:
                     self.done.emit(_shown_words(number, document))
 
@@ -266,10 +267,14 @@ class Comparison(QObject):
 
 def _shown_words(number: int, document: Document) -> str:
     """What is seen now, and the way back: words about what was seen before would be wrong."""
-    name = name_of(number)
-    words = f"{name[:1].upper()}{name[1:]} is shown"
+    words = f"{_named(number)} is shown"
     other = other_than(document.view.snapshots, document.design)
     return words if other is None else f"{words}; X shows {name_of(other.number)}"
+
+
+def _named(number: int) -> str:
+    name = name_of(number)
+    return f"{name[:1].upper()}{name[1:]}"
 
 
 def _known(given: Mapping[str, Any], found: Mapping[str, Any] | str) -> _Known:

@@ -59,7 +59,7 @@ def test_a_value_that_is_not_finite_is_named_with_its_place(refused_rows, comple
     data[11, 2, 0] = bad
     rows[42] = (data, *rows[42][1:])
     message = refused_rows(rows)
-    assert "row 43 (model 3, location 3) holds 1 values that are not finite" in message
+    assert "row 43 (model 3, location 3) holds 1 value not finite" in message
     assert "tap 12, output 3, axis 1" in message
 
 

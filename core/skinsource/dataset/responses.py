@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.arrays import Floats
+from skinsource.counting import counted
 from skinsource.dataset.matfile import read_variable
 from skinsource.dataset.pieces import WHAT_TO_DO
 from skinsource.errors import DatasetError
@@ -88,8 +89,9 @@ def _response(data: Any, where: str) -> Floats:
     finite = np.isfinite(array)
     if not finite.all():
         tap, output, axis = (int(k) + 1 for k in np.argwhere(~finite)[0])
+        strange = counted(int(np.count_nonzero(~finite)), "value")
         raise DatasetError(
-            f"{where} holds {np.count_nonzero(~finite)} values that are not finite, the first at "
+            f"{where} holds {strange} not finite, the first at "
             f"tap {tap}, output {output}, axis {axis}; expected finite numbers only. {WHAT_TO_DO}"
         )
     return _real(array).transpose(1, 2, 0)

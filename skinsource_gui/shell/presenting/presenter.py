@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QMainWindow, QToolBar, QWidget
 from shiboken6 import isValid
 
 from skinsource import scenes
+from skinsource.design import Design
 from skinsource.errors import SkinSourceError
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.made_panels import MadePanels
@@ -20,6 +21,9 @@ from skinsource_gui.state.preferences import Preferences
 
 #: What clickers send, beside the keys of the table of actions.
 _NEXT, _PREVIOUS, _COVER, _LEAVE = ("PgDown",), ("PgUp",), ("B", "."), ("Esc",)
+
+# A design, and those of the snapshots beside it by their numbers; levels match by themselves.
+_Whole = tuple[Design, dict[int, Design]]
 
 
 class Presenter(QObject):
@@ -81,9 +85,10 @@ class Presenter(QObject):
         self._steps: tuple[Step, ...] = ()
         self._at = -1
         self._panels: tuple[str, ...] = ()
-        # Whether what is open is a scene that was whole when it was presented: what is turned in it
-        # meanwhile is not kept.
-        self._is_scene = self._opening = False
+        # The scene that is open, as it was when it was presented: what is turned in it meanwhile is
+        # not kept.  None: there is work in it that is asked about.
+        self._whole: _Whole | None = None
+        self._opening = False
         self._notes: NotesWindow | None = None
         self._keys: list[QShortcut] = []
         self._taken: PresentingKeys | None = None
@@ -97,7 +102,8 @@ class Presenter(QObject):
         """Take the bars away, and arrange the panels for people further off."""
         window = self._window
         self.presenting = True
-        self._is_scene = self._at >= 0 and not self._document.modified
+        is_scene = self._at >= 0 or self._document.path is not None
+        self._whole = self._now if is_scene and not self._document.modified else None
         self._layout.hold()
         self._before, self._arranged = self._layout.own(), self._preferences.arrangement
         self._size, self._focused = window.size(), window.focusWidget()
@@ -120,7 +126,7 @@ class Presenter(QObject):
     def end(self) -> None:
         """Bring the bars back, the panels where they stood, and the map."""
         window = self._window
-        self.presenting = self._is_scene = False
+        self.presenting, self._whole = False, None
         self._layout.release()
         for action in self._actions().values():
             window.removeAction(action)
@@ -220,7 +226,7 @@ class Presenter(QObject):
             self.done.emit("This is the last scene" if by > 0 else "This is the first scene")
             return
         # Nobody is asked, in front of an audience, for what will not be.
-        if self._is_scene or self._files.may_lose_changes():
+        if self._whole is not None or self._files.may_lose_changes():
             self._open(wanted)
 
     def _open(self, number: int) -> None:
@@ -230,19 +236,33 @@ class Presenter(QObject):
         except SkinSourceError as error:
             self.failed.emit(str(error))
             return
+        left = self._left_behind()
         self._at, self._opening = number, True
         self._document.start_over(shown.design, shown.view, None, scene=step.title)
         self._files.leave_file()
-        self._opening, self._is_scene, self._panels = False, self.presenting, shown.panels
+        self._opening, self._panels = False, shown.panels
+        self._whole = self._now if self.presenting else None
         if shown.arrangement:
             self._layout.show_scene(shown.arrangement, shown.panels)
-        self.done.emit(f"Scene {number + 1} of {len(self._steps)}: {step.title}")
+        self.done.emit(f"Scene {number + 1} of {len(self._steps)}: {step.title}{left}")
         self._show_notes()
+
+    @property
+    def _now(self) -> _Whole:
+        snapshots = self._document.view.snapshots
+        return self._document.design, {one.number: one.design for one in snapshots}
+
+    def _left_behind(self) -> str:
+        """What is said of the scene that is left, if it is not as it was."""
+        if self._whole in (None, self._now):
+            return ""
+        name = self._steps[self._at].title.partition(" · ")[0] if self._at >= 0 else "the last one"
+        return f"; changes to {name} are not kept"
 
     def _look(self) -> None:
         # With another design the history is empty; with a step of it, it is not.
         if not self._opening and self._document.undo_stack.count() == 0:
-            self._is_scene, self._steps, self._at, self._panels = False, (), -1, ()
+            self._whole, self._steps, self._at, self._panels = None, (), -1, ()
 
     def _show_notes(self) -> None:
         if self._notes is None:

@@ -92,7 +92,7 @@ def test_a_line_that_is_wrong_is_named(tmp_path):
     with pytest.raises(RecordingError, match=r"line 100002 holds 'oops'.*expected 2 numbers"):
         numbers_of(path)
     path.write_text("x,y\n" + "1,2\n" * 100_000 + "3\n" + "1,2\n" * 100)
-    with pytest.raises(RecordingError, match="line 100002 holds 1 cells"):
+    with pytest.raises(RecordingError, match="line 100002 holds 1 cell,"):
         numbers_of(path)
 
 

@@ -97,6 +97,45 @@ def test_what_is_turned_while_a_scene_is_presented_is_not_asked_about(make_windo
     assert not asked
 
 
+def test_of_a_scene_that_was_turned_it_is_said_that_it_is_left_as_it_was(make_window, design):
+    window = make_window(design)
+    window.do("next_scene")
+    window.do("present")
+    name, first = all_scenes()[0].name, window.document.design
+    louder(window, 2.0)
+    window.do("next_scene")
+    assert window.notice.text.endswith(f"; changes to {name} are not kept")
+    window.do("previous_scene")
+    assert window.notice.text == f"Scene 1 of {len(all_scenes())}: {all_scenes()[0].heading}"
+    assert window.document.design == first
+    # What was turned back is nothing that could be kept.
+    louder(window, 2.0)
+    window.do("undo")
+    window.do("next_scene")
+    assert "kept" not in window.notice.text
+
+
+def test_a_file_that_is_presented_as_it_was_saved_is_left_unasked(studio, folder, asked):
+    studio.do("present")
+    saved = (folder / "2 tone.skinsource").read_bytes()
+    louder(studio, 2.0)
+    studio.do("next_scene")
+    assert studio.notice.text == "Scene 3 of 3: 3 both; changes to 2 tone are not kept"
+    studio.do("previous_scene")
+    assert studio.document.design.inputs[0].amplitude == 1.0
+    assert (folder / "2 tone.skinsource").read_bytes() == saved
+    assert not asked
+
+
+def test_work_on_a_file_from_before_it_was_presented_is_asked_about(studio, asked):
+    edited = louder(studio, 2.0)
+    studio.do("present")
+    studio.do("next_scene")
+    assert len(asked) == 1
+    assert studio.document.design == edited
+    studio.document.mark_saved(studio.document.path)
+
+
 @pytest.mark.parametrize("presented", ["never", "afterwards", "before"])
 def test_work_that_was_done_in_a_scene_is_not_lost_unasked(make_window, asked, presented, design):
     window = make_window(design)
