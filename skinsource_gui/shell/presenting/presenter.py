@@ -8,7 +8,6 @@ from PySide6.QtWidgets import QMainWindow, QToolBar, QWidget
 from shiboken6 import isValid
 
 from skinsource import scenes
-from skinsource.design import Design
 from skinsource.errors import SkinSourceError
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.made_panels import MadePanels
@@ -16,14 +15,12 @@ from skinsource_gui.shell.docks import PRESENTATION, Arrangements, DockLayout
 from skinsource_gui.shell.presenting.notes_window import NotesWindow
 from skinsource_gui.shell.presenting.presenting_keys import PresentingKeys, unless_dragging
 from skinsource_gui.shell.presenting.scene_list import Step, steps_of_folder, steps_of_paper
+from skinsource_gui.shell.presenting.whole_scene import WholeScene
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
 
 #: What clickers send, beside the keys of the table of actions.
 _NEXT, _PREVIOUS, _COVER, _LEAVE = ("PgDown",), ("PgUp",), ("B", "."), ("Esc",)
-
-# A design, and those of the snapshots beside it by their numbers; levels match by themselves.
-_Whole = tuple[Design, dict[int, Design]]
 
 
 class Presenter(QObject):
@@ -87,7 +84,7 @@ class Presenter(QObject):
         self._panels: tuple[str, ...] = ()
         # The scene that is open, as it was when it was presented: what is turned in it meanwhile is
         # not kept.  None: there is work in it that is asked about.
-        self._whole: _Whole | None = None
+        self._whole: WholeScene | None = None
         self._opening = False
         self._notes: NotesWindow | None = None
         self._keys: list[QShortcut] = []
@@ -103,7 +100,8 @@ class Presenter(QObject):
         window = self._window
         self.presenting = True
         is_scene = self._at >= 0 or self._document.path is not None
-        self._whole = self._now if is_scene and not self._document.modified else None
+        whole = is_scene and not self._document.modified
+        self._whole = WholeScene.of(self._document) if whole else None
         self._layout.hold()
         self._before, self._arranged = self._layout.own(), self._preferences.arrangement
         self._size, self._focused = window.size(), window.focusWidget()
@@ -236,28 +234,16 @@ class Presenter(QObject):
         except SkinSourceError as error:
             self.failed.emit(str(error))
             return
-        left = self._left_behind()
+        left = "" if self._whole is None else self._whole.left(self._document)
         self._at, self._opening = number, True
         self._document.start_over(shown.design, shown.view, None, scene=step.title)
         self._files.leave_file()
         self._opening, self._panels = False, shown.panels
-        self._whole = self._now if self.presenting else None
+        self._whole = WholeScene.of(self._document) if self.presenting else None
         if shown.arrangement:
             self._layout.show_scene(shown.arrangement, shown.panels)
         self.done.emit(f"Scene {number + 1} of {len(self._steps)}: {step.title}{left}")
         self._show_notes()
-
-    @property
-    def _now(self) -> _Whole:
-        snapshots = self._document.view.snapshots
-        return self._document.design, {one.number: one.design for one in snapshots}
-
-    def _left_behind(self) -> str:
-        """What is said of the scene that is left, if it is not as it was."""
-        if self._whole in (None, self._now):
-            return ""
-        name = self._steps[self._at].title.partition(" · ")[0] if self._at >= 0 else "the last one"
-        return f"; changes to {name} are not kept"
 
     def _look(self) -> None:
         # With another design the history is empty; with a step of it, it is not.
