@@ -12,6 +12,7 @@ from skinsource.design_file import SUFFIX, open_design, save_design
 from skinsource.errors import SkinSourceError
 from skinsource.files import is_there, named
 from skinsource.view import View
+from skinsource_gui.files.asking import agreed, may_replace
 from skinsource_gui.files.file_on_disk import FileOnDisk
 from skinsource_gui.files.held_file import HeldFile, may_have_ended, who_has
 from skinsource_gui.files.recent_files import RecentFiles
@@ -150,8 +151,7 @@ class FileActions(QObject):
             for part in Path(ending).suffixes:
                 name = name.removesuffix(part)
             path = Path(f"{name}{ending or start.suffix}")
-            question = f"{path.name} exists already. Replace it?"
-            if is_there(path) and not self._agreed("Replace the file?", question):
+            if is_there(path) and not may_replace(self._window, [path]):
                 return None
         return path
 
@@ -207,16 +207,11 @@ class FileActions(QObject):
         self._told, self.suggested = "same", None
 
     def _may_overwrite(self, path: Path) -> bool:
-        return self._on_disk.state() != "changed" or self._agreed(
+        return self._on_disk.state() != "changed" or agreed(
+            self._window,
             "Replace what another program saved?",
             f"{path.name} {_CHANGED}. Replace it, and lose what was saved there?",
         )
-
-    def _agreed(self, title: str, question: str) -> bool:
-        answer = QMessageBox.question(
-            self._window, title, question, _Answer.Yes | _Answer.Cancel, _Answer.Cancel
-        )
-        return answer == _Answer.Yes
 
     def _save_to(self, path: Path) -> bool:
         document, other = self._document, self.held.take(path)
@@ -225,7 +220,7 @@ class FileActions(QObject):
             if not may_have_ended(other):
                 self.failed.emit(f"{words}. Save the design under another name.")
                 return False
-            if not self._agreed("Replace the file?", f"{words}. {_MAYBE_ENDED}"):
+            if not agreed(self._window, "Replace the file?", f"{words}. {_MAYBE_ENDED}"):
                 return False
             self.held.take(path, from_other=True)
         try:

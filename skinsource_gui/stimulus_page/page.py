@@ -46,8 +46,8 @@ class StimulusPage(QDialog):
         Rig file that this machine plays for; empty: none.
     """
 
-    #: The `Order`; whether what clips was confirmed; what is remembered for the next one.
-    chosen = Signal(object, bool, str)
+    #: The `Order` and its `Overview`; whether what clips was confirmed; what is remembered.
+    chosen = Signal(object, object, bool, str)
 
     def __init__(
         self,
@@ -66,7 +66,7 @@ class StimulusPage(QDialog):
         self._theme = theme()
         self._colours = {one.id: one.colour for one in design.inputs}
         self._wanted: Order | None = None
-        self._shown: Order | None = None
+        self._shown: tuple[Order, Overview] | None = None
         self.form = StimulusForm(design, view)
         self.channels = ChannelsView()
         self._summary, self._loses, self._problem = QLabel(), QLabel(), QLabel()
@@ -85,7 +85,7 @@ class StimulusPage(QDialog):
     @property
     def busy(self) -> bool:
         """Whether something is wanted that is not shown yet."""
-        return self._wanted is not None and self._wanted is not self._shown
+        return self._wanted is not None and self._shown is None
 
     @property
     def ready(self) -> bool:
@@ -94,12 +94,12 @@ class StimulusPage(QDialog):
 
     def done(self, result: int) -> None:
         """Close it, with or without an export."""
-        order, confirmed = self._shown, self._confirm.isChecked()
+        shown, confirmed = self._shown, self._confirm.isChecked()
         kept = remembered(self.form, self._machine_rig)
         self._worker.close()
         super().done(result)
-        if result == QDialog.DialogCode.Accepted and order is not None:
-            self.chosen.emit(order, confirmed, kept)
+        if result == QDialog.DialogCode.Accepted and shown is not None:
+            self.chosen.emit(*shown, confirmed, kept)
 
     def _name_parts(self) -> None:
         self._export_button = self._buttons.button(QDialogButtonBox.StandardButton.Ok)
@@ -160,7 +160,7 @@ class StimulusPage(QDialog):
     def _show_ready(self, order: Order, overview: Overview) -> None:
         if order is not self._wanted:
             return
-        self._shown = order
+        self._shown = order, overview
         self.channels.show_overview(overview, self._colours)
         self._summary.setText(summary_of(overview))
         self._loses.setText(

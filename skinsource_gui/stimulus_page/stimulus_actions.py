@@ -1,14 +1,17 @@
 """Exporting stimuli: opens the page, asks where to, and tells what came of it."""
 
 import importlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
 from skinsource.design import Design
+from skinsource.files import is_there
+from skinsource_gui.files.asking import may_replace
 from skinsource_gui.files.export_jobs import ExportJobs
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.state.document import Document
@@ -73,7 +76,9 @@ class StimulusActions(QObject):
     def _forget_page(self) -> None:
         self.page = None
 
-    def _export(self, design: Design, order: Any, confirmed: bool, kept: str) -> None:
+    def _export(
+        self, design: Design, order: Any, overview: Any, confirmed: bool, kept: str
+    ) -> None:
         # What was right for this one mostly is for the next.
         self._preferences.export_text = kept
         kind = order.format
@@ -83,11 +88,14 @@ class StimulusActions(QObject):
         words = "Folder" if kind.folder else kind.title
         offered = f"{words} (*{kind.suffix})" if kind.suffix else "All files (*)"
         path = self._files.ask_where("Export stimulus", start, offered, ending=kind.suffix)
-        if path is None:
+        # It was loaded with the page.
+        stimulus_export = importlib.import_module("skinsource.stimulus_export")
+        if path is None or not self._may_write(
+            path, stimulus_export.written_files(path, kind, overview.marks)
+        ):
             return
-        export = importlib.import_module("skinsource.stimulus_export").export_stimulus
         work = partial(
-            export,
+            stimulus_export.export_stimulus,
             design,
             path,
             kind.name,
@@ -98,3 +106,14 @@ class StimulusActions(QObject):
             confirmed=confirmed,
         )
         self._jobs.add(path, work, written=lambda result: result.files[0])
+
+    def _may_write(self, path: Path, written: Iterable[tuple[Path, Path]]) -> bool:
+        """Whether nothing is lost beside ``path``, which the dialog asked about, or may be."""
+        # Who lets a file go lets its sidecar go.
+        agreed = is_there(path)
+        there = [
+            file if is_there(file) else sidecar
+            for file, sidecar in written
+            if not (agreed and file == path) and (is_there(file) or is_there(sidecar))
+        ]
+        return not there or may_replace(self._window, there)

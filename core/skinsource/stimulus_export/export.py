@@ -14,6 +14,7 @@ from skinsource.files import named, replacing, replacing_folder
 from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.rigs import Rig
 from skinsource.stimulus import Stage
+from skinsource.stimulus_export.naming import sidecar_path
 from skinsource.stimulus_export.notes import calibration_of, edges_of, loses_of
 from skinsource.stimulus_export.options import StimulusOptions
 from skinsource.stimulus_export.preparing import Prepared, prepared
@@ -152,11 +153,6 @@ def write_prepared(
 
 def _with_full_scale(options: StimulusOptions, full_scale: float | None) -> StimulusOptions:
     return options if full_scale is None else replace(options, full_scale=full_scale)
-
-
-def sidecar_path(path: Path) -> Path:
-    """Where the sidecar of a file or folder is."""
-    return path.with_name(f"{path.name}.json")
 
 
 def _write_file(

@@ -50,8 +50,10 @@ class Overview:
     ----------
     channels
         Of all files.
-    n_files, n_bytes
-        How many files, and about how many bytes together.
+    marks
+        What stands before the ending in the name of each file: `written_files` needs it.
+    n_bytes
+        About how many bytes all files take together.
     rate_hz, duration_s
         Of each.
     full_scale, unit
@@ -67,7 +69,7 @@ class Overview:
     """
 
     channels: tuple[ChannelOverview, ...]
-    n_files: int
+    marks: tuple[str, ...]
     n_bytes: int
     rate_hz: float
     duration_s: float
@@ -77,6 +79,11 @@ class Overview:
     loses: str
     calibration: str
     objections: tuple[str, ...]
+
+    @property
+    def n_files(self) -> int:
+        """How many files there are."""
+        return len(self.marks)
 
 
 def overview_of(ready: Prepared, limits: Sequence[Limit] = ()) -> Overview:
@@ -106,7 +113,7 @@ def overview_of(ready: Prepared, limits: Sequence[Limit] = ()) -> Overview:
     first = ready.files[0][1]
     return Overview(
         channels=tuple(channels),
-        n_files=len(ready.files),
+        marks=ready.marks,
         n_bytes=ready.n_bytes,
         rate_hz=first.stimulus.sample_rate_hz,
         duration_s=first.stimulus.duration_s,

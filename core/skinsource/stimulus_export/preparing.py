@@ -22,16 +22,15 @@ from skinsource.stimulus import (
     Stimulus,
     faded,
     full_scale_factor,
-    in_order,
     part_of_time,
-    scaled,
     stimulus_of,
     with_lead_in,
-    with_sync,
 )
 from skinsource.stimulus.wiring import FULL_SCALE_UNIT, for_rig, through_actuators
 from skinsource.stimulus_export.edges import Ends, cut_ends
+from skinsource.stimulus_export.naming import marked
 from skinsource.stimulus_export.options import StimulusOptions
+from skinsource.stimulus_export.parts import parts
 from skinsource.stimulus_export.rigged import about_rig
 from skinsource.stimulus_formats import Outgoing, StimulusFormat
 
@@ -50,6 +49,8 @@ class Prepared:
         All channels before that factor, in the unit of the drive: what limits are about.
     files
         Path and content of each file.
+    marks
+        What stands before the ending in the name of each file, see `naming.marked`.
     cut
         At which ends a part of the design was cut out.
     rig, equaliser
@@ -60,6 +61,7 @@ class Prepared:
     gain: float
     drives: Stimulus
     files: tuple[tuple[Path, Outgoing], ...]
+    marks: tuple[str, ...]
     cut: tuple[Ends, ...] = ()
     rig: Rig | None = None
     equaliser: Equaliser | None = None
@@ -69,6 +71,7 @@ class Prepared:
         """About how many bytes all files take together."""
         return sum(
             self.format.bytes_of(len(one.stimulus.channels), one.stimulus.n_times, one.choices)
+            + self.format.response_bytes(one.design)
             for _, one in self.files
         )
 
@@ -127,13 +130,21 @@ def prepared(
     made = _made(design, rate_hz, options, stages, lead_in_s, stop)
     drives = _cut(_for_rig(made, rig, equaliser, options, design.actuated), options)
     gain = 1.0 if drives.unit == FULL_SCALE_UNIT else _gain(drives, options)
+    apart = parts(drives, gain, format, options)
+    places = [marked(path, format, mark) for mark in apart]
     files = tuple(
-        (own_place, _outgoing(own, design, own_place.name, format, choices, options, gain, rig))
-        for place, one in _files(drives, path, format, options)
-        for own_place, own in _own_files(_finished(scaled(one, gain), options), place, format)
+        (place, _outgoing(own, design, place.name, format, choices, options, gain, rig))
+        for place, own in zip(places, apart.values(), strict=True)
     )
     return Prepared(
-        format=format, gain=gain, drives=drives, files=files, cut=cut, rig=rig, equaliser=equaliser
+        format=format,
+        gain=gain,
+        drives=drives,
+        files=files,
+        marks=tuple(apart),
+        cut=cut,
+        rig=rig,
+        equaliser=equaliser,
     )
 
 
@@ -199,55 +210,6 @@ def _cut(made: Stimulus, options: StimulusOptions) -> Stimulus:
         from_s = 0.0 if options.from_s is None else options.from_s
         made = part_of_time(made, from_s, made.duration_s if options.to_s is None else options.to_s)
     return with_lead_in(faded(made, options.fade_in_s, options.fade_out_s), options.lead_in_s)
-
-
-def _files(
-    drives: Stimulus, path: Path, format: StimulusFormat, options: StimulusOptions
-) -> list[tuple[Path, Stimulus]]:
-    if not options.one_file_per_input:
-        return [(path, drives)]
-    stem, suffix = _parted(path, format)
-    return [
-        (
-            path.with_name(f"{stem}_input-{channel.inputs[0]}{suffix}"),
-            drives.with_samples(
-                drives.samples[row : row + 1], channels=(replace(channel, number=1),)
-            ),
-        )
-        for row, channel in enumerate(drives.channels)
-    ]
-
-
-def _finished(stimulus: Stimulus, options: StimulusOptions) -> Stimulus:
-    """With what is not scaled, and in the order of the outputs."""
-    if options.sync:
-        # What comes before is the lead-in.
-        stimulus = with_sync(stimulus, at_s=options.from_s or 0.0)
-    return in_order(stimulus, options.channel_map) if options.channel_map else stimulus
-
-
-def _own_files(
-    stimulus: Stimulus, path: Path, format: StimulusFormat
-) -> list[tuple[Path, Stimulus]]:
-    """A file for each channel, where the format holds one: the first is ``path``."""
-    if not format.one_channel_each:
-        return [(path, stimulus)]
-    stem, suffix = _parted(path, format)
-    return [
-        (
-            path.with_name(f"{stem}_channel-{row + 1}{suffix}") if row else path,
-            stimulus.with_samples(
-                stimulus.samples[row : row + 1], channels=(replace(channel, number=1),)
-            ),
-        )
-        for row, channel in enumerate(stimulus.channels)
-    ]
-
-
-def _parted(path: Path, format: StimulusFormat) -> tuple[str, str]:
-    """Name of a file without its ending, and that."""
-    suffix = format.suffix if path.name.endswith(format.suffix) else path.suffix
-    return path.name[: len(path.name) - len(suffix)], suffix
 
 
 def _outgoing(

@@ -1,13 +1,17 @@
 """HDF5: the drive, what the skin answers, and what both are."""
 
 import io
+import math
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from skinsource.design import Design
 from skinsource.export.exported_design import ExportedDesign
 from skinsource.files import hdf5
 from skinsource.job import silent, stop_if
+from skinsource.limb import Limb
+from skinsource.quantities import new_graph, sources
 from skinsource.stimulus_formats.about import about
 from skinsource.stimulus_formats.column_names import channel_names
 from skinsource.stimulus_formats.stimulus_format import Facts, Outgoing, StimulusFormat
@@ -41,7 +45,7 @@ def _add_response(outgoing: Outgoing, file: Any) -> str:
     """Add what is predicted; say so, or why not."""
     exported = ExportedDesign(outgoing.design, View(), silent, outgoing.stop)
     shape = exported.limb.n_outputs, exported.limb.n_axes, exported.n_times
-    n_bytes = shape[0] * shape[1] * shape[2] * 8
+    n_bytes = math.prod(shape) * 8
     if n_bytes > _MOST_RESPONSE_BYTES:
         return f"left out: it would take {n_bytes / 1e9:.1f} GB"
     found = file.create_dataset("response", shape, "f8", track_times=False)
@@ -60,6 +64,13 @@ def _add_response(outgoing: Outgoing, file: Any) -> str:
     return "whole design from time 0 on, before fades and cuts"
 
 
+def _response_bytes(design: Design) -> int:
+    known = new_graph().evaluate({"limb_data", "response_samples"}, sources(design, View()))
+    limb: Limb = known["limb_data"]
+    n_bytes = limb.n_outputs * limb.n_axes * int(known["response_samples"]) * 8
+    return n_bytes if n_bytes <= _MOST_RESPONSE_BYTES else 0
+
+
 def _bytes_of(n_channels: int, n_times: int, _: Mapping[str, str]) -> int:
     return 8192 + 8 * n_channels * n_times
 
@@ -71,6 +82,7 @@ HDF5 = StimulusFormat(
     hint="The drive, the predicted response of the skin, and what both are",
     write=write_hdf5,
     bytes_of=_bytes_of,
+    response_bytes=_response_bytes,
     rate_hz=None,
     to_device=False,
 )

@@ -29,6 +29,11 @@ def no_whole_numbers(_: Mapping[str, str]) -> bool:
     return False
 
 
+def no_response(_: Design) -> int:
+    """Nothing that is predicted is written."""
+    return 0
+
+
 def nothing_beside(_path: Path, _facts: Facts) -> Mapping[Path, bytes]:
     """No other file belongs to it."""
     return {}
@@ -104,6 +109,8 @@ class StimulusFormat:
         Writes a file, or fills a folder that is there; gives what the sidecar says of it.
     bytes_of
         About how many bytes ``n_channels`` of ``n_times`` take, with such choices.
+    response_bytes
+        And how many what is predicted of a design, where that is written too.
     rate_hz
         Usual rate; None: that of the limb.
     fixed_rate
@@ -132,6 +139,7 @@ class StimulusFormat:
     hint: str
     write: Callable[[Outgoing, Path], Facts]
     bytes_of: Callable[[int, int, Mapping[str, str]], int]
+    response_bytes: Callable[[Design], int] = no_response
     rate_hz: int | None = 48_000
     fixed_rate: bool = False
     choices: Mapping[str, ChoiceSpec] = field(default_factory=dict)

@@ -14,7 +14,7 @@ from skinsource.files import is_there, make_folder
 from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.resampling import MAX_RATE_HZ
 from skinsource.stimulus_export import StimulusOptions, export_stimulus, prepared
-from skinsource.stimulus_export.export import sidecar_path
+from skinsource.stimulus_export.naming import sidecar_path
 from skinsource.stimulus_formats import format_named
 from skinsource.sweeps.plan import Plan
 from skinsource.sweeps.table import SweepTable

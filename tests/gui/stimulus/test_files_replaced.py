@@ -1,0 +1,79 @@
+"""File > Export stimulus… as many files: what is there already is not lost unasked."""
+
+import pytest
+from PySide6.QtWidgets import QMessageBox
+
+from tests.gui.stimulus.stimulus_bench import choose, export
+
+_Answer = QMessageBox.StandardButton
+
+
+@pytest.fixture
+def asked(monkeypatch):
+    """Questions that were asked; each was answered with the last of ``answers``."""
+    questions, answers = [], [_Answer.Cancel]
+
+    def question(_parent, _title, words, *_):
+        questions.append(words)
+        return answers[-1]
+
+    monkeypatch.setattr(QMessageBox, "question", question)
+    return questions, answers
+
+
+def contents(folder):
+    return {one.name: one.read_bytes() for one in folder.iterdir() if one.is_file()}
+
+
+def test_the_file_of_another_channel_is_replaced_only_if_the_user_says_so(
+    page, desk, qtbot, save_as, asked, tmp_path
+):
+    questions, answers = asked
+    choose(page, qtbot, "format", "pwle")
+    path = save_as("twenty.pwle.json")
+    mine = tmp_path / "twenty_channel-2.pwle.json"
+    mine.write_text("mine")
+    export(desk, page, qtbot)
+    assert questions == ["twenty_channel-2.pwle.json exists already. Replace it?"]
+    assert (mine.read_text(), path.exists()) == ("mine", False)
+    answers.append(_Answer.Yes)
+    desk.stimuli.show()
+    qtbot.waitUntil(lambda: desk.stimuli.page.ready)
+    export(desk, desk.stimuli.page, qtbot)
+    assert path.exists()
+    assert mine.read_text() != "mine"
+
+
+def test_a_sidecar_that_is_there_without_its_file_is_not_lost_unasked(
+    page, desk, qtbot, save_as, asked, tmp_path
+):
+    save_as("drive.wav")
+    (tmp_path / "drive.wav.json").write_text("mine")
+    export(desk, page, qtbot)
+    assert asked[0] == ["drive.wav.json exists already. Replace it?"]
+    assert contents(tmp_path).get("drive.wav.json") == b"mine"
+
+
+def test_who_let_a_file_go_is_not_asked_about_its_sidecar(
+    page, desk, qtbot, save_as, asked, tmp_path
+):
+    path = save_as("drive.wav")
+    for name in ("drive.wav", "drive.wav.json"):
+        (tmp_path / name).write_text("old")
+    export(desk, page, qtbot)
+    assert asked[0] == []
+    assert path.stat().st_size > 1000
+
+
+def test_one_file_per_input_asks_about_each_that_is_there(
+    page, desk, qtbot, save_as, asked, tmp_path
+):
+    choose(page, qtbot, "channels", "files")
+    save_as("drive.wav")
+    for number in (1, 3):
+        (tmp_path / f"drive_input-{number}.wav").write_text("mine")
+    export(desk, page, qtbot)
+    assert asked[0] == [
+        "2 files exist already: drive_input-1.wav, drive_input-3.wav. Replace them?"
+    ]
+    assert not (tmp_path / "drive_input-2.wav").exists()
