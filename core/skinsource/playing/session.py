@@ -9,6 +9,7 @@ import numpy as np
 from skinsource.catalogue import load_limb
 from skinsource.design import Design
 from skinsource.errors import NothingToPlayOnError, PlaybackError, SkinSourceError
+from skinsource.job import Stop, never, stop_if
 from skinsource.playing.deck import Deck
 from skinsource.playing.devices import Device, check_outputs, device_of, devices, look_again
 from skinsource.playing.mix import Mix
@@ -103,6 +104,7 @@ class Session:
         gain_db: float,
         slow_motion: float = 1.0,
         rig: Rig | None = None,
+        stop: Stop = never,
     ) -> Playing:
         """Begin to play a design; in slow motion, and with nothing to play on, in silence.
 
@@ -120,11 +122,15 @@ class Session:
             How many times slower than it happens.
         rig
             What is wired to the device; None: not known.
+        stop
+            Asked once the sound is prepared, which may take long, and before the device is opened.
 
         Raises
         ------
         SkinSourceError
             The design cannot be played, or the device refuses; nothing is played then.
+        Stopped
+            ``stop`` said so.
         """
         self.close()
         # What a limb's name means may have changed since.
@@ -139,6 +145,7 @@ class Session:
             return silently(reason=str(missing))
         _refuse_other_device(rig, device)
         mix = self._mix(design, output, device, loops=loops, rig=rig)
+        stop_if(stop)
         begin_s = _begin(at_s, mix.duration_s, loop_of(design, mix.duration_s, loops=loops))
         stream = self._open(mix, device, output, begin_s, gain_db)
         return Playing(stream=stream, seen_s=seen_until_s(design, mix.duration_s))

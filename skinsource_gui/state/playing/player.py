@@ -73,6 +73,8 @@ class Player(QObject):
         self.playhead = RunningPlayhead(document, self)
         self.now: Playing | None = None
         self.preparing = False
+        # Another one each time that something is about to be played.
+        self._start: object = None
         # A stream that was over before its thread had said that it plays.
         self._over_early: Stream | None = None
         self.gain, self.loops = GainSetting(self), False
@@ -107,6 +109,7 @@ class Player(QObject):
             return
         design, view = played_of(self._document), self._document.view
         output, loops, rig = self.settings.output, self.loops, self.settings.rig
+        start = object()
         play = partial(
             self._session.made.play,
             design,
@@ -116,6 +119,7 @@ class Player(QObject):
             gain_db=self.gain.gain_db,
             slow_motion=view.slow_motion,
             rig=rig,
+            stop=lambda: self._start is not start,
         )
 
         def follow() -> None:
@@ -124,18 +128,19 @@ class Player(QObject):
             if self.now is not None:
                 self.edits.begin(self.now, design, output, rig, loops=loops)
 
-        self._begin(play, follow)
+        self._begin(play, follow, start)
 
     def play_tone(self, number: int) -> None:
         """Play the test tone on one output, instead of all else."""
         if not self.preparing and self.settings.rig_is_read():
             self._leave()
             output, gain_db, rig = self.settings.output, self.gain.gain_db, self.settings.rig
-            self._begin(partial(self._session.made.tone, number, output, gain_db, rig), None)
+            tone = partial(self._session.made.tone, number, output, gain_db, rig)
+            self._begin(tone, None, object())
 
     def stop(self) -> None:
         """Fade out; what is about to be played is not."""
-        self.preparing = False
+        self.preparing, self._start = False, None
         stream = None if self.now is None else self.now.stream
         if stream is None or stream.gone:
             self._leave()
@@ -145,7 +150,7 @@ class Player(QObject):
 
     def stop_at_once(self) -> None:
         """Be silent within a millisecond; the gain goes back to where it starts."""
-        self.preparing = False
+        self.preparing, self._start = False, None
         if self.now is not None and self.now.stream is not None:
             self.now.stream.deck.stop_at_once()
         else:
@@ -160,20 +165,23 @@ class Player(QObject):
 
     def end(self) -> None:
         """Stop for good, and let go of the device."""
-        self.preparing = False
+        self.preparing, self._start = False, None
         self._leave()
         self._thread.end(self._session.close)
 
-    def _begin(self, play: "Callable[[], Playing]", follow: Callable[[], None] | None) -> None:
-        self.preparing = True
+    def _begin(
+        self, play: "Callable[[], Playing]", follow: Callable[[], None] | None, start: object
+    ) -> None:
+        self.preparing, self._start = True, start
 
         def take(playing: "Playing | None", error: SkinSourceError | None) -> None:
-            if playing is None:
+            if self._start is not start:
+                # It was stopped before it began; what is played next ends it by itself.
+                if playing is not None and not self.preparing:
+                    self._thread.do(self._session.close, _nothing_more)
+            elif playing is None:
                 self.preparing = False
                 self.failed.emit(str(error))
-            elif not self.preparing:
-                # It was stopped before it began.
-                self._thread.do(self._session.close, _nothing_more)
             else:
                 self.preparing, self.now = False, playing
                 if playing.reason or playing.stream is not None:

@@ -111,7 +111,11 @@ def test_a_stop_before_the_device_has_begun_holds(sound, studio, player, qtbot, 
     studio.do("play")
     studio.do(stop)
     assert not player.playing
-    qtbot.waitUntil(lambda: bool(sound.streams) and not sound.streams[0].active, **WAIT)
+    # The thread of the sound does one thing after another: this comes after what was stopped.
+    done = []
+    player._thread.do(lambda: None, lambda *_: done.append(True))
+    qtbot.waitUntil(lambda: bool(done), **WAIT)
+    qtbot.waitUntil(lambda: not any(stream.active for stream in sound.streams), **WAIT)
     assert player.now is None
 
 

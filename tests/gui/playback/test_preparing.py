@@ -45,8 +45,28 @@ def test_what_is_prepared_can_be_cancelled_and_is_not_played(sound, studio, play
     assert not note.isVisible()
     assert not player.playing
     made.set()
-    qtbot.waitUntil(lambda: bool(sound.streams) and not sound.streams[-1].active, **WAIT)
+    # The thread of the sound does one thing after another: this comes after it.
+    done, failed = [], []
+    player.failed.connect(failed.append)
+    player._thread.do(lambda: None, lambda *_: done.append(True))
+    qtbot.waitUntil(lambda: bool(done), **WAIT)
     assert player.now is None
+    assert (sound.streams, failed) == ([], [])
+
+
+def test_what_is_played_after_something_was_cancelled_is_what_is_heard(
+    sound, studio, player, qtbot, made
+):
+    studio.do("play")
+    studio.do("play")
+    studio.do("play")
+    assert player.preparing
+    made.set()
+    qtbot.waitUntil(lambda: player.now is not None, **WAIT)
+    assert len(sound.streams) == 1
+    assert not player.preparing
+    player.stop_at_once()
+    qtbot.waitUntil(lambda: not player.playing, **WAIT)
 
 
 def test_what_plays_at_once_says_nothing_of_it(sound, studio, player, qtbot, listen):
