@@ -25,11 +25,16 @@ class StayingMatched(QObject):
         self._document, self._show = document, show
         self._seen = self._follows_from()
         document.settled.connect(self._follow)
+        # What is opened is shown with the gain that it was left with.
+        document.jumped.connect(self._look)
 
     def _follows_from(self) -> tuple[Any, ...]:
         view = self._document.view
         kept = {one.number: one.design for one in view.snapshots}
         return view.levels_matched, view.axes, view.method, view.span, kept
+
+    def _look(self) -> None:
+        self._seen = self._follows_from()
 
     def _follow(self) -> None:
         before, self._seen = self._seen, self._follows_from()

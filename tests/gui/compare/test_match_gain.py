@@ -7,10 +7,13 @@ import numpy as np
 import pytest
 
 from skinsource.comparing import louder, match_words
+from skinsource.design import Design, track
 from skinsource.design_file import open_design
 from skinsource.evaluation import evaluate
 from skinsource_gui.state.playing.played_of import played_of
 from tests.gui.compare.compare_bench import edit, levels, show_matched, shown_levels
+
+OTHER = Design(limb="synthetic-1", inputs=(track(3),))
 
 
 @pytest.fixture
@@ -95,6 +98,25 @@ def test_it_stays_as_loud_where_levels_are_taken_otherwise(window, settle, match
     settle()
     assert document.view.match_gain(document.design) == gain
     assert shown_levels(window).max() == pytest.approx(loudest, abs=1e-6)
+
+
+def test_what_is_opened_is_shown_with_the_gain_that_it_was_left_with(window, settle, matched):
+    document, said = window.document, []
+    design, view = document.design, document.view
+    document.start_over(OTHER, replace(view, snapshots=()), None)
+    document.look(replace(document.view, outputs=(3,)))
+    settle()
+    document.start_over(design, view, None)
+    window.comparison.done.connect(said.append)
+    document.look(replace(document.view, outputs=(20,)))
+    settle()
+    assert said == []
+    assert document.view.match_gain(document.design) == matched
+    # It follows from what is looked at as before.
+    document.look(replace(document.view, axes="z", method="mag"))
+    settle()
+    assert said != []
+    assert document.view.match_gain(document.design) != matched
 
 
 def test_tables_of_figures_say_the_gain_that_their_numbers_have(window, settle, matched):
