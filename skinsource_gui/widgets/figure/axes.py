@@ -102,6 +102,15 @@ class Axes:
         """A line through points."""
         return QPolygonF([QPointF(*place) for place in self.to_screen(x, y)])
 
+    def title_place(self, metrics: QFontMetricsF) -> QRectF:
+        """Where the title of x stands: below the frame, and left of it where that is too narrow."""
+        frame, line = self.frame, metrics.height()
+        room = frame.right() + 2.0 * _GAP_PX
+        title = self.x.title_in(metrics, room)
+        width = min(metrics.horizontalAdvance(title) + 1.0, room)
+        left = min(frame.center().x() - width / 2, room - width)
+        return QRectF(left, frame.bottom() + line + 2, width, line)
+
     def paint(self, painter: QPainter, theme: Theme, *, grid: bool = True) -> None:
         """Draw frame, grid, labels and titles."""
         frame, metrics = self.frame, QFontMetricsF(painter.font())
@@ -128,8 +137,8 @@ class Axes:
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(frame)
         painter.setPen(QColor(theme.dim))
-        below = QRectF(frame.left(), frame.bottom() + line + 2, frame.width(), line)
-        painter.drawText(below, centre, self.x.title_in(metrics, frame.width()))
+        place = self.title_place(metrics)
+        painter.drawText(place, centre, self.x.title_in(metrics, place.width()))
         painter.save()
         painter.translate(line / 2 + 1, frame.center().y())
         painter.rotate(-90.0)
@@ -159,9 +168,8 @@ def fitted_axes(room: QRectF, x: Axis, y: Axis, metrics: QFontMetricsF) -> Axes:
 
 def _beyond(x: Axis, width: float, metrics: QFontMetricsF) -> float:
     """How far the last label of x reaches beyond a frame of that width, px."""
-    low, high = x.shown
-    ends = (
-        metrics.horizontalAdvance(tick.label) / 2 - (high - tick.value) / (high - low) * width
-        for tick in x.ticks(width, _TICK_X_PX)
-    )
+    ticks = x.ticks(width, _TICK_X_PX)
+    parts = x.part(np.array([tick.value for tick in ticks]))
+    halves = (metrics.horizontalAdvance(tick.label) / 2 for tick in ticks)
+    ends = (half - (1.0 - part) * width for half, part in zip(halves, parts, strict=True))
     return max(ends, default=0.0) + 1.0
