@@ -64,3 +64,12 @@ def test_what_is_silent_is_not_said_to_be_as_loud(window, settle, panel):
     assert panel.map.difference.shown is None
     assert panel.map.difference.words == SILENCE
     assert matching_words((), matched=True) == ""
+    # Nor is what sounds 60 dB above the one that is silent.
+    window.do("toggle_snapshots")
+    settle()
+    assert window.document.design.inputs == ()
+    assert (panel.map.difference.shown, panel.map.difference.words) == (None, SILENCE)
+    # Two that are silent are alike.
+    window.do("store_snapshot_2")
+    settle()
+    assert panel.map.difference.words != SILENCE

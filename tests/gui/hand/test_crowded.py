@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QTransform
 from PySide6.QtTest import QTest
 
 from skinsource import evaluation
@@ -10,6 +11,7 @@ from skinsource.design import Design
 from skinsource.own_limbs import install_limb
 from skinsource.view import View
 from skinsource_gui.panels.hand import site_marker
+from skinsource_gui.panels.hand.hand_layout import HandLayout
 from skinsource_gui.panels.hand.panel import HandPanel
 from tests.core.own_limbs.lab_bench import own_limb, response
 from tests.gui.hand.bench import LEFT, NONE, Studio
@@ -115,6 +117,20 @@ def test_of_many_places_within_reach_the_nearest_is_meant(with_places):
         studio.click(site)
     # Whole pixels of the mouse may lie nearer to a neighbour than two places are apart.
     assert len(set(studio.sites) & set(range(1, 257, 16))) >= 12
+
+
+def test_a_small_place_does_not_reach_as_far_as_a_large_one_elsewhere():
+    centres = np.array([[0.0, 0.0], [200.0, 0.0]])
+    layout = HandLayout(
+        transform=QTransform(),
+        radii_px=np.array([3.0, 20.0]),
+        centres=centres,
+        pushes=np.zeros((2, 2)),
+    )
+    assert layout.site_at(QPointF(8.0, 0.0)) == 1
+    assert layout.site_at(QPointF(15.0, 0.0)) is None
+    assert layout.site_at(QPointF(185.0, 0.0)) == 2
+    assert layout.site_at(QPointF(176.0, 0.0)) == 2
 
 
 def test_places_at_one_point_lie_beside_each_other_and_each_can_be_clicked(with_places):
