@@ -244,6 +244,7 @@ def test_the_wave_cautions_where_inputs_at_several_places_sound(show, window, se
         (track(elsewhere, Tap()), True),
         (track(there, Tap()), False),
         (track(elsewhere, Tap(), muted=True), False),
+        (track(elsewhere, Tap(), amplitude=0.0), False),
     ):
         window.document.edit("Add", replace(design, inputs=(*design.inputs, other)))
         settle()

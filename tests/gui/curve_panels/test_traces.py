@@ -8,7 +8,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
-from skinsource.panel_settings import settings_of
+from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.state.start_design import start_design
@@ -224,6 +224,13 @@ def test_each_curve_can_be_drawn_relative_to_its_own_peak(show):
     click(panel, "relative")
     assert np.abs(plot.curves.y).max() == pytest.approx(peaks[0])
     assert plot.unit.symbol == "m/s²"
+
+
+def test_what_is_known_is_drawn_anew_once_it_shall_be_relative_and_nothing_is_computed(show):
+    panel = show()
+    settings = replace(settings_of(panel._view, "traces", TracesSettings), relative=True)
+    panel.show_state(panel._design, with_settings(panel._view, "traces", settings))
+    assert np.allclose(np.abs(plot_of(panel).curves.y).max(axis=-1), 1.0)
 
 
 def test_silence_has_no_peak_to_be_relative_to(show):
