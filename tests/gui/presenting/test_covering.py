@@ -1,8 +1,9 @@
 """What is guessed is covered wherever it is drawn, and revealed by the same key."""
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QColor
+from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtGui import QColor, QHelpEvent
+from PySide6.QtWidgets import QApplication, QWidget
 
 from skinsource_gui.widgets.cover import COVERED, Cover
 
@@ -99,3 +100,22 @@ def test_nothing_stays_covered_once_presenting_ends(studio, qtbot):
     studio.do("cover_map")
     studio.do("present")
     assert not any(one.isVisible() for one in studio.panel("windowed").findChildren(Cover))
+
+
+def test_no_tooltip_of_what_is_below_tells_it(qtbot):
+    told = []
+
+    class Telling(QWidget):
+        def event(self, event):
+            if event.type() == QEvent.Type.ToolTip:
+                told.append(event)
+            return super().event(event)
+
+    part = Telling()
+    qtbot.addWidget(part)
+    part.show()
+    cover = Cover(part)
+    at = QPoint(5, 5)
+    for over, heard in ((cover, 0), (part, 1)):
+        QApplication.sendEvent(over, QHelpEvent(QEvent.Type.ToolTip, at, over.mapToGlobal(at)))
+        assert len(told) == heard
