@@ -1,5 +1,6 @@
 """Labels below a figure have room, wherever the last of them stands."""
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFontMetricsF
@@ -12,14 +13,18 @@ from skinsource_gui.widgets.figure.axes import Axis, fitted_axes
 
 @pytest.mark.parametrize("scale", [1.0, 1.75])
 @pytest.mark.parametrize("width", [200, 240, 303, 480, 900])
-@pytest.mark.parametrize("highest", [650.0, 2000.0, 2001.0, 24_000.0])
-def test_no_label_of_x_reaches_beyond_the_room(qapp, width, highest, scale):
+@pytest.mark.parametrize(
+    ("lowest", "highest"),
+    [(0.0, 650.0), (0.0, 2000.0), (0.0, 2001.0), (0.0, 24_000.0), (10.0, 2000.0), (1.0, 110.0)],
+)
+def test_no_label_of_x_reaches_beyond_the_room(qapp, width, lowest, highest, scale):
     metrics = QFontMetricsF(scaled(QApplication.font(), scale))
-    x, y = Axis(shown=(0.0, highest), title="Hz"), Axis(shown=(-60.0, 20.0), title="dB")
+    x = Axis(shown=(lowest, highest), title="Hz", log=lowest > 0.0)
+    y = Axis(shown=(-60.0, 20.0), title="dB")
     fitted = fitted_axes(QRectF(0, 0, width, 200), x, y, metrics)
     ends = [
         fitted.frame.left()
-        + tick.value / highest * fitted.frame.width()
+        + float(x.part(np.array(tick.value))) * fitted.frame.width()
         + metrics.horizontalAdvance(tick.label) / 2
         for tick in x.ticks(fitted.frame.width(), axes._TICK_X_PX)
     ]
