@@ -8,11 +8,11 @@ from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel
 from skinsource.design import Design, track
 from skinsource.view import View
 from skinsource.waveforms import Tone
-from skinsource_gui.panels.side_by_side.painter import shrunk
 from skinsource_gui.shell.docks.arrangement_spec import ArrangementSpec, Place
 from skinsource_gui.shell.docks.room import Folded, Needs, folded, room_of
 from skinsource_gui.theme import THEMES
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
+from skinsource_gui.widgets.figure.shrunk import shrunk
 from skinsource_gui.widgets.plot.axis import Axis
 from skinsource_gui.widgets.plot.plot import Plot
 

@@ -4,16 +4,18 @@ from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
+from PySide6.QtGui import QColor, QFont, QFontInfo, QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
 from skinsource.arrays import Floats
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, Theme, scaled
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.figure.axes import Axes, Axis, fitted_axes
 from skinsource_gui.widgets.figure.figure import Figure
 
 _DOT_PX = 3.5
+# Where a diagram is narrower than so many lines its letters are smaller, down to a part and to px.
+_LINES_WIDE, _LEAST_PART, _LEAST_PX = 10.0, 0.5, 11.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -67,9 +69,11 @@ class DiagramsPicture(Figure):
         self.read_again()
 
     def draw(self, painter: QPainter, room: QRectF) -> None:
+        areas = _areas(room, len(self.diagrams))
+        painter.setFont(font_in(areas, painter.font()))
         metrics = QFontMetricsF(painter.font())
         self._placed = []
-        for area, one in zip(_areas(room, len(self.diagrams)), self.diagrams, strict=True):
+        for area, one in zip(areas, self.diagrams, strict=True):
             painter.save()
             # Labels of y begin at the left edge of their area.
             painter.translate(area.topLeft())
@@ -104,6 +108,14 @@ def _areas(room: QRectF, count: int) -> list[QRectF]:
         ]
     high = room.height() / count
     return [QRectF(room.left(), room.top() + k * high, room.width(), high) for k in range(count)]
+
+
+def font_in(areas: list[QRectF], font: QFont) -> QFont:
+    """The font, or a smaller one that can be read, in which numbers at axes have room."""
+    wide = min((area.width() for area in areas), default=0.0)
+    fits = wide / (_LINES_WIDE * QFontMetricsF(font).height())
+    least = max(_LEAST_PART, _LEAST_PX / QFontInfo(font).pixelSize())
+    return scaled(font, max(fits, least)) if max(fits, least) < 1.0 else font
 
 
 def _draw(painter: QPainter, axes: Axes, curve: Curve, theme: Theme) -> None:

@@ -3,12 +3,13 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
+from PySide6.QtGui import QColor, QFont, QPainter, QPen
 
 from skinsource_gui.panels.side_by_side.content import Cell, Content
 from skinsource_gui.panels.side_by_side.headings import bold, paint_heading, places_for
 from skinsource_gui.panels.side_by_side.layout import CellPlace, Places
-from skinsource_gui.theme import Theme, scaled
+from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.figure.shrunk import shrunk
 from skinsource_gui.widgets.map.colour_maps import colour_table
 from skinsource_gui.widgets.map.length_bar import paint_small_bar
 from skinsource_gui.widgets.map.scale_row import paint_scale_row
@@ -23,8 +24,6 @@ from skinsource_gui.widgets.outputs.picking import is_placed
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 _RING_PX, _WIDE_PX = 4.0, 7.0
 _FEW_RINGS = 12
-# No smaller than that part of the letters around them.
-_LEAST_SHRUNK = 0.4
 
 
 def paint_content(
@@ -99,12 +98,6 @@ def _paint_cell(
     paint_small_map(painter, place.map, cell.small, cell.design, theme, cell.scale.range_db, table)
     _paint_rings(painter, cell.small, place, content, theme, pointed_at)
     paint_small_bar(painter, place.map, cell.small, cell.limb, theme)
-
-
-def shrunk(font: QFont, words: Sequence[str], room_px: float) -> QFont:
-    """The font, or a smaller one, in which each of some words has room: numbers are not cut."""
-    widest = max((QFontMetricsF(font).horizontalAdvance(one) for one in words), default=0.0)
-    return scaled(font, max(room_px / widest, _LEAST_SHRUNK)) if widest > room_px else font
 
 
 def fitting(painter: QPainter, wordings: Sequence[str], width: float) -> str:

@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from skinsource.arrays import Floats
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.figure.shrunk import shrunk
 from skinsource_gui.widgets.plot.ranges import Range
 from skinsource_gui.widgets.plot.ticks import Tick, log_ticks, readable_ticks
 
@@ -137,15 +138,31 @@ class Axes:
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(frame)
         painter.setPen(QColor(theme.dim))
-        place = self.title_place(metrics)
-        painter.drawText(place, centre, self.x.title_in(metrics, place.width()))
+        self._paint_titles(painter, line)
+
+    def _paint_titles(self, painter: QPainter, line: float) -> None:
+        """Write titles in the middle of their axis; where that is short, beside labels too."""
+        frame, metrics = self.frame, QFontMetricsF(painter.font())
+        below = self.title_place(metrics)
+        title = self.x.title_in(metrics, below.width())
         painter.save()
-        painter.translate(line / 2 + 1, frame.center().y())
-        painter.rotate(-90.0)
-        side = QRectF(-frame.height() / 2, -line / 2, frame.height(), line)
-        title = self.y.title_in(metrics, frame.height())
-        painter.drawText(side, Qt.AlignmentFlag.AlignCenter, title)
+        _paint_title(painter, below, title)
         painter.restore()
+        painter.save()
+        side = QRectF(-frame.bottom(), 1.0, frame.height(), line)
+        title = self.y.title_in(metrics, side.width())
+        if metrics.horizontalAdvance(title) > side.width():
+            side.setLeft(-frame.bottom() - line)
+            side.setRight(0.0)
+        painter.rotate(-90.0)
+        _paint_title(painter, side, title)
+        painter.restore()
+
+
+def _paint_title(painter: QPainter, room: QRectF, title: str) -> None:
+    """Write it smaller where even then it would be cut."""
+    painter.setFont(shrunk(painter.font(), (title,), room.width() - _GAP_PX))
+    painter.drawText(room, Qt.AlignmentFlag.AlignCenter, title)
 
 
 def fitted_axes(room: QRectF, x: Axis, y: Axis, metrics: QFontMetricsF) -> Axes:

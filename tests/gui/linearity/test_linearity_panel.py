@@ -4,7 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPointF
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QFontInfo, QFontMetricsF
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
@@ -13,7 +14,9 @@ from skinsource.comparing import Snapshot
 from skinsource.edits import remove_delay
 from skinsource.view import View
 from skinsource_gui.figure_panel import SILENT
+from skinsource_gui.panels.linearity.diagram import font_in
 from skinsource_gui.panels.linearity.panel import NEITHER
+from skinsource_gui.theme import scaled
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.1)
 OUTPUTS = (20, 26)
@@ -208,3 +211,18 @@ def test_scenes_of_linearity_open_with_it(make_window, qtbot, name):
     kind = Superposition if name == "5F" else Proportion
     assert isinstance(panel.found, kind)
     assert panel.found.apart < 1e-9
+
+
+def test_in_the_largest_letters_those_of_narrow_diagrams_are_smaller_but_can_be_read(qapp):
+    font = scaled(qapp.font(), 3.0)
+    line, usual_px = QFontMetricsF(font).height(), QFontInfo(qapp.font()).pixelSize()
+
+    def drawn_in(*widths):
+        return font_in([QRectF(0, 0, width, 300) for width in widths], font)
+
+    assert drawn_in(20 * line, 10 * line) is font
+    seven = QFontMetricsF(drawn_in(20 * line, 7 * line)).height()
+    assert seven == pytest.approx(0.7 * line, rel=0.05)
+    assert QFontInfo(drawn_in(10.0)).pixelSize() >= usual_px
+    small = scaled(qapp.font(), 11.0 / usual_px)
+    assert font_in([QRectF(0, 0, 10.0, 300)], small) is small
