@@ -118,14 +118,19 @@ class Axes:
         line = metrics.height()
         centre = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        written = -np.inf
         for tick in self.x.ticks(frame.width(), _TICK_X_PX):
             x = float(self.to_screen(np.array([tick.value]), np.array([self.y.shown[0]]))[0, 0])
             if grid:
                 painter.setPen(QPen(QColor(theme.grid), 1))
                 painter.drawLine(QLineF(x, frame.top(), x, frame.bottom()))
             painter.setPen(QColor(theme.dim))
-            place = QRectF(x - _TICK_X_PX / 2, frame.bottom() + 2, _TICK_X_PX, line)
-            painter.drawText(place, centre, tick.label)
+            wide = metrics.horizontalAdvance(tick.label)
+            # One that would lie on the one before is left out.
+            if x - wide / 2 > written:
+                place = QRectF(x - wide / 2, frame.bottom() + 2, wide, line)
+                painter.drawText(place, centre | Qt.TextFlag.TextDontClip, tick.label)
+                written = x + wide / 2 + _GAP_PX
         for tick in self.y.ticks(frame.height(), _TICK_Y_PX):
             y = float(self.to_screen(np.array([self.x.shown[0]]), np.array([tick.value]))[0, 1])
             if grid:
@@ -153,7 +158,7 @@ class Axes:
         title = self.y.title_in(metrics, side.width())
         if metrics.horizontalAdvance(title) > side.width():
             side.setLeft(-frame.bottom() - line)
-            side.setRight(0.0)
+            side.setRight(-_GAP_PX)
         painter.rotate(-90.0)
         _paint_title(painter, side, title)
         painter.restore()
@@ -161,7 +166,7 @@ class Axes:
 
 def _paint_title(painter: QPainter, room: QRectF, title: str) -> None:
     """Write it smaller where even then it would be cut."""
-    painter.setFont(shrunk(painter.font(), (title,), room.width() - _GAP_PX))
+    painter.setFont(shrunk(painter.font(), (title,), room.width()))
     painter.drawText(room, Qt.AlignmentFlag.AlignCenter, title)
 
 

@@ -1,11 +1,13 @@
 """Titles of axes are whole, however short the axis is."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter
 
-from skinsource_gui.theme import LIGHT
+from skinsource_gui.theme import LIGHT, scaled
 from skinsource_gui.widgets.figure.axes import Axis, fitted_axes
 
 
@@ -54,9 +56,40 @@ def test_where_even_that_is_too_short_a_title_is_written_smaller(draw):
     *_, wide = draw(600, 500)
     size = int(0.7 * wide)
     frame, below, side, _ = draw(size, size)
-    assert below.min() >= 1
-    assert below.max() <= frame.right() + 4
+    assert below.max() <= frame.right() + 8
     assert side.min() >= 1
     assert side.max() <= frame.bottom() + 24
-    for ink, room in ((below, frame.right() + 4), (side, frame.bottom() + 20)):
-        assert 0.8 * room < np.ptp(ink) < room
+    for ink, room in ((below, frame.right() + 8), (side, frame.bottom() + 20)):
+        assert 0.8 * room < np.ptp(ink) <= room
+
+
+def numbers_below(width, scale):
+    """Numbers below an axis, each with where it begins and ends, from left to right."""
+    written = []
+
+    class Noting(QPainter):
+        def drawText(self, *what):
+            # Those beside the axis of y begin at the edge.
+            if what[0].left() > 0:
+                written.append((what[0].left(), what[0].right(), what[2]))
+
+    image = QImage(width, 200, QImage.Format.Format_Grayscale8)
+    painter = Noting(image)
+    painter.setFont(scaled(QFont("Sans", 10), scale))
+    time = Axis(shown=(1.01, 1.035), title="", factor=1e3)
+    level = Axis(shown=(0.0, 1.0), title="")
+    room = QRectF(0, 0, width, 200)
+    fitted_axes(room, time, level, QFontMetricsF(painter.font())).paint(painter, LIGHT)
+    painter.end()
+    return [one for one in written if one[2]]
+
+
+@pytest.mark.parametrize(("width", "scale"), [(240, 1.0), (240, 2.0), (240, 3.0), (600, 3.0)])
+def test_no_number_of_an_axis_is_cut_or_lies_on_another(qapp, width, scale):
+    found = numbers_below(width, scale)
+    assert found
+    metrics = QFontMetricsF(scaled(QFont("Sans", 10), scale))
+    for (_, end, _), (begin, _, _) in pairwise(found):
+        assert end < begin
+    for begin, end, label in found:
+        assert end - begin >= metrics.horizontalAdvance(label) - 0.01
