@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QSize
+from PySide6.QtCore import QPoint, QSize, Qt
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from skinsource_gui.panel import Panel
@@ -10,6 +10,7 @@ from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.empty_words import output_words
 from skinsource_gui.widgets.figure.figure import Figure
+from skinsource_gui.widgets.figure.figure_menu import open_figure_menu
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 
 #: What is said until there are results, and where nothing moves.
@@ -56,6 +57,8 @@ class FigurePanel(Panel):
         foot.addWidget(self.words)
         column.addLayout(foot)
         figure.reading.connect(self._read)
+        figure.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        figure.customContextMenuRequested.connect(self._open_menu)
 
     @property
     def no_outputs(self) -> str:
@@ -103,6 +106,16 @@ class FigurePanel(Panel):
     def show_theme(self, theme: Theme) -> None:
         self.figure.show_theme(theme)
         self.words.show_theme(theme)
+
+    def _open_menu(self, at: QPoint) -> None:
+        if not self.figure.message:
+            copy = None if self._copy is None else self._copy.click
+            open_figure_menu(self.figure, self.figure.mapToGlobal(at), self._save_picture, copy)
+
+    def _save_picture(self) -> None:
+        # What is saved is the panel that has the keyboard.
+        self.figure.setFocus(Qt.FocusReason.MouseFocusReason)
+        self.action_wanted.emit("export_panel_picture")
 
     def _read(self, words: str) -> None:
         # While something is read its room stays: a figure that grows and shrinks would jump.

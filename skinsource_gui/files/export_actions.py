@@ -28,7 +28,7 @@ from skinsource_gui.widgets.pictures.caption import caption_px
 from skinsource_gui.widgets.pictures.letters import letters_remark
 from skinsource_gui.widgets.pictures.picture_file import save_drawing
 from skinsource_gui.widgets.pictures.picture_options import PictureOptions, ask_picture_options
-from skinsource_gui.widgets.pictures.whole_picture import WholePicture
+from skinsource_gui.widgets.pictures.whole_picture import IN_USE, WholePicture
 
 _Answer = QMessageBox.StandardButton
 #: Asked for the name of a panel: its picture, with the present results.
@@ -136,6 +136,9 @@ class ExportActions(QObject):
 
     def _export_picture(self, spec: ExportSpec) -> None:
         picture = self._drawer_of(spec.panel)
+        if spec.panel == IN_USE:
+            # Which one that is, is not seen any more behind the windows that ask.
+            spec = replace(spec, title=f"picture of the panel {picture.title}…")
         size, remark = picture.size_px or spec.size_px, letters_remark(picture)
         below = partial(caption_px, picture.caption)
         options = self._ask_options(spec, size, remark=remark, below=below)

@@ -1,10 +1,13 @@
 """Where a recording goes, in words and as an edit."""
 
+from dataclasses import replace
+
 from skinsource import edits
 from skinsource.design import Design
 from skinsource.edits import Edit, Refusal
 from skinsource.edits.edit import place_words
 from skinsource.edits.inputs import usual_location
+from skinsource.edits.selection import clip_of
 from skinsource.own_limbs import facts_of
 from skinsource.view import View
 from skinsource.waveforms import Recording
@@ -22,7 +25,26 @@ def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[
     locations = [first, *(k for k in range(1, facts_of(design.limb).n_inputs + 1) if k != first)]
     new = [(f"new {k}", f"A new input at {place_words(k, design.limb)}") for k in locations]
     by_place = place is not None and place.location is not None and place.input_id is None
-    return (*new, *found) if by_place else (*found, *new)
+    if place is not None:
+        return (*new, *found) if by_place else (*found, *new)
+    instead = _instead(design, view)
+    if instead is None:
+        return (*found, *new)
+    option, stands_in = instead
+    return (option, *found, *new) if stands_in else (*found, option, *new)
+
+
+def _instead(design: Design, view: View) -> tuple[tuple[str, str], bool] | None:
+    """In place of the selected recording; and whether that only stands for one to be chosen."""
+    if view.selected_input not in design.ids:
+        return None
+    one = design.input(view.selected_input)
+    clip = clip_of(one, view)
+    if clip is None or not isinstance(clip.waveform, Recording):
+        return None
+    where = f"input {design.index_of(one.id) + 1}, at {place_words(one.location, design.limb)}"
+    # Samples without a name were taken over from another kind of waveform.
+    return (f"clip {clip.id}", f"In place of the recording on {where}"), not clip.waveform.name
 
 
 def _tracks(view: View, place: DropPlace | None) -> set[int]:
@@ -40,6 +62,10 @@ def placed(
 ) -> Edit | Refusal:
     """The edit that puts ``recording`` where ``option`` says."""
     what, _, number = option.partition(" ")
+    if what == "clip":
+        one = next(one for one in design.inputs if any(c.id == int(number) for c in one.clips))
+        chosen = replace(view, selected_inputs=(one.id,), selected_clips=(int(number),))
+        return edits.change_waveform(design, chosen, (one.id,), recording)
     if what == "track":
         return edits.add_clip(design, view, int(number), onset_s, recording)
     return edits.place_waveform(design, view, int(number), recording, onset_s)

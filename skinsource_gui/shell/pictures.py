@@ -82,7 +82,14 @@ class PanelPictures:
             size = None if name != IN_USE else (2 * likes.width(), 2 * likes.height())
         seen = panel.map.stage.seen if isinstance(panel, SkinPanel) else None
         draw = with_caption(draw, caption)
-        return WholePicture(draw=draw, caption=caption, size_px=size, seen=seen, letters_px=letters)
+        return WholePicture(
+            draw=draw,
+            title="" if panel is None else panel.title,
+            caption=caption,
+            size_px=size,
+            seen=seen,
+            letters_px=letters,
+        )
 
     def _in_the_window(self) -> list[Panel]:
         """Panels in sight that stand in no window of their own."""

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 import skinsource as ss
 from skinsource.chain import Actuation, ActuatorAt
 from skinsource.equalising import RegularisedInverse
+from skinsource_gui.files import export_actions
 from skinsource_gui.theme import DARK, LIGHT
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.map.length_bar import bar_length_mm
@@ -18,6 +19,7 @@ from skinsource_gui.widgets.pictures.caption import caption_of, lines_of, with_c
 from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
 from skinsource_gui.widgets.pictures.picture_options import COLOURS, PictureDialog, PictureOptions
 from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT, IN_USE
+from tests.gui.dock_bench import bar_with, click_tab, titles
 
 DESIGN = ss.Design(
     limb="synthetic-1",
@@ -180,6 +182,27 @@ def test_what_is_in_use_is_the_panel_with_the_keyboard(make_window, qtbot):
     qtbot.waitUntil(lambda: panel.isAncestorOf(window.focusWidget()))
     size = window.pictures.picture_of(IN_USE).size_px
     assert size == (2 * panel.width(), 2 * panel.height())
+
+
+def test_a_panel_whose_tab_is_clicked_is_in_use_and_named_where_its_picture_is_asked_for(
+    make_window, monkeypatch
+):
+    window = make_window(DESIGN)
+    window.activateWindow()
+    asked = []
+
+    def note(_window, _options, **about):
+        asked.append(about["title"])
+
+    monkeypatch.setattr(export_actions, "ask_picture_options", note)
+    window.tabifyDockWidget(window.docks["traces"], window.docks["spectra"])
+    shared = titles(bar_with(window, "Traces"))
+    for title in (*shared, shared[0], shared[0]):
+        window.panel("skin").setFocus()
+        click_tab(window, title)
+        assert window.pictures.picture_of(IN_USE).title == title
+        window.do("export_panel_picture")
+        assert asked.pop() == f"Export picture of the panel {title}"
 
 
 def test_what_is_in_use_is_so_too_where_it_was_asked_for_in_the_palette(make_window, qtbot):

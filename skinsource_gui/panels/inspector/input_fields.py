@@ -15,8 +15,8 @@ from skinsource.limb import Band, LimbFacts
 from skinsource.locations import input_words
 from skinsource.own_limbs import facts_of
 from skinsource.view import View
-from skinsource.waveforms import Drawn, Waveform
-from skinsource_gui.panels.inspector.pen_cell import PenCell
+from skinsource.waveforms import Drawn, Recording, Waveform
+from skinsource_gui.panels.inspector.button_cell import file_cell, pen_cell
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.edited_cell import LabelledCell, WordsCell
 from skinsource_gui.widgets.fields.field_cell import FieldCell
@@ -56,6 +56,8 @@ class InputFields(QObject):
     edited = Signal(str, object, object)
     #: The pen shall be taken.
     pen_wanted = Signal()
+    #: A file shall be chosen for a recording.
+    file_wanted = Signal()
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -173,9 +175,13 @@ class InputFields(QObject):
             self._length = WordsCell("Duration", fixed_length_text(waveform))
             cells.append(self._length)
         if isinstance(waveform, Drawn):
-            pen = PenCell()
+            pen = pen_cell()
             pen.wanted.connect(self.pen_wanted)
             cells.append(pen)
+        if isinstance(waveform, Recording):
+            file = file_cell()
+            file.wanted.connect(self.file_wanted)
+            cells.append(file)
         self._own = tuple(cells)
         self._built_for = type(waveform) if waveform else None
         for cell in cells:

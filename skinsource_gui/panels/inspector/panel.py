@@ -57,6 +57,7 @@ class InspectorPanel(Panel):
         self._fields.place.edited.connect(self._selection.change_place)
         self._fields.edited.connect(self._selection.change_field)
         self._fields.pen_wanted.connect(partial(self.action_wanted.emit, "draw_clip"))
+        self._fields.file_wanted.connect(partial(self.action_wanted.emit, "import_recording"))
         self._chain, self._chain_edits = EffectChain(), ChainEdits(self)
         self._connect_chain()
         self._heading = InputHeading()

@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import QObject, QSignalBlocker, Signal
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QToolButton
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QToolButton, QWidget
 
 from skinsource.fields import ChoiceSpec, NumberSpec
 from skinsource.playing import Output
@@ -91,21 +91,18 @@ class DeviceFields(QObject):
             widget.setAccessibleName(name.replace("_", " ").capitalize())
         for field in (self.latency, self.shift):
             field.setFixedWidth(_NUMBER_PX)
-        grid.addWidget(QLabel("Device"), 0, 0)
-        grid.addWidget(self.device, 0, 1, 1, 2)
-        grid.addWidget(QLabel("Sample rate"), 1, 0)
-        grid.addWidget(self.rate, 1, 1, 1, 2)
-        grid.addWidget(QLabel("Delay asked for"), 2, 0)
-        grid.addWidget(self.latency, 2, 1)
-        grid.addWidget(self.look, 2, 2)
-        grid.addWidget(QLabel("Rig"), 3, 0)
-        grid.addWidget(self.rig, 3, 1, 1, 2)
-        # In columns of the grid it would be wider than the panel is in a small window.
-        stand_in = QHBoxLayout()
-        for part in (self.stand_in, QLabel("shift"), self.shift):
-            stand_in.addWidget(part)
-        stand_in.addStretch(1)
-        grid.addLayout(stand_in, 4, 0, 1, 3)
+        delay = _row(self.latency, self.look)
+        rows: tuple[tuple[str, QWidget], ...] = (
+            ("Device", self.device),
+            ("Sample rate", self.rate),
+            ("Delay asked for", delay),
+            ("Rig", self.rig),
+        )
+        for row, (words, part) in enumerate(rows):
+            grid.addWidget(QLabel(words), row, 0)
+            grid.addWidget(part, row, 1)
+        # A column of the grid would be as wide as these words: fields would have what is left.
+        grid.addWidget(_row(self.stand_in, QLabel("shift"), self.shift), 4, 0, 1, 2)
 
     def show_played(self, played: Played) -> None:
         """Take over what is chosen, and what can be."""
@@ -148,6 +145,17 @@ class DeviceFields(QObject):
 
     def _want(self, **changes: Any) -> None:
         self.output_wanted.emit(replace(self._output, **changes))
+
+
+def _row(*parts: QWidget) -> QWidget:
+    """Widgets beside each other, as wide as they like to be."""
+    row = QWidget()
+    layout = QHBoxLayout(row)
+    layout.setContentsMargins(0, 0, 0, 0)
+    for part in parts:
+        layout.addWidget(part)
+    layout.addStretch(1)
+    return row
 
 
 def _key(name: str, host_api: str) -> str:

@@ -16,6 +16,7 @@ from skinsource_gui.widgets.level_meter import LevelMeter
 from skinsource_gui.widgets.tooltips import show_tooltip
 
 _METER_PX, _LEAST_METER_PX, _NUMBER_PX = 8, 48, 56
+_WIDEST_LEVEL = "\u2212100.0 dBFS"
 _SILENT_DB = -200.0
 
 
@@ -43,6 +44,8 @@ class OutputRow(QObject):
         self.title.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self.title.show_phrases((f"{place} · {words.name}", f"{place} · {words.short_name}"))
         self.title.setToolTip(words.name)
+        # A long name gives way to what is pressed and typed; its number stays.
+        self.title.setMinimumWidth(self.title.fontMetrics().horizontalAdvance(f"{place} · …") + 4)
         spec = NumberSpec(
             label=f"Output of place {place}", minimum=1, maximum=MOST_OUTPUTS, whole=True
         )
@@ -59,8 +62,11 @@ class OutputRow(QObject):
         self.level.setFont(tabular(self.level.font()))
         self.level.setObjectName(f"level_of_{place}")
         self.level.hide()
+        # Kept while nothing is heard: rows would widen, and cut what is beside them.
+        room_px = self.level.fontMetrics().horizontalAdvance(_WIDEST_LEVEL)
         # Below each other: beside its words there would be no room for the bar in a narrow panel.
         self.loudness = QWidget()
+        self.loudness.setMinimumWidth(max(room_px, _LEAST_METER_PX))
         below = QVBoxLayout(self.loudness)
         below.setContentsMargins(0, 0, 0, 0)
         below.setSpacing(2)

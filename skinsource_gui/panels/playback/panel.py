@@ -4,7 +4,15 @@ from dataclasses import replace
 from typing import ClassVar
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QFrame,
+    QGridLayout,
+    QLabel,
+    QScrollArea,
+    QStyle,
+    QVBoxLayout,
+    QWidget,
+)
 
 from skinsource.chain import amplitude_unit
 from skinsource.design import Design
@@ -20,6 +28,7 @@ _NOT_LOOKED = "Press Space to play."
 _NO_INPUTS = "No place is in use: click one on the hand."
 _NOT_WIRED = "The rig wires no place that is in use."
 _METER_COLUMN = 2
+_LEAST = QSize(300, 160)
 
 
 class PlaybackPanel(Panel):
@@ -43,7 +52,7 @@ class PlaybackPanel(Panel):
         self._theme, self._played, self._unit = LIGHT, Played(), "m/s²"
         self._in_volts = False
         self._limb = ""
-        content = QWidget()
+        self._content = content = QWidget()
         column = QVBoxLayout(content)
         column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX)
         column.setSpacing(UNIT_PX)
@@ -72,17 +81,22 @@ class PlaybackPanel(Panel):
         column.addStretch(1)
         area = QScrollArea()
         area.setWidgetResizable(True)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setWidget(content)
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.addWidget(area)
-        self.setMinimumSize(300, 160)
         self.setFocusProxy(self.fields.device)
         self.show_played(self._played)
 
     def sizeHint(self) -> QSize:
         return QSize(440, 380)
+
+    def minimumSizeHint(self) -> QSize:
+        # Fields scroll down, never sideways.
+        bar = self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollBarExtent)
+        return QSize(self._content.minimumSizeHint().width() + bar, 0).expandedTo(_LEAST)
 
     def show_state(self, design: Design, view: View) -> None:
         self._unit = amplitude_unit(design.scaling, design.actuated)

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 
 from PySide6.QtCore import QChildEvent, QEvent, QObject, QPoint, Qt, Signal
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication, QMainWindow, QTabBar, QTabWidget
 
 from skinsource_gui.shell.docks.dock import Dock
@@ -58,7 +59,18 @@ class DockTabs(QObject):
             if isinstance(bar, QTabBar):
                 _prepare(bar)
                 self._lists.add_to(bar)
+                bar.installEventFilter(self)
+        released = event.type() == QEvent.Type.MouseButtonRelease
+        if released and isinstance(watched, QTabBar) and isinstance(event, QMouseEvent):
+            self._take_keyboard(watched, event)
         return False
+
+    def _take_keyboard(self, bar: QTabBar, event: QMouseEvent) -> None:
+        """Whoever clicks a tab means its panel, also where it was in front before."""
+        on_tab = bar.tabAt(event.position().toPoint()) == bar.currentIndex() >= 0
+        if event.button() == Qt.MouseButton.LeftButton and on_tab:
+            dock = self._called(bar.tabText(bar.currentIndex()))
+            focus_into(dock.panel, Qt.FocusReason.MouseFocusReason)
 
     def _tell(self) -> None:
         names = frozenset(name for name, dock in self._docks.items() if dock.in_sight)
@@ -77,9 +89,12 @@ class DockTabs(QObject):
         tab_menu(bar, self._bring, self._window).popup(bar.mapToGlobal(at))
 
     def _bring(self, title: str) -> None:
-        dock = next(one for one in self._docks.values() if one.windowTitle() == title)
+        dock = self._called(title)
         dock.bring_forward()
         focus_into(dock.panel, Qt.FocusReason.ShortcutFocusReason)
+
+    def _called(self, title: str) -> Dock:
+        return next(one for one in self._docks.values() if one.windowTitle() == title)
 
     def _bar_in_use(self) -> QTabBar | None:
         """The bar where the keyboard is; else the first there is, if any."""

@@ -20,6 +20,8 @@ class WholePicture:
     ----------
     draw
         Draws it, with a ``theme`` for its colours.
+    title
+        Of the panel that it shows; "" where that is more than one.
     caption
         The words below it, which are a part of what is drawn.
     size_px
@@ -31,6 +33,7 @@ class WholePicture:
     """
 
     draw: Draw
+    title: str = ""
     caption: str = ""
     size_px: tuple[int, int] | None = None
     seen: object | None = None

@@ -2,9 +2,9 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QPushButton
 
-from skinsource.waveforms import Noise
+from skinsource.waveforms import Noise, Recording
 from skinsource_gui.theme import DARK
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
 from skinsource_gui.widgets.inputs.letter_button import LetterButton
@@ -56,6 +56,17 @@ def test_an_old_preview_turns_pale_only_after_a_while(bench, qtbot):
     qtbot.waitUntil(lambda: bench.preview.grab().toImage() != fresh)
     bench.panel.show_results(bench.results())
     assert bench.preview.grab().toImage() == fresh
+
+
+def test_a_recording_has_a_button_that_asks_for_its_file(bench):
+    wanted = []
+    bench.panel.action_wanted.connect(wanted.append)
+    assert bench.panel.findChild(QPushButton, "recording_button") is None
+    bench.show(bench.design.with_clip(1, waveform=Recording()))
+    button = bench.panel.findChild(QPushButton, "recording_button")
+    assert button.text() == "Choose file…"
+    button.click()
+    assert wanted == ["import_recording"]
 
 
 def test_undoing_a_change_of_kind_leaves_the_keys_in_the_panel(bench):

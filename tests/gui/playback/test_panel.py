@@ -118,14 +118,29 @@ def test_levels_delay_and_underruns_are_shown(sound, studio, player, panel, qtbo
 def test_the_bar_of_a_level_has_room_in_the_narrowest_panel_while_it_plays(
     sound, player, panel, qtbot, listen
 ):
-    panel.setFixedWidth(panel.minimumWidth())
+    narrowest_px = panel.minimumSizeHint().width()
+    panel.setFixedWidth(narrowest_px)
     listen(loops=True)
     qtbot.waitUntil(lambda: "dBFS" in words(panel, "level_of_7"), **WAIT)
+    # Nothing is cut at its right side, and playing asks for no more room than silence.
+    assert panel.minimumSizeHint().width() == narrowest_px
+    inside = panel.fields.look.parentWidget().parentWidget()
+    qtbot.waitUntil(lambda: inside.width() <= panel.width(), **WAIT)
+    for part in (panel.fields.look, panel.fields.device, panel._rows[0].tone):
+        assert part.width() >= part.minimumSizeHint().width()
+        assert part.mapTo(panel, part.rect().topRight()).x() < panel.width()
     for row in panel._rows:
         # Layouts inside layouts take a while.
         wanted = row.level.sizeHint().width()
         qtbot.waitUntil(lambda row=row, wanted=wanted: row.level.width() >= wanted, **WAIT)
         assert row.meter.width() >= 48
+
+
+def test_the_device_is_called_in_full_where_the_panel_has_room(sound, player, panel, qtbot):
+    field = panel.fields.device
+    panel.setFixedWidth(panel.sizeHint().width())
+    wanted = field.fontMetrics().horizontalAdvance(field.shown_text) + 40
+    qtbot.waitUntil(lambda: field.width() >= wanted, **WAIT)
 
 
 def test_what_is_missing_is_said_with_what_to_do(no_sound, panel):

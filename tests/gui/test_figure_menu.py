@@ -1,0 +1,49 @@
+"""The menu that the right button opens on figures."""
+
+import pytest
+from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtWidgets import QApplication, QMenu
+
+from skinsource.design import Design, track
+from skinsource.view import View
+from skinsource.waveforms import Tone
+from skinsource_gui.files import export_actions
+from skinsource_gui.widgets.copy_button import CopyButton
+
+DESIGN = Design(limb="synthetic-1", inputs=(track(location=7, waveform=Tone(duration_s=0.2)),))
+
+
+def menu_on(figure):
+    """Press the right button in the middle of a figure; return what opens, if anything."""
+    at = figure.rect().center()
+    mouse = QContextMenuEvent.Reason.Mouse
+    QApplication.sendEvent(figure, QContextMenuEvent(mouse, at, figure.mapToGlobal(at)))
+    return figure.findChild(QMenu, "figure_menu")
+
+
+@pytest.mark.parametrize("name", ["spectrogram", "transfer", "main_axis"])
+def test_the_right_button_on_a_figure_offers_its_picture(make_window, qtbot, monkeypatch, name):
+    window = make_window(DESIGN, View(selected_inputs=(1,), outputs=(3,)))
+    window.activateWindow()
+    window.docks[name].bring_forward()
+    panel = window.panel(name)
+    qtbot.waitUntil(lambda: panel.isVisible() and not panel.figure.message, timeout=30_000)
+    menu = menu_on(panel.figure)
+    by_words = {action.text(): action for action in menu.actions()}
+    asked = []
+    monkeypatch.setattr(
+        export_actions, "ask_picture_options", lambda *_, **about: asked.append(about["title"])
+    )
+    window.panel("skin").setFocus()
+    by_words["Save picture as…"].trigger()
+    menu.close()
+    assert asked == [f"Export picture of the panel {panel.title}"]
+    assert ("Copy numbers" in by_words) == (panel.findChild(CopyButton) is not None)
+
+
+def test_a_figure_that_shows_none_offers_no_menu(make_window, qtbot):
+    window = make_window(DESIGN, View(selected_inputs=(1,), outputs=()))
+    window.docks["spectrogram"].bring_forward()
+    panel = window.panel("spectrogram")
+    qtbot.waitUntil(lambda: panel.isVisible() and panel.figure.message == panel.no_outputs)
+    assert menu_on(panel.figure) is None
