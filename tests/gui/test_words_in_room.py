@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QApplication, QPushButton, QToolButton, QVBoxLayou
 from skinsource_gui.panels.timeline.timeline_toolbar import TimelineToolbar
 from skinsource_gui.theme import THEMES, scaled
 from skinsource_gui.widgets.plot.plot_toolbar import PlotToolbar
+from skinsource_gui.widgets.plot.signal_view import SignalView
 from skinsource_gui.widgets.words_in_room import width_in
 
 
@@ -89,3 +90,25 @@ def test_switches_go_below_before_words_are_hard_to_read(qtbot):
         assert min(one.font().pointSizeF() for one in buttons) >= 0.79 * usual, width
     assert rows == {1, 2}
     assert min(one.font().pointSizeF() for one in buttons) >= 0.99 * usual
+
+
+@pytest.mark.parametrize(("height", "n_rows"), [(150, 1), (400, 2)])
+def test_switches_take_a_second_row_where_the_plot_is_high_enough_and_are_whole(
+    qtbot, height, n_rows
+):
+    view = SignalView("plot", "Plot")
+    qtbot.addWidget(view)
+    for name in ("Remove 52 ms delay", "Each to its peak"):
+        view.toolbar.add_switch(name, name, name, lambda wanted: None)
+    view.toolbar.show_state(layout="overlaid", zoomed=False)
+    view.show()
+    for at in (150, 400, height):
+        view.resize(300, at)
+        for _ in range(20):
+            QApplication.processEvents()
+    shown = [one for one in view.toolbar.findChildren(QToolButton) if one.isVisibleTo(view)]
+    places = [one.geometry() for one in shown]
+    assert len({place.y() for place in places}) == n_rows
+    for place in places:
+        assert view.toolbar.rect().contains(place), (place, view.toolbar.rect())
+        assert place.height() >= view.fontMetrics().height()

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QBoxLayout,
     QButtonGroup,
@@ -34,7 +34,7 @@ class PlotToolbar(QWidget):
     """Overlaid or stacked, switches of one plot, and the way out of a zoom.
 
     Buttons say what the user wants; what they show is set from outside.  Where there is too little
-    room they are written smaller, and before that is hard to read, switches go below.
+    room they are written smaller, and before that is hard to read, switches go below, if they may.
     """
 
     #: ``"overlaid"``, ``"stacked"``, or one that was added.
@@ -43,8 +43,7 @@ class PlotToolbar(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        # As high as its words need, where they are large.
-        self.setMinimumHeight(TOOLBAR_HEIGHT_PX)
+        self._may_fold = True
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._rows = QBoxLayout(_BESIDE, self)
         self._rows.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
@@ -89,6 +88,19 @@ class PlotToolbar(QWidget):
         self._last_before_switches = button
         return button
 
+    def let_fold(self, may_fold: bool) -> None:
+        """Whether there is room for a second row: a plot that is low needs it more."""
+        if may_fold != self._may_fold:
+            self._may_fold = may_fold
+            self._fit()
+
+    def sizeHint(self) -> QSize:
+        # As high as its words need, where they are large or stand in two rows.
+        return super().sizeHint().expandedTo(QSize(0, TOOLBAR_HEIGHT_PX))
+
+    def minimumSizeHint(self) -> QSize:
+        return super().minimumSizeHint().expandedTo(QSize(0, TOOLBAR_HEIGHT_PX))
+
     def show_state(self, *, layout: str, zoomed: bool) -> None:
         """Show which layout there is, and whether a zoom can be left."""
         self._layout_buttons[layout].setChecked(True)
@@ -105,13 +117,15 @@ class PlotToolbar(QWidget):
         # Layouts stand close together.
         room = self.width() - around.left() - around.right() - gap * len(others)
         smallest = smallest_of(self.font())
-        folds = bool(others) and width_in(readable_of(self.font()), shown) > room
+        tight = width_in(readable_of(self.font()), shown) > room
+        folds = bool(others) and tight and self._may_fold
         rows = (first, others) if folds else (shown,)
         write_in(fitting_font(rows, self.font(), room), shown)
         direction = _BELOW if folds else _BESIDE
         if direction != self._rows.direction():
             self._rows.setDirection(direction)
             self._rows.activate()
+            self.updateGeometry()
         least = max(width_in(smallest, row) for row in (first, others))
         self.setMinimumWidth(least + around.left() + around.right() + gap * len(shown))
 

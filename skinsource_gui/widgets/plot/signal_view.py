@@ -17,8 +17,11 @@ from skinsource_gui.widgets.plot.plot_toolbar import PlotToolbar
 from skinsource_gui.widgets.plot.ranges import Range
 from skinsource_gui.widgets.plot.signal_exports import SignalExports
 from skinsource_gui.widgets.plot.signal_menu import open_menu
+from skinsource_gui.widgets.room_or_words import RoomOrWords
 
 _COMPUTING = "Computing…"
+#: So many lines of text high, a view has room for two rows of switches.
+_LINES_OF_TWO_ROWS = 12
 
 
 class SignalView(QWidget):
@@ -61,6 +64,7 @@ class SignalView(QWidget):
         self.toolbar.everything_wanted.connect(self._show_everything)
         self.plot.reading_changed.connect(self._read)
         self.plot.menu_wanted.connect(self._open_menu)
+        RoomOrWords(self).changed.connect(self._share_height)
 
     def set_theme(self, theme: Theme) -> None:
         """Take over colours."""
@@ -91,6 +95,10 @@ class SignalView(QWidget):
     def set_stale(self, stale: bool) -> None:
         """Say whether curves belong to an older design; told to the eye only after a while."""
         self._lateness.set_stale(stale)
+
+    def _share_height(self) -> None:
+        line_px = self.fontMetrics().lineSpacing()
+        self.toolbar.let_fold(self.height() >= _LINES_OF_TWO_ROWS * line_px)
 
     def _mark_stale(self, late: bool) -> None:
         if self.plot.curves is None and not self.plot.message:
