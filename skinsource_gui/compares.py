@@ -3,10 +3,10 @@
 from collections.abc import Mapping, Sequence
 
 from skinsource_gui.compared import Compared
-from skinsource_gui.widgets.inputs.pointing import PointsAtInputs
+from skinsource_gui.tells_lateness import TellsLateness
 
 
-class ComparesDesigns(PointsAtInputs):
+class ComparesDesigns(TellsLateness):
     """Names what it needs of snapshots, and of the present design on limbs; is told while visible.
 
     Nothing is computed of either unless something is needed of it.

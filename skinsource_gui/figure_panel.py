@@ -79,7 +79,7 @@ class FigurePanel(Panel):
         self.figure.say(message)
         self.show_found("")
         if self._copy is not None:
-            self._copy.setEnabled(False)
+            self._copy.offer(False)
 
     def await_results(self) -> None:
         """Ask for nothing any more while what was asked for is computed."""
@@ -97,8 +97,8 @@ class FigurePanel(Panel):
         if said:
             self.figure.say(self.no_outputs)
 
-    def show_stale(self, stale: bool) -> None:
-        self.figure.set_stale(stale)
+    def show_late(self, late: bool) -> None:
+        self.figure.show_late(late)
 
     def show_problem(self, reason: str) -> None:
         self.say_instead(reason)

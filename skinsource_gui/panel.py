@@ -13,9 +13,9 @@ from skinsource.view import View
 from skinsource_gui.compares import ComparesDesigns
 from skinsource_gui.history import History
 from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.cover import Cover
 from skinsource_gui.widgets.drop_place import DropPlace
 from skinsource_gui.widgets.empty_words import USUALLY_IN_SIGHT
+from skinsource_gui.widgets.over.cover import Cover
 
 #: What a panel is told in place of a problem while nothing has been predicted yet.
 PREPARING = "Preparing…"
@@ -93,9 +93,6 @@ class Panel(ComparesDesigns):
     def show_results(self, results: Mapping[str, Any]) -> None:
         """Draw ``results``, which holds at least the quantities in ``needs``."""
 
-    def show_stale(self, stale: bool) -> None:
-        """Say whether what is drawn belongs to an older design than the present one."""
-
     def show_problem(self, reason: str) -> None:
         """Empty the picture and say why there is none."""
 
@@ -132,7 +129,9 @@ class Panel(ComparesDesigns):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
+        self.comes_into_sight = True
         self.visibility_changed.emit()
+        self.comes_into_sight = False
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)

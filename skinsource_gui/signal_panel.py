@@ -23,7 +23,7 @@ class SignalPanel(Panel):
 
     def __init__(self, plot_name: str, accessible_name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._plot = SignalView(plot_name, accessible_name, self)
+        self._plot = SignalView(plot_name, accessible_name, self, self._lateness)
         self.setFocusProxy(self._plot.plot)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -44,9 +44,6 @@ class SignalPanel(Panel):
 
     def begin_anew(self) -> None:
         self._plot.plot.begin_anew()
-
-    def show_stale(self, stale: bool) -> None:
-        self._plot.set_stale(stale)
 
     def show_problem(self, reason: str) -> None:
         self._plot.show_message(reason)

@@ -143,7 +143,7 @@ class Conductor(QObject):
 
     def _is_stale(self, panel: Panel) -> bool:
         """Whether what a panel shows would be computed from something else now."""
-        if self._asked is None or panel not in self._shown:
+        if self._asked is None or panel not in self._answered:
             return True
         needs, then = self._answered[panel]
         now = self._asked.given
@@ -188,7 +188,10 @@ class Conductor(QObject):
         self._answered[panel] = panel.needs, outcome.request.given
         if outcome.request is self._asked:
             self._anew.discard(panel)
-        panel.show_stale(fault is None and self._is_stale(panel))
+        stale = fault is None and self._is_stale(panel)
+        panel.show_stale(stale)
+        if stale:
+            panel.show_newer()
         return fault
 
     def _show(self, panel: Panel, values: Mapping[str, Any]) -> None:
@@ -204,7 +207,9 @@ class Conductor(QObject):
     def _explain(self, visible: list[Panel], reason: str) -> None:
         for panel in visible:
             self._shown.pop(panel, None)
+            self._answered.pop(panel, None)
             panel.show_problem(reason)
+            panel.show_stale(False)
 
 
 def _reason(error: Exception | None) -> str:

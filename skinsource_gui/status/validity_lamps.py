@@ -24,6 +24,7 @@ NAMES = {
 _SAID = (("left", "unknown", "kept"), ("left", "unknown"), ("left",), ())
 _WORST = ("left", "unknown")
 STATES = {"kept": "kept", "left": "caution", "unknown": "unknown"}
+_OLDER = "updating: of an older design"
 _NAME = "Validity of the prediction"
 _DOT_PX, _TEXT, _PALE = 8.0, 0.92, 0.45
 
@@ -49,7 +50,7 @@ class ValidityLamps(QWidget):
         self._theme: Theme = LIGHT
         self.findings: Findings = ()
         self._lateness = Lateness(self)
-        self._lateness.changed.connect(self.update)
+        self._lateness.changed.connect(self._follow_lateness)
 
     @property
     def lamps(self) -> tuple[Finding, ...]:
@@ -61,8 +62,7 @@ class ValidityLamps(QWidget):
         self._lateness.set_stale(False)
         if findings != self.findings:
             self.findings = findings
-            said = "; ".join(f"{NAMES[one.name]}: {STATES[one.state]}" for one in self.lamps)
-            self.setAccessibleDescription(said)
+            self._describe()
             lit = sum(one.state == "left" for one in self.lamps)
             self.setAccessibleName(f"{_NAME}: {lit or 'no'} caution{'' if lit == 1 else 's'}")
             self.updateGeometry()
@@ -71,6 +71,14 @@ class ValidityLamps(QWidget):
     def set_stale(self, stale: bool) -> None:
         """Say whether what was found belongs to an older design; told after a while."""
         self._lateness.set_stale(stale)
+
+    def _follow_lateness(self) -> None:
+        self._describe()
+        self.update()
+
+    def _describe(self) -> None:
+        said = [f"{NAMES[one.name]}: {STATES[one.state]}" for one in self.lamps]
+        self.setAccessibleDescription("; ".join([_OLDER] * self._lateness.late + said))
 
     def show_theme(self, theme: Theme) -> None:
         """Take over colours."""
@@ -86,7 +94,7 @@ class ValidityLamps(QWidget):
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
             found = self._lamp_at(event.pos().x())
-            words = "" if found is None else _words_of(found)
+            words = "" if found is None else _words_of(found, late=self._lateness.late)
             QToolTip.showText(event.globalPos(), words, self)
             return True
         return super().event(event)
@@ -176,7 +184,8 @@ class ValidityLamps(QWidget):
         self.chosen.emit(finding.name, self.mapToGlobal(QPoint(0, 0)))
 
 
-def _words_of(finding: Finding) -> str:
+def _words_of(finding: Finding, *, late: bool = False) -> str:
     name = NAMES[finding.name]
     head = f"{name[:1].upper()}{name[1:]}: {STATES[finding.state]}"
+    head = f"{head} · {_OLDER}" if late else head
     return f"{head}\n{finding.sentence}\nClick to see what can be done."

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QToolButton, QWidget
 
 
 class CopyButton(QToolButton):
-    """Copies a table as text.
+    """Copies a table as text, while there is one and it is that of the present design.
 
     Parameters
     ----------
@@ -35,7 +35,18 @@ class CopyButton(QToolButton):
         )
         self.setAccessibleName("Copy numbers")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self._there, self._late = True, False
         self.clicked.connect(self._copy)
+
+    def offer(self, there: bool) -> None:
+        """Say whether there is a table."""
+        self._there = there
+        self.setEnabled(there and not self._late)
+
+    def show_late(self, late: bool) -> None:
+        """Say whether the table is that of an older design."""
+        self._late = late
+        self.setEnabled(self._there and not late)
 
     def _copy(self) -> None:
         table = self._table()

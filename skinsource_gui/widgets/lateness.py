@@ -24,14 +24,27 @@ class Lateness(QObject):
         self._timer = QTimer(self, interval=_LATE_MS, singleShot=True)
         self._timer.timeout.connect(self._be_late)
 
-    def set_stale(self, stale: bool) -> None:
-        """Say whether what is drawn is out of date; being up to date is told at once."""
+    def set_stale(self, stale: bool, *, at_once: bool = False) -> None:
+        """Say whether what is drawn is out of date; being up to date is told at once.
+
+        ``at_once``: so is being out of date.
+        """
         if not stale:
             self._timer.stop()
             if self.late:
                 self.late = False
                 self.changed.emit(False)
-        elif not self.late and not self._timer.isActive():
+        elif self.late:
+            return
+        elif at_once:
+            self._timer.stop()
+            self._be_late()
+        elif not self._timer.isActive():
+            self._timer.start()
+
+    def count_anew(self) -> None:
+        """Something newer is drawn: what was not late yet is not for a while from now."""
+        if self._timer.isActive():
             self._timer.start()
 
     def _be_late(self) -> None:

@@ -65,6 +65,7 @@ class ActuatorPanel(Panel):
         self.through.wanted.connect(self._go_through)
         self.figures = FiguresView()
         self.figures.centred_wanted.connect(self._use_centred_tap)
+        self.computed = (self.figures.table,)
         outside = QVBoxLayout(self)
         outside.setContentsMargins(0, 0, 0, 0)
         outside.addWidget(
@@ -112,9 +113,6 @@ class ActuatorPanel(Panel):
         tap = self._follows and _plays_tap(self._design, self._view)
         refused = Demand(place=None, refusal=reason, leaves_velocity=tap)
         self.figures.show_demand(refused, self._settings, tap=tap)
-
-    def show_stale(self, stale: bool) -> None:
-        self.figures.table.setEnabled(not stale)
 
     def show_folder(self, folder: Path) -> None:
         self.plot.exports.folder = folder

@@ -23,6 +23,7 @@ from skinsource_gui.widgets.plot.ticks import linear_ticks
 
 _TICK_PX, _ROW_PX = 64.0, 28.0
 _PALE = 0.4
+_UPDATING = "updating…"
 # From so many px for each sample on, all are marked.
 _DOTS_PX = 6.0
 
@@ -36,7 +37,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
         self._tool: Tool | None = None
         self._theme, self._font = LIGHT, QFont()
         self._rect = QRectF(0, 0, 1, 1)
-        self._stale = False
+        self._late = False
         # What the drag of a point leaves as it is: axes, the waveform, and what it plays.
         self._still, self._course = KeptPicture(), KeptPicture()
 
@@ -53,10 +54,10 @@ class EditorItem(pyqtgraph.GraphicsObject):
         self._theme, self._font = theme, font
         self.update()
 
-    def show_stale(self, stale: bool) -> None:
+    def show_late(self, late: bool) -> None:
         """Whether the curve belongs to an older design."""
-        if stale != self._stale:
-            self._stale = stale
+        if late != self._late:
+            self._late = late
             self.update()
 
     def boundingRect(self) -> QRectF:
@@ -98,10 +99,14 @@ class EditorItem(pyqtgraph.GraphicsObject):
             self._still.paint(on_image, self._rect, (*still, is_other), paint_still, ground)
             on_image.setClipRect(content.area.adjusted(-1, -1, 1, 1))
             if played is not None:
-                opacity = _PALE if self._stale else 1.0
+                opacity = _PALE if self._late else 1.0
                 self._paint_curve(on_image, content, played, QColor(self._theme.accent), opacity)
+            if self._late:
+                on_image.setPen(QColor(self._theme.dim))
+                corner = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop
+                on_image.drawText(content.area.adjusted(0, 2, -4, 0), corner, _UPDATING)
 
-        key = (*still, is_other, Same(played), self._stale)
+        key = (*still, is_other, Same(played), self._late)
         self._course.paint(painter, self._rect, key, paint_course, ground)
 
     def _paint_axes(self, painter: QPainter, content: EditorContent) -> None:

@@ -31,7 +31,6 @@ from skinsource_gui.widgets.empty_words import clip_words
 from skinsource_gui.widgets.inputs.clip_waveforms import waveforms_of
 from skinsource_gui.widgets.inputs.input_words import duration_text, figure_text
 from skinsource_gui.widgets.key_tables.key_table import meant
-from skinsource_gui.widgets.lateness import Lateness
 
 _NO_GLIDE = Refusal(sentence="The clip does not play a glide; choose that waveform first.")
 _ZOOM = 1.5
@@ -75,8 +74,6 @@ class ClipEditorPanel(Panel):
         self._stack.addWidget(inside)
         self.setMinimumSize(260, 176)
         self.setFocusProxy(self._canvas)
-        self._lateness = Lateness(self)
-        self._lateness.changed.connect(self._canvas.item.show_stale)
         self._connect()
 
     @property
@@ -103,14 +100,12 @@ class ClipEditorPanel(Panel):
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._rate_hz = results["sample_rate_hz"]
         self._waveforms = waveforms_of(results)
-        self.show_stale(False)
         self._show()
 
-    def show_stale(self, stale: bool) -> None:
-        self._lateness.set_stale(stale)
+    def show_late(self, late: bool) -> None:
+        self._canvas.item.show_late(late)
 
     def show_problem(self, reason: str) -> None:
-        self._lateness.set_stale(False)
         self._waveforms = {}
         self._show()
         self._toolbar.show_words(reason, enabled=self.clip is not None)

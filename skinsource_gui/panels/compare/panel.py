@@ -37,6 +37,7 @@ from skinsource_gui.compared import (
     gain_db,
     is_silent,
 )
+from skinsource_gui.figure_panel import COMPUTING
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.compare.card import Card
 from skinsource_gui.panels.compare.card_words import (
@@ -191,7 +192,8 @@ class ComparePanel(Panel):
             return Difference(words=nothing_to_compare(self._view.snapshots))
         other = next((one for one in compared if one.snapshot.number == wanted.number), None)
         if other is None or other.values is None or present.values is None:
-            return Difference(words="" if other is None else other.problem or present.problem)
+            problem = "" if other is None else other.problem or present.problem or COMPUTING
+            return Difference(words=problem)
         if not same_outputs(other.snapshot.design.limb, present.snapshot.design.limb):
             return Difference(words=ELSEWHERE)
         if is_silent(other) != is_silent(present):

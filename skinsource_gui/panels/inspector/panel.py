@@ -26,7 +26,6 @@ from skinsource_gui.panels.inspector.selection import Selection
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.empty_words import add_words, select_words
 from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
-from skinsource_gui.widgets.lateness import Lateness
 
 # In letters of any size, px.
 _LEAST = QSize(204, 224)
@@ -65,9 +64,8 @@ class InspectorPanel(Panel):
         self._heading.solo_toggled.connect(self._selection.toggle_solo)
         self._preview = WaveformPreview(axis=True)
         self._preview.setMaximumHeight(160)
+        self.computed = (self._preview,)
         self._lay_out()
-        self._lateness = Lateness(self)
-        self._lateness.changed.connect(self._preview.set_pale)
 
     def minimumSizeHint(self) -> QSize:
         # Fields scroll down, never sideways.
@@ -111,7 +109,6 @@ class InspectorPanel(Panel):
         self._empty.setText(words(self.in_sight))
 
     def show_results(self, results: Mapping[str, Any]) -> None:
-        self.show_stale(False)
         self._results = {name: results[name] for name in self.needs}
         self._fields.show_rate(results["sample_rate_hz"])
         self._show_waveform()
@@ -127,11 +124,7 @@ class InspectorPanel(Panel):
         else:
             self._preview.show_words("")
 
-    def show_stale(self, stale: bool) -> None:
-        self._lateness.set_stale(stale)
-
     def show_problem(self, reason: str) -> None:
-        self.show_stale(False)
         self._results = None
         self._preview.show_words(reason)
 

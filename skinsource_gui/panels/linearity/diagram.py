@@ -64,7 +64,6 @@ class DiagramsPicture(Figure):
     def show_diagrams(self, diagrams: tuple[Diagram, ...]) -> None:
         """Take over what to show."""
         self.diagrams = diagrams
-        self.set_stale(False)
         self.say("")
         self.read_again()
 

@@ -208,7 +208,7 @@ class LinearityPanel(FigurePanel):
             self.show_found(superposition_words(added))
         self.bands.setVisible(bool(strengths))
         self._drawn = drawn
-        self.copy.setEnabled(True)
+        self.copy.offer(True)
         synthetic = " · synthetic limb" if limb.synthetic else ""
         self.about.say(f"Along {along}, of the selected outputs: linear by construction{synthetic}")
 

@@ -52,7 +52,7 @@ class MainAxisPanel(FigurePanel):
             self.say_instead(_SINGLE if results["limb_data"].n_axes > 1 else _ALONG_ONE)
         else:
             limb = results["limb_data"]
-            self.copy.setEnabled(True)
+            self.copy.offer(True)
             self.picture.show_axes(
                 Shown(
                     found=results["output_main_axes"],

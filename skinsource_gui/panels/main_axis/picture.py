@@ -53,7 +53,6 @@ class MainAxisPicture(Figure):
     def show_axes(self, shown: Shown) -> None:
         """Take over what to show."""
         self.shown = shown
-        self.set_stale(False)
         self.say("")
         self.read_again()
 

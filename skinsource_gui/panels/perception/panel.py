@@ -39,7 +39,6 @@ from skinsource_gui.widgets.beside_or_below import BesideOrBelow
 from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.empty_words import output_words
 from skinsource_gui.widgets.fields.number_field import NumberField
-from skinsource_gui.widgets.lateness import Lateness
 
 _OWN_LIMITS = (
     "Thresholds are those of your table, the same at every output; sensors and force are not "
@@ -84,10 +83,7 @@ class PerceptionPanel(Panel):
             label.setObjectName(name)
             label.setWordWrap(True)
         self.message.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._lateness = Lateness(self)
-        self._lateness.changed.connect(self.table.setDisabled)
-        # Its colour is fixed: words that are late are left out, not dimmed.
-        self._lateness.changed.connect(self.contact.setHidden)
+        self.computed = (self.table,)
         self._lay_out()
         self._connect()
         self.setFocusProxy(self.table)
@@ -125,7 +121,6 @@ class PerceptionPanel(Panel):
             self._say(COMPUTING)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
-        self._lateness.set_stale(False)
         found, outputs = results["sensation"], results["shown_outputs"]
         self._weighted = results["contact_weighted_rms"]
         self._matched = match_words(results["match_gain"])
@@ -144,13 +139,14 @@ class PerceptionPanel(Panel):
         )
         self.message.hide()
         self.table.show()
-        self.copy.setEnabled(True)
+        self.copy.offer(True)
 
-    def show_stale(self, stale: bool) -> None:
-        self._lateness.set_stale(stale)
+    def show_late(self, late: bool) -> None:
+        super().show_late(late)
+        # One line is too little for words over it: it is left out.
+        self.contact.setHidden(late)
 
     def show_problem(self, reason: str) -> None:
-        self._lateness.set_stale(False)
         self._say(reason)
         self.contact.setText("")
         self.contact.setToolTip("")
@@ -208,7 +204,7 @@ class PerceptionPanel(Panel):
         self.table.hide()
         self.message.setText(message)
         self.message.show()
-        self.copy.setEnabled(False)
+        self.copy.offer(False)
 
     def _numbers(self) -> str:
         """All of it, with tabs between the columns; empty while nothing is found."""

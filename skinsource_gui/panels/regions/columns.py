@@ -11,6 +11,7 @@ from skinsource.comparing.regions import REGION_OUTPUTS, mean_and_spread, region
 from skinsource.decibels import FLOOR_DB
 from skinsource.limb import PUBLISHED
 from skinsource_gui.compared import LEVELS_MATCHED, Compared, gain_db
+from skinsource_gui.figure_panel import COMPUTING
 from skinsource_gui.widgets.copied_numbers import copied_level
 from skinsource_gui.widgets.fields.level_text import minus
 
@@ -23,7 +24,8 @@ class Column:
     """A column: its title, what it is, and a text and a number for each region.
 
     ``head`` is the title in two narrow lines, where it is not as narrow itself; ``spelt`` what the
-    table for a spreadsheet has in its place, and ``copied`` what it adds.
+    table for a spreadsheet has in its place, and ``copied`` what it adds; ``computing``: there are
+    no numbers yet.
     """
 
     title: str
@@ -31,6 +33,7 @@ class Column:
     numbers: tuple[float, ...]
     head: str = ""
     synthetic: bool = False
+    computing: bool = False
     copied: str = ""
     spelt: str = ""
 
@@ -40,7 +43,9 @@ class Column:
         return any(np.isfinite(one) and one > FLOOR_DB for one in self.numbers)
 
     def texts(self) -> list[str]:
-        """As they are shown: a dash where there is no number, as for silence."""
+        """As they are shown: a dash where there is no number, as for silence; dots until it is."""
+        if self.computing:
+            return ["…"] * len(self.numbers)
         return [
             "–" if not np.isfinite(one) or one <= FLOOR_DB else f"{one:z.1f}".replace("-", "−")
             for one in self.numbers
@@ -126,7 +131,8 @@ def _column(title: str, head: str, one: Compared) -> Column:
     said = partial(Column, title=title, head=head, synthetic=_is_synthetic(one), spelt=spelt)
     nothing = (float("nan"),) * len(REGION_OUTPUTS)
     if one.values is None:
-        return said(hint=one.problem or "Computing…", numbers=nothing)
+        computing = not one.problem
+        return said(hint=one.problem or COMPUTING, numbers=nothing, computing=computing)
     if _limb(one) not in PUBLISHED:
         return said(hint=NO_REGIONS, numbers=nothing)
     rms = 10.0 ** (one.values["output_levels_db"] / 20.0)

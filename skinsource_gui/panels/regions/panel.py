@@ -33,7 +33,6 @@ from skinsource_gui.panels.regions.table import RegionTable
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.figure.words_label import WordsLabel
-from skinsource_gui.widgets.lateness import Lateness
 
 _NEEDS = frozenset({"output_levels_db"})
 
@@ -61,7 +60,7 @@ class RegionsPanel(Panel):
         self._about = ""
         self.about = WordsLabel("regions_about")
         self.copy = CopyButton(self.name, lambda: tab_separated(self.columns))
-        self.copy.setEnabled(False)
+        self.copy.offer(False)
         self.stored = RegionTable("regions_stored", "RMS levels of snapshots by region")
         self.table = RegionTable("regions_table", "RMS levels of people by region")
         self._tables = (self.stored, self.table)
@@ -75,9 +74,7 @@ class RegionsPanel(Panel):
         column.addLayout(bar)
         column.addWidget(self._scrolled(), 1)
         self.setFocusProxy(self.table)
-        self._lateness = Lateness(self)
-        for table in self._tables:
-            self._lateness.changed.connect(table.setDisabled)
+        self.computed = (self.table,)
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
@@ -113,7 +110,7 @@ class RegionsPanel(Panel):
 
     def show_on_limbs(self, compared: Sequence[Compared]) -> None:
         self._on_limbs = compared
-        self._lateness.set_stale(any(one.late for one in compared))
+        self.show_stale(any(one.late for one in compared))
         self._show_columns()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -135,7 +132,8 @@ class RegionsPanel(Panel):
         stored = columns_of(self._snapshots, matched=matched)
         people = columns_of_people(self._on_limbs)
         self.columns = [*stored, *people]
-        self.copy.setEnabled(any(one.has_levels for one in self.columns))
+        computing = any(one.computing for one in self.columns)
+        self.copy.offer(not computing and any(one.has_levels for one in self.columns))
         self.stored.show_columns(stored)
         self.table.show_columns(people)
         self._say_about()

@@ -23,7 +23,6 @@ from skinsource_gui.panels.side_by_side.view import MapsView
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
 from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.figure.words_label import WordsLabel
-from skinsource_gui.widgets.lateness import Lateness
 from skinsource_gui.widgets.paper import on_paper
 
 # In letters of any size, px.
@@ -58,7 +57,6 @@ class SideBySidePanel(Panel):
         self.maps = MapsView(self)
         self.maps.outputs_chosen.connect(self._choose_outputs)
         self.maps.pointed_at.connect(self._read)
-        self._lateness = Lateness(self)
         self._lateness.changed.connect(self.maps.show_outdated)
         self.words = WordsLabel("side_by_side_words", self)
         self.copy = CopyButton(self.name, lambda: tab_separated(self.maps.content), self)
@@ -114,7 +112,7 @@ class SideBySidePanel(Panel):
     def show_stale(self, stale: bool) -> None:
         self._stale = stale
         if self.kind.own:
-            self._lateness.set_stale(stale)
+            super().show_stale(stale)
 
     def show_problem(self, reason: str) -> None:
         self._problem = reason
@@ -169,8 +167,8 @@ class SideBySidePanel(Panel):
             message=message,
             about=kind.about(compared, design, view),
         )
-        self._lateness.set_stale(self._stale if kind.own else content.late)
-        self.copy.setEnabled(any(cell.small is not None for cell in content.cells))
+        super().show_stale(self._stale if kind.own else content.late)
+        self.copy.offer(any(cell.small is not None for cell in content.cells))
         self.maps.show_content(content)
 
     def _read(self, output: int | None) -> None:

@@ -10,9 +10,9 @@ from skinsource.surface import SurfaceOperator
 from skinsource_gui.panels.skin.inputs.marks import InputMark
 from skinsource_gui.panels.skin.map_quantity import LEVELS, MapQuantity
 from skinsource_gui.panels.skin.scale.level_range import SILENT_RANGE, Range
-from skinsource_gui.widgets.cover import COVERED
 from skinsource_gui.widgets.map.colour_maps import VIRIDIS
 from skinsource_gui.widgets.map.field_image import FieldImage
+from skinsource_gui.widgets.over.cover import COVERED
 
 _LEVELS = MapQuantity()
 

@@ -20,6 +20,11 @@ from skinsource_gui.widgets.lateness import Lateness
 class MapDisplay(QObject):
     """Keeps `MapContent`, and shows it on the map, in colour bar, note and readout.
 
+    Parameters
+    ----------
+    parent, lateness
+        The panel that it is in, and whether what is known belongs to an older design.
+
     Attributes
     ----------
     content
@@ -28,11 +33,11 @@ class MapDisplay(QObject):
         Who shows it.
     """
 
-    def __init__(self, parent: QWidget) -> None:
+    def __init__(self, parent: QWidget, lateness: Lateness) -> None:
         super().__init__(parent)
         self.content = MapContent()
         self._covered, self._theme = False, LIGHT
-        self._lateness = Lateness(self)
+        self._lateness = lateness
         self._lateness.changed.connect(self._mark_outdated)
         self.map, self.colour_bar = SkinMap(parent), ColourBar(parent)
         self.note, self.readout = NoteLine(parent), ReadoutLines(parent)

@@ -43,7 +43,8 @@ def open_map_menu(
     menu.addSeparator()
     _add_colours(menu.addMenu("Colours"), *colours)
     menu.addSeparator()
-    menu.addAction("Copy picture", partial(_copy, picture))
+    # What is written to a file is waited for; the clipboard gets what is drawn.
+    menu.addAction("Copy picture", partial(_copy, picture)).setEnabled(not shown.content.outdated)
     menu.addAction("Save picture as…", save)
     menu.addAction("Export data…", export)
     menu.popup(at)

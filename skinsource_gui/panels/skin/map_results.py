@@ -54,7 +54,6 @@ class MapResults:
 
     def take(self, results: Mapping[str, Any], design: Design | None, view: View) -> None:
         """Take over what was computed for a design and view."""
-        self._display.set_stale(False)
         settings = self._choices.settings
         surface = results.get("surface") if "surface" in self.needs else None
         self._take_limb(results, surface, design)
@@ -106,7 +105,7 @@ class MapResults:
         """Nothing is known any more; ``message`` says why, where that is to be said."""
         self._time.frames.forget()
         nothing = {"values": None, "field_values": None}
-        self._display.change(**nothing, message=message, outdated=False)
+        self._display.change(**nothing, message=message)
 
     def show_bare(self, design: Design | None) -> None:
         """Where nothing is computed for an own limb, show its places, not those of another.
@@ -139,7 +138,6 @@ class MapResults:
             px_per_mm=px_per_mm_of(limb),
             note=still_values.limits_and(note_of(surface, limb, results["match_gain"]), shown),
             drawn_note=still_values.limits_and(drawn_note_of(surface), shown),
-            outdated=False,
         )
 
     def _take_frame(self, view: View) -> None:

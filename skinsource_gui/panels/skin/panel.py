@@ -52,7 +52,7 @@ class SkinPanel(Panel):
         self._seen: tuple[object, ...] = ()
         # Tab goes through them as they are made.
         self.toolbar, self.time = MapToolbar(self), TimeView(self)
-        self._display = MapDisplay(self)
+        self._display = MapDisplay(self, self._lateness)
         self.map, self.colour_bar = self._display.map, self._display.colour_bar
         self.note, self.readout = self._display.note, self._display.readout
         self.time.put_behind(self.colour_bar.auto_button)
@@ -99,11 +99,7 @@ class SkinPanel(Panel):
         self._results.take(results, self._design, self._view)
         self._results.show_choice(self._design, self._view)
 
-    def show_stale(self, stale: bool) -> None:
-        self._display.set_stale(stale)
-
     def show_problem(self, reason: str) -> None:
-        self._display.set_stale(False)
         self._results.forget(reason)
         self._results.show_bare(self._design)
         self._display.change(note="", drawn_note="")

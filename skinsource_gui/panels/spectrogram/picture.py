@@ -76,7 +76,6 @@ class SpectrogramPicture(Figure):
         self._image = QImage(
             self._pixels.data, width, height, 4 * width, QImage.Format.Format_RGB32
         )
-        self.set_stale(False)
         self.say("")
         self.read_again()
 

@@ -28,7 +28,6 @@ from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.empty_words import output_words
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
-from skinsource_gui.widgets.lateness import Lateness
 from skinsource_gui.widgets.name_column import dress_table, give_names_the_rest
 
 
@@ -76,8 +75,7 @@ class StatisticsPanel(Panel):
         self.about = WordsLabel("statistics_about")
         self.copy = CopyButton(self.name, lambda: tab_separated(self.model.rows))
         self.table.copy_wanted.connect(self.copy.click)
-        self._lateness = Lateness(self)
-        self._lateness.changed.connect(self._mark_late)
+        self.computed = (self.table,)
         self._lay_out()
         self.setFocusProxy(self.table)
         self._say(self.no_outputs)
@@ -102,7 +100,6 @@ class StatisticsPanel(Panel):
             self._message.setText(COMPUTING)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
-        self._lateness.set_stale(False)
         outputs = results["shown_outputs"]
         if not outputs:
             self._say(self.no_outputs)
@@ -118,11 +115,8 @@ class StatisticsPanel(Panel):
             NOISE_WORDS if any(row.noisy for row in rows) else "",
         )
         self.about.say(" · ".join(filter(None, parts)))
-        self.copy.setEnabled(True)
+        self.copy.offer(True)
         self._stack.setCurrentWidget(self.table)
-
-    def show_stale(self, stale: bool) -> None:
-        self._lateness.set_stale(stale)
 
     def show_problem(self, reason: str) -> None:
         self._say(reason)
@@ -151,15 +145,11 @@ class StatisticsPanel(Panel):
         column.addWidget(self._stack, 1)
 
     def _say(self, message: str) -> None:
-        self._lateness.set_stale(False)
         self.model.show_rows(())
         self.about.say("")
-        self.copy.setEnabled(False)
+        self.copy.offer(False)
         self._message.setText(message)
         self._stack.setCurrentWidget(self._message)
-
-    def _mark_late(self, late: bool) -> None:
-        self.table.setEnabled(not late)
 
 
 def _copies(event: QKeyEvent) -> bool:

@@ -36,6 +36,7 @@ def paint_clip(
     loudest: float,
     selected: bool,
     shown_elsewhere: bool,
+    awaited: bool,
     handles: bool,
     view: QRectF,
 ) -> None:
@@ -47,9 +48,9 @@ def paint_clip(
         What it plays, or None while it is not known.
     loudest
         The largest gain of its track, which takes the full height.
-    selected, shown_elsewhere, handles
-        Whether it is selected; whether the inspector shows it; whether its ends show that they can
-        be dragged.
+    selected, shown_elsewhere, awaited, handles
+        Whether it is selected; whether the inspector shows it; whether what it plays is late;
+        whether its ends show that they can be dragged.
     view
         What can be seen: no more is painted.
     """
@@ -69,7 +70,8 @@ def paint_clip(
         _paint_fades(painter, box, QColor(theme.text))
     # Over the lines of fades: the name is read first.
     if shown.width() >= _WORDS_FROM_PX:
-        _write(painter, words_of(box), shown, theme, pale=pale)
+        words = words_of(box)
+        _write(painter, f"{words} · updating…" if awaited else words, shown, theme, pale=pale)
     _paint_frame(painter, box.rect, shown, theme, colour, selected=selected)
     if shown_elsewhere and not selected:
         mark_clip(painter, box.rect, shown, pictures.mark, QColor(theme.accent))

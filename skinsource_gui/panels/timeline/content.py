@@ -40,6 +40,8 @@ class Content:
         How long the clips are.
     waveforms, sample_rate_hz
         What clips play, (n_times,) each, by their id, as far as it is known, at that rate.
+    awaited
+        Ids of the clips of which it is late.
     snaps
         Whether edges snap.
     ruler_px
@@ -61,6 +63,7 @@ class Content:
     height_px: float
     lengths: ClipLengths
     waveforms: Mapping[int, Floats] = field(default_factory=dict)
+    awaited: frozenset[int] = frozenset()
     snaps: bool = True
     ruler_px: float = RULER_PX
     sample_rate_hz: float = SAMPLE_RATE_HZ

@@ -30,6 +30,8 @@ def same_clips(before: Content, then: Lane, after: Content, now: Lane) -> bool:
     Which of them are selected, or shown elsewhere, is another question.
     """
     mine, theirs = now.track, then.track
+    if before.awaited != after.awaited:
+        return False
     if mine is not theirs and not (
         mine.colour == theirs.colour
         and len(mine.clips) == len(theirs.clips)

@@ -168,6 +168,7 @@ class LanesItem(pyqtgraph.GraphicsObject):
                 loudest=loudest,
                 selected=box.clip.id in content.selected,
                 shown_elsewhere=box.clip.id in content.chosen,
+                awaited=box.clip.id in content.awaited,
                 handles=box.clip.id == self._hovered and box.rect.width() > 40,
                 view=lanes,
             )

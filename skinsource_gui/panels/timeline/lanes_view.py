@@ -75,6 +75,7 @@ class LanesView(Canvas):
         self._design, self._view = Design(limb=""), View()
         self._lanes: tuple[Lane, ...] = ()
         self._waveforms: Mapping[int, Floats] = {}
+        self._awaited: frozenset[int] = frozenset()
         self._lengths = ClipLengths(self._design)
         self._overlaps = Overlaps()
         self._held_tops: Mapping[int, float] = {}
@@ -106,9 +107,11 @@ class LanesView(Canvas):
         self.content = self.content.with_playhead(view)
         self.playhead.show_content(self.content, float(self.height()))
 
-    def show_waveforms(self, waveforms: Mapping[int, Floats]) -> None:
-        """What clips play, (n_times,) each, by their id."""
-        self._waveforms = waveforms
+    def show_waveforms(
+        self, waveforms: Mapping[int, Floats], awaited: frozenset[int] = frozenset()
+    ) -> None:
+        """What clips play, (n_times,) each, by their id; ``awaited``: of which it is late."""
+        self._waveforms, self._awaited = waveforms, awaited
         self.lay_out()
 
     def show_theme(self, theme: Theme) -> None:
@@ -216,6 +219,7 @@ class LanesView(Canvas):
             height_px=float(self.height()),
             lengths=self._lengths,
             waveforms=self._waveforms,
+            awaited=self._awaited,
             sample_rate_hz=self.sample_rate_hz,
             snaps=self.snaps,
             ruler_px=self.ruler_px,

@@ -6,6 +6,8 @@ from typing import Any
 from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt
 from PySide6.QtWidgets import QLabel, QStackedLayout, QVBoxLayout, QWidget
 
+from skinsource.arrays import Floats
+from skinsource.clips import Clip
 from skinsource.design import Design
 from skinsource.view import View
 from skinsource_gui.panel import Panel
@@ -32,6 +34,9 @@ class TimelinePanel(Panel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._clips, self._heads = TimelineEdits(self), Heads(self)
+        # What each clip plays, and the clips as they were then, by their ids.
+        self._then: Mapping[int, Clip] = {}
+        self._waveforms: Mapping[int, Floats] = {}
         self._design, self._view = Design(limb=""), View()
         self._list = self._heads.list
         self._rows = self._list.rows
@@ -75,6 +80,8 @@ class TimelinePanel(Panel):
         self._clips.show_state(design, view)
         self._stack.setCurrentIndex(1 if design.inputs else 0)
         self._table.show_state(design, view)
+        if self.late:
+            self.show_late(True)
 
     def show_in_sight(self, names: frozenset[str]) -> None:
         super().show_in_sight(names)
@@ -88,10 +95,27 @@ class TimelinePanel(Panel):
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._show_foot("")
         self._table.lanes.sample_rate_hz = results["sample_rate_hz"]
-        self._table.lanes.show_waveforms(waveforms_of(results))
+        clips = (clip for one in results["inputs"] for clip in one.clips)
+        self._then = {clip.id: clip for clip in clips}
+        self._waveforms = waveforms_of(results)
+        self.show_late(self.late)
+
+    def show_late(self, late: bool) -> None:
+        # What a clip that plays something else now played would be drawn as long as that.
+        shown, awaited = self._waveforms, frozenset[int]()
+        if late:
+            clips = [clip for track in self._design.inputs for clip in track.clips]
+            awaited = frozenset(
+                clip.id
+                for clip in clips
+                if clip.id not in self._then or not _play_alike(clip, self._then[clip.id])
+            )
+            shown = {clip: played for clip, played in shown.items() if clip not in awaited}
+        self._table.lanes.show_waveforms(shown, awaited)
 
     def show_problem(self, reason: str) -> None:
-        self._table.lanes.show_waveforms({})
+        self._then, self._waveforms = {}, {}
+        self.show_late(self.late)
         self._show_foot(reason)
 
     def show_theme(self, theme: Theme) -> None:
@@ -160,3 +184,8 @@ class TimelinePanel(Panel):
     def _show_foot(self, words: str) -> None:
         self._foot.setText(words)
         self._foot.setVisible(bool(words))
+
+
+def _play_alike(one: Clip, other: Clip) -> bool:
+    """Whether two clips sound alike, apart from when and how loud."""
+    return one.waveform == other.waveform and one.effects == other.effects

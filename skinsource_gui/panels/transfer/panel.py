@@ -110,7 +110,7 @@ class TransferPanel(FigurePanel):
 
     def _draw(self, results: Mapping[str, Any]) -> None:
         found, outputs = results["transfer"], results["shown_outputs"]
-        self.copy.setEnabled(True)
+        self.copy.offer(True)
         unit = _UNITS.get(results["scaling"], _OTHER_UNIT)
         self.picture.show_transfer(
             Shown(found=found, outputs=outputs, unit=unit, coherence=self._settings.coherence)

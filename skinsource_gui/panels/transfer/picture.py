@@ -51,7 +51,6 @@ class TransferPicture(Figure):
         self.shown = shown
         highest = float(decibels(shown.found.magnitude).max())
         self._top_db = self._held.follow(highest, highest, "level")[1]
-        self.set_stale(False)
         self.say("")
         self.read_again()
 

@@ -63,7 +63,7 @@ class WavePanel(FigurePanel):
             self.say_instead(SILENT)
             return
         outputs = results["shown_outputs"]
-        self.copy.setEnabled(True)
+        self.copy.offer(True)
         self.about.say(_ABOUT.format(axis=found.axis))
         self.picture.show_wave(found, tuple(outputs.index(one) for one in found.outputs))
         left_out = len(outputs) - len(found.outputs)

@@ -28,7 +28,6 @@ class WavePicture(Figure):
     def show_wave(self, shown: LineWave, ranks: tuple[int, ...]) -> None:
         """Take over what to show; ``ranks`` are those of the outputs in the selection."""
         self.shown, self._ranks = shown, ranks
-        self.set_stale(False)
         self.say("")
         self.read_again()
 

@@ -23,7 +23,6 @@ from skinsource_gui.panels.windowed.window_titles import head_words
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.beside_or_below import BesideOrBelow
 from skinsource_gui.widgets.fields.field_cell import FieldCell
-from skinsource_gui.widgets.lateness import Lateness
 from skinsource_gui.widgets.map.level_look import level_look
 from skinsource_gui.widgets.map.small_map import SmallMaps
 from skinsource_gui.widgets.paper import on_paper
@@ -45,9 +44,7 @@ class WindowedPanel(Panel):
         self._design: Design | None = None
         self._view = View()
         self._maps = SmallMaps()
-        self._lateness = Lateness(self)
         self.strip = StripView(self)
-        self._lateness.changed.connect(self.strip.show_outdated)
         self.cells = {
             "windows_cut": FieldCell("windows_cut", WINDOWS_CUT, self),
             "window_count": FieldCell("window_count", WINDOW_COUNT, self),
@@ -101,7 +98,6 @@ class WindowedPanel(Panel):
         self.strip.show_time(view.playhead_s)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
-        self._lateness.set_stale(False)
         if self._design is None:
             return
         levels = results["levels_of_windows_db"]
@@ -127,11 +123,10 @@ class WindowedPanel(Panel):
         self.strip.show_content(content, message)
         self.strip.show_time(self._view.playhead_s)
 
-    def show_stale(self, stale: bool) -> None:
-        self._lateness.set_stale(stale)
+    def show_late(self, late: bool) -> None:
+        self.strip.show_outdated(late)
 
     def show_problem(self, reason: str) -> None:
-        self._lateness.set_stale(False)
         self.strip.show_content(None, reason)
 
     def show_theme(self, theme: Theme) -> None:

@@ -8,10 +8,9 @@ from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, scaled, tabular
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
 from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.key_tables.key_table import meant
-from skinsource_gui.widgets.lateness import Lateness
+from skinsource_gui.widgets.over.veil import PALE, paint_updating
 
 _TEXT = 0.92
-_PALE = 0.5
 _LEAST_LINES = 6
 
 
@@ -34,8 +33,7 @@ class Figure(QWidget):
         self.theme: Theme = LIGHT
         self.cursor_at: QPointF | None = None
         self.message = ""
-        self._lateness = Lateness(self)
-        self._lateness.changed.connect(self.update)
+        self._late = False
         self.setObjectName(name)
         self.setAccessibleName(accessible_name)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -63,16 +61,16 @@ class Figure(QWidget):
         self.theme = theme
         self.update()
 
-    def set_stale(self, stale: bool) -> None:
-        """Say whether what is drawn is older than the design; told to the eye after a while."""
-        self._lateness.set_stale(stale)
+    def show_late(self, late: bool) -> None:
+        """Say whether what is drawn is older than the design."""
+        self._late = late
+        self.update()
 
     def say(self, message: str) -> None:
         """Empty the picture and say ``message`` in its middle; "" for a picture."""
         self.message = message
         self.setAccessibleDescription(message)
         if message:
-            self._lateness.set_stale(False)
             self.move_cursor(None)
         self.update()
 
@@ -99,10 +97,13 @@ class Figure(QWidget):
             painter.drawText(inner, flags, self.message)
         else:
             painter.setFont(scaled(tabular(self.font()), _TEXT))
-            painter.setOpacity(_PALE if self._lateness.late else 1.0)
+            painter.setOpacity(PALE if self._late else 1.0)
             self.draw(painter, room)
-        if self.hasFocus():
             painter.setOpacity(1.0)
+            if self._late:
+                theme = self.theme
+                paint_updating(painter, room, QColor(theme.base), QColor(theme.text))
+        if self.hasFocus():
             paint_focus_frame(painter, room, self.theme)
         painter.end()
 

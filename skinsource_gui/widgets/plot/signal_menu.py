@@ -10,17 +10,30 @@ from skinsource_gui.widgets.plot.signal_exports import SignalExports
 
 
 def open_menu(
-    parent: QWidget, at: QPoint, show_everything: Callable[[], None], exports: SignalExports
+    parent: QWidget,
+    at: QPoint,
+    show_everything: Callable[[], None],
+    exports: SignalExports,
+    *,
+    fresh: bool = True,
 ) -> QMenu:
-    """Open the menu at a place on the screen; it is deleted when it closes."""
+    """Open the menu at a place on the screen; it is deleted when it closes.
+
+    Unless curves are ``fresh``, those of the present design, nothing can be taken elsewhere.
+    """
     menu = QMenu(parent)
     menu.setObjectName("plot-menu")
     menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     # Keys are the plot's; here they are only read.
     menu.addAction(f"View all\t{key_text('plot', 'whole')}").triggered.connect(show_everything)
     menu.addSeparator()
-    menu.addAction("Copy picture").triggered.connect(exports.copy_picture)
-    menu.addAction("Save picture as…").triggered.connect(exports.save_picture)
-    menu.addAction("Export data…").triggered.connect(exports.save_data)
+    for words, take in (
+        ("Copy picture", exports.copy_picture),
+        ("Save picture as…", exports.save_picture),
+        ("Export data…", exports.save_data),
+    ):
+        action = menu.addAction(words)
+        action.setEnabled(fresh)
+        action.triggered.connect(take)
     menu.popup(at)
     return menu

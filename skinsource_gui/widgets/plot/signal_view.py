@@ -29,6 +29,13 @@ class SignalView(QWidget):
 
     It shows what it is told, and says what the user wants; panels decide.
 
+    Parameters
+    ----------
+    name, accessible_name
+        `objectName` of the plot; what it shows, for those who do not see it.
+    lateness
+        Whether what it shows is out of date, where somebody else knows.
+
     Attributes
     ----------
     toolbar, legend, plot
@@ -40,7 +47,13 @@ class SignalView(QWidget):
     #: Part of the x axis the user wants to see, SI; None: everything.
     zoom_requested = Signal(object)
 
-    def __init__(self, name: str, accessible_name: str, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        name: str,
+        accessible_name: str,
+        parent: QWidget | None = None,
+        lateness: Lateness | None = None,
+    ) -> None:
         super().__init__(parent)
         self.toolbar = PlotToolbar(self)
         self.legend = LegendStrip(self)
@@ -58,7 +71,7 @@ class SignalView(QWidget):
         column.addWidget(self.plot, 1)
         self.exports = SignalExports(self.plot, accessible_name, self)
         self._words = Words()
-        self._lateness = Lateness(self)
+        self._lateness = lateness or Lateness(self)
         self._lateness.changed.connect(self._mark_stale)
         self.plot.navigation.zoom_requested.connect(self.zoom_requested)
         self.toolbar.everything_wanted.connect(self._show_everything)
@@ -114,7 +127,8 @@ class SignalView(QWidget):
 
     def _open_menu(self, at: QPoint) -> None:
         if self.plot.curves is not None:
-            open_menu(self, at, self._show_everything, self.exports)
+            fresh = not self._lateness.late
+            open_menu(self, at, self._show_everything, self.exports, fresh=fresh)
 
     def _read(self) -> None:
         self.legend.say(reading(self.plot))

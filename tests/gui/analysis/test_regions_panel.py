@@ -63,6 +63,9 @@ def test_people_and_snapshots_stand_side_by_side_and_cost_nothing_while_hidden(
             )
         )
     dock.setFloating(False)
+    dock.bring_forward()
+    # What comes into sight anew is computed anew, and cannot be copied until it is there.
+    qtbot.waitUntil(panel.copy.isEnabled, timeout=60_000)
     panel.copy.click()
     assert QGuiApplication.clipboard().text().splitlines()[1].startswith("Digit I\t")
     assert "RMS in dB re 1 m/s²" in panel.about.text
@@ -91,6 +94,8 @@ def test_matched_levels_of_snapshots_are_said_above_the_table_and_in_what_is_cop
     window.do("store_snapshot_2")
 
     def heads():
+        if not panel.copy.isEnabled():
+            return []
         panel.copy.click()
         return QGuiApplication.clipboard().text().splitlines()[0].split("\t")[1:]
 

@@ -8,7 +8,7 @@ from PySide6.QtTest import QTest
 import skinsource as ss
 from skinsource.design_file import save_design
 from skinsource_gui.theme import CONTRAST
-from skinsource_gui.widgets.cover import COVERED
+from skinsource_gui.widgets.over.cover import COVERED
 
 
 def title(window):

@@ -61,6 +61,7 @@ class Window:
     def deliver(self, **changes):
         wanted = {name: self.results[name] for name in self.panel.needs}
         self.panel.show_results({**wanted, **changes})
+        self.panel.show_stale(False)
 
 
 def place(window, number):

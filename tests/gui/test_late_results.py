@@ -1,0 +1,278 @@
+"""A panel that comes into sight with results of an older design says so, and hands none out."""
+
+from contextlib import contextmanager
+from dataclasses import replace
+from threading import Event
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu
+
+from skinsource_gui.panels.regions.columns import columns_of_people
+from skinsource_gui.shell.panels import PANELS
+from skinsource_gui.status.validity_lamps import ValidityLamps, _words_of
+from skinsource_gui.widgets.copy_button import CopyButton
+from skinsource_gui.widgets.over.veil import UPDATING, Veil
+from tests.gui.analysis.test_validity_lamps import FINDINGS
+
+SELECTED = (3, 9, 15, 21)
+#: What they show is of the selected outputs, or of one of them.
+OF_OUTPUTS = {
+    "traces",
+    "spectra",
+    "statistics",
+    "perception",
+    "main_axis",
+    "wave",
+    "transfer",
+    "spectrogram",
+}
+#: Others too ask for results of the design.
+COMPUTED = sorted(
+    {"skin", "timeline", "inspector", "clip_editor", "actuator", "windowed"} | OF_OUTPUTS
+)
+#: What is known of limbs and snapshots is forgotten, or held against what it is of.
+OF_LIMBS = ["regions", "side_by_side"]
+OF_SNAPSHOTS = ["compare", "linearity"]
+
+
+@contextmanager
+def held(window):
+    """Have nothing evaluated meanwhile."""
+    let_go = Event()
+    window.engine._worker.submit(let_go.wait, 60.0)
+    try:
+        yield
+    finally:
+        let_go.set()
+
+
+@pytest.fixture
+def studio(make_window, qtbot):
+    """A studio with selected outputs, which can hide a panel and bring it forward again."""
+    window = make_window()
+    window.document.look(replace(window.document.view, outputs=SELECTED))
+
+    def look_at(name):
+        window.docks[name].bring_forward()
+        panel = window.panel(name)
+        qtbot.waitUntil(panel.isVisible)
+        return panel
+
+    def settle():
+        qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
+
+    def hide(name):
+        window.docks[name].hide()
+        qtbot.waitUntil(lambda: not window.panel(name).isVisible())
+
+    def make_louder():
+        design = window.document.design
+        clips = design.inputs[0].clips
+        waveform = replace(clips[0].waveform, frequency_hz=93.0)
+        clips = (replace(clips[0], waveform=waveform), *clips[1:])
+        window.document.edit("Other", design.with_input(0, clips=clips, amplitude=2.5))
+
+    window.look_at, window.hide_panel = look_at, hide
+    window.settled, window.edit_all = settle, make_louder
+    return window
+
+
+def asks_for_results(panel):
+    return bool(panel.needs or panel.needs_on_limbs or panel.needs_of_snapshots)
+
+
+def test_each_panel_that_asks_for_results_is_looked_at_here(studio):
+    found = {
+        spec.panel.name for spec in PANELS if asks_for_results(studio.look_at(spec.panel.name))
+    }
+    assert found == {*COMPUTED, *OF_LIMBS, *OF_SNAPSHOTS}
+
+
+def offers(panel):
+    return [one.isEnabled() for one in panel.findChildren(CopyButton)]
+
+
+def looks_late(panel):
+    """Whether lateness is seen: the panel looks otherwise without it."""
+    late = panel.grab().toImage()
+    panel._lateness.set_stale(False)
+    without = panel.grab().toImage()
+    panel._lateness.set_stale(True, at_once=True)
+    return late != without
+
+
+@pytest.mark.parametrize("name", COMPUTED)
+def test_what_comes_into_sight_with_older_results_says_so_until_the_newer_ones_are_there(
+    name, studio, qtbot
+):
+    panel = studio.look_at(name)
+    studio.settled()
+    qtbot.waitUntil(lambda: not panel.late)
+    offered = offers(panel)
+    studio.hide_panel(name)
+    with held(studio):
+        studio.edit_all()
+        studio.look_at(name)
+        assert panel.late
+        assert not any(offers(panel))
+        assert looks_late(panel)
+    studio.settled()
+    qtbot.waitUntil(lambda: not panel.late)
+    assert offers(panel) == offered
+    assert not panel.findChildren(Veil) or not panel._veils
+
+
+def test_another_selection_makes_late_what_shows_selected_outputs_and_nothing_else(studio, qtbot):
+    for name in COMPUTED:
+        studio.look_at(name)
+        studio.settled()
+        studio.hide_panel(name)
+    with held(studio):
+        studio.document.look(replace(studio.document.view, outputs=(30, 31, 32, 33)))
+        late = {name for name in COMPUTED if studio.look_at(name).late}
+        handed_out = [name for name in late if any(offers(studio.panel(name)))]
+    assert late == OF_OUTPUTS
+    assert handed_out == []
+    for name in COMPUTED:
+        panel = studio.look_at(name)
+        qtbot.waitUntil(lambda one=panel: not one.late, timeout=30_000)
+
+
+def test_what_comes_into_sight_with_what_still_holds_is_not_late(studio):
+    for name in COMPUTED:
+        studio.look_at(name)
+        studio.settled()
+        studio.hide_panel(name)
+    with held(studio):
+        assert [name for name in COMPUTED if studio.look_at(name).late] == []
+
+
+@pytest.mark.parametrize("name", [*OF_LIMBS, "compare"])
+def test_what_compares_comes_into_sight_without_what_is_older(name, studio, qtbot):
+    studio.do("store_snapshot_1")
+    panel = studio.look_at(name)
+    studio.settled()
+    offered = offers(panel)
+    fresh = panel.grab().toImage()
+    studio.hide_panel(name)
+    with held(studio):
+        studio.edit_all()
+        studio.look_at(name)
+        assert not any(offers(panel))
+        assert panel.grab().toImage() != fresh
+    studio.settled()
+    qtbot.waitUntil(lambda: offers(panel) == offered, timeout=30_000)
+
+
+@pytest.mark.parametrize("name", OF_LIMBS)
+def test_limbs_that_were_in_sight_all_the_time_are_late_after_a_while(name, studio, qtbot):
+    panel = studio.look_at(name)
+    studio.settled()
+    qtbot.waitUntil(lambda: not panel.late and all(offers(panel)), timeout=30_000)
+    with held(studio):
+        studio.edit_all()
+        qtbot.waitUntil(lambda: panel.late)
+        assert not any(offers(panel))
+        assert looks_late(panel)
+    studio.settled()
+    qtbot.waitUntil(lambda: not panel.late and all(offers(panel)), timeout=30_000)
+
+
+def test_figures_that_are_late_are_not_copied_by_the_button_nor_by_the_key(studio, qtbot):
+    panel = studio.look_at("statistics")
+    studio.settled()
+    clipboard = QGuiApplication.clipboard()
+    panel.copy.click()
+    assert clipboard.text().startswith("output\t")
+    studio.hide_panel("statistics")
+    with held(studio):
+        studio.edit_all()
+        studio.look_at("statistics")
+        clipboard.setText("before")
+        panel.copy.click()
+        QTest.keyClick(panel.table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+        assert clipboard.text() == "before"
+    studio.settled()
+    qtbot.waitUntil(lambda: not panel.late)
+    QTest.keyClick(panel.table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    assert clipboard.text().startswith("output\t")
+
+
+def test_what_was_in_sight_all_the_time_is_late_after_a_while(studio, qtbot):
+    panel = studio.look_at("perception")
+    studio.settled()
+    with held(studio):
+        studio.edit_all()
+        assert not panel.late
+        qtbot.waitUntil(lambda: panel.late)
+        veil = panel.table.findChild(Veil)
+        assert veil.accessibleName() == UPDATING
+        assert veil.size() == panel.table.size()
+        assert not panel.copy.isEnabled()
+
+
+@pytest.mark.parametrize("name", ["traces", "skin"])
+def test_curves_and_maps_that_are_late_are_not_copied_from_their_menus(name, studio):
+    panel = studio.look_at(name)
+    studio.settled()
+    studio.hide_panel(name)
+    copy = "Copy picture"
+    with held(studio):
+        studio.edit_all()
+        studio.look_at(name)
+        opened = panel._plot._open_menu if name == "traces" else panel._open_menu
+        opened(panel.mapToGlobal(panel.rect().center()))
+        menu = QApplication.activePopupWidget()
+        assert isinstance(menu, QMenu)
+        assert [one.isEnabled() for one in menu.actions() if one.text() == copy] == [False]
+        menu.close()
+
+
+def test_a_late_clip_has_no_curve_that_it_does_not_play_and_one_that_was_moved_keeps_its(
+    studio, qtbot
+):
+    panel = studio.look_at("timeline")
+    studio.settled()
+    clip = studio.document.design.inputs[0].clips[0].id
+    lanes = panel._table.lanes
+    assert clip in lanes.content.waveforms
+    with held(studio):
+        design = studio.document.design
+        moved = replace(design.inputs[0].clips[0], onset_s=0.2)
+        studio.document.edit("Move", design.with_input(0, clips=(moved,)))
+        qtbot.waitUntil(lambda: panel.late)
+        assert clip in lanes.content.waveforms
+        assert not lanes.content.awaited
+        studio.edit_all()
+        assert clip not in lanes.content.waveforms
+        assert lanes.content.awaited == {clip}
+    studio.settled()
+    qtbot.waitUntil(lambda: not panel.late)
+    assert clip in lanes.content.waveforms
+    assert not lanes.content.awaited
+
+
+def test_regions_that_are_being_computed_are_told_from_those_without_a_level(studio):
+    panel = studio.look_at("regions")
+    with held(studio):
+        unknown = [replace(one, values=None) for one in panel._on_limbs]
+        panel.show_on_limbs(unknown)
+        assert {text for column in panel.columns for text in column.texts()} == {"…"}
+        assert not panel.copy.isEnabled()
+    refused = [replace(one, problem="No such limb.") for one in unknown]
+    assert {text for column in columns_of_people(refused) for text in column.texts()} == {"–"}
+
+
+def test_lamps_that_are_late_say_so(qtbot):
+    lamps = ValidityLamps()
+    qtbot.addWidget(lamps)
+    lamps.show_findings(FINDINGS)
+    assert "updating" not in lamps.accessibleDescription()
+    lamps.set_stale(True)
+    qtbot.waitUntil(lambda: lamps.accessibleDescription().startswith("updating: of an older"))
+    assert "updating" in _words_of(FINDINGS[0], late=True).splitlines()[0]
+    lamps.set_stale(False)
+    assert "updating" not in lamps.accessibleDescription()
