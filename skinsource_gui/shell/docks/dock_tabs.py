@@ -1,9 +1,9 @@
 """Docks that share a place: one is in front, tabs tell of the others."""
 
 from collections.abc import Mapping
+from functools import partial
 
-from PySide6.QtCore import QChildEvent, QEvent, QObject, QPoint, Qt, Signal
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtCore import QChildEvent, QEvent, QObject, QPoint, Qt, QTimer, Signal
 from PySide6.QtWidgets import QApplication, QMainWindow, QTabBar, QTabWidget
 
 from skinsource_gui.shell.docks.dock import Dock
@@ -59,17 +59,19 @@ class DockTabs(QObject):
             if isinstance(bar, QTabBar):
                 _prepare(bar)
                 self._lists.add_to(bar)
-                bar.installEventFilter(self)
-        released = event.type() == QEvent.Type.MouseButtonRelease
-        if released and isinstance(watched, QTabBar) and isinstance(event, QMouseEvent):
-            self._take_keyboard(watched, event)
+                bar.tabBarClicked.connect(self._mean)
         return False
 
-    def _take_keyboard(self, bar: QTabBar, event: QMouseEvent) -> None:
+    def _mean(self, index: int) -> None:
         """Whoever clicks a tab means its panel, also where it was in front before."""
-        on_tab = bar.tabAt(event.position().toPoint()) == bar.currentIndex() >= 0
-        if event.button() == Qt.MouseButton.LeftButton and on_tab:
-            dock = self._called(bar.tabText(bar.currentIndex()))
+        bar = self.sender()
+        if isinstance(bar, QTabBar) and index >= 0:
+            # Pressed; it comes to the front next.  Of the bar nothing is kept: Qt may delete it.
+            QTimer.singleShot(0, self, partial(self._take_keyboard, bar.tabText(index)))
+
+    def _take_keyboard(self, title: str) -> None:
+        dock = self._called(title)
+        if dock.in_sight:
             focus_into(dock.panel, Qt.FocusReason.MouseFocusReason)
 
     def _tell(self) -> None:
