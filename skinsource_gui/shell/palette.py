@@ -100,8 +100,11 @@ class Palette(QDialog):
         item = self.list.currentItem()
         action = None if item is None else item.data(Qt.ItemDataRole.UserRole)
         if action is not None:
+            # What is done may handle events: the line whose key this is stays until it returns.
+            self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
             self.accept()
             action.trigger()
+            self.deleteLater()
 
 
 class _KeysAtTheRight(QStyledItemDelegate):

@@ -3,9 +3,10 @@ from functools import partial
 from unittest.mock import Mock
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QDialog, QMenu, QStyleOptionViewItem, QTextBrowser, QWidget
+from shiboken6 import isValid
 
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.skin.settings import SkinSettings
@@ -51,6 +52,24 @@ def test_typing_and_enter_run_the_action(qtbot):
     assert palette.list.count() == 1
     qtbot.keyClick(palette.line, Qt.Key.Key_Return)
     assert ran == ["Dark theme"]
+
+
+def test_the_line_is_there_until_what_its_key_runs_is_done(qtbot):
+    # As panels that come to the front do it, within the key event of the line.
+    def handle_events(_checked=False):
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
+        there.append(isValid(line))
+
+    there, action = [], QAction("Go to Playback")
+    action.triggered.connect(handle_events)
+    parent = QWidget()
+    qtbot.addWidget(parent)
+    palette = Palette([action], parent)
+    palette.open()
+    line = palette.line
+    line.returnPressed.emit()
+    assert there == [True]
+    qtbot.waitUntil(lambda: not isValid(line))
 
 
 def test_up_and_down_move_in_the_list(qtbot):
