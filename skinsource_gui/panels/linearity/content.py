@@ -16,6 +16,8 @@ _SHOWN_S = 0.03
 _MOST_SAMPLES = 1500
 _WIDEST_PX, _NARROWEST_PX = 8.0, 1.2
 _PALE = 0.55
+# What is shown on both sides of a response of one sample.
+_BESIDE_ONE_S = 1e-3
 # Bands that are drawn one by one, and room beside lines over logarithmic axes, as factors.
 _SHOWN_HZ = (50.0, 100.0, 200.0, 400.0)
 _EDGE, _LABEL_EDGE = 1.4, 2.4
@@ -27,7 +29,8 @@ def part_of(time_s: Floats, curves: Floats, zoom: tuple[float, float] | None) ->
         loudest = float(time_s[np.argmax(np.abs(curves).max(axis=tuple(range(curves.ndim - 1))))])
         zoom = loudest - _SHOWN_S / 2, loudest + _SHOWN_S / 2
     first, end = np.searchsorted(time_s, zoom)
-    first = int(min(first, time_s.size - 2))
+    # A response of one sample is all that there is of it.
+    first = max(int(min(first, time_s.size - 2)), 0)
     return first, int(min(max(end, first + 2), first + _MOST_SAMPLES, time_s.size))
 
 
@@ -80,7 +83,7 @@ def _overlay(
     n = len(found.strengths)
     widths = np.linspace(_WIDEST_PX, _NARROWEST_PX, n)
     over = tuple(
-        Curve(x=x, y=y[k, rank], rank=rank, width_px=float(widths[k]), pale=_pale(k, n))
+        Curve(x=x, y=y[k, rank], rank=rank, width_px=_over_time(x, widths[k]), pale=_pale(k, n))
         for rank in range(len(rows))
         for k in range(n)
     )
@@ -140,12 +143,13 @@ def diagrams_of_superposition(
     both = np.stack((found.separate, found.joint))[:, rows]
     part = part_of(time_s, both, zoom)
     x, (separate, joint) = finer(time_s, both, *part)
+    wide_px, narrow_px = (_over_time(x, one) for one in (_WIDEST_PX, _NARROWEST_PX))
     over = tuple(
         curve
         for rank in range(len(rows))
         for curve in (
-            Curve(x=x, y=separate[rank], rank=rank, width_px=_WIDEST_PX, pale=_PALE),
-            Curve(x=x, y=joint[rank], rank=rank, width_px=_NARROWEST_PX),
+            Curve(x=x, y=separate[rank], rank=rank, width_px=wide_px, pale=_PALE),
+            Curve(x=x, y=joint[rank], rank=rank, width_px=narrow_px),
         )
     )
     seen = both[..., slice(*part)]
@@ -171,10 +175,9 @@ def proportion_words(found: Proportion) -> str:
 
 def superposition_words(found: Superposition) -> str:
     """What was found, in a sentence."""
-    return (
-        f"Sum of separate and joint, wide and thin: {_apart_words(found.apart)} · "
-        f"r {float(np.nanmin(found.correlation)):.6f} at least"
-    )
+    known = found.correlation[np.isfinite(found.correlation)]
+    alike = f" · r {known.min():.6f} at least" if known.size else ""
+    return f"Sum of separate and joint, wide and thin: {_apart_words(found.apart)}{alike}"
 
 
 def _apart_words(apart: float) -> str:
@@ -187,7 +190,14 @@ def _pale(k: int, n: int) -> float:
 
 
 def _time(x: Floats) -> Axis:
-    return Axis(shown=(float(x[0]), float(x[-1])), title="Time (ms)", factor=1e3)
+    beside_s = 0.0 if x.size > 1 else _BESIDE_ONE_S
+    shown = float(x[0]) - beside_s, float(x[-1]) + beside_s
+    return Axis(shown=shown, title="Time (ms)", factor=1e3)
+
+
+def _over_time(x: Floats, width_px: float) -> float:
+    """Width of a line; through one sample there is none, it is a dot."""
+    return width_px if x.size > 1 else 0.0
 
 
 def _around(values: Floats, title: str, short: str = "") -> Axis:

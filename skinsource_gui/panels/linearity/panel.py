@@ -13,9 +13,7 @@ from skinsource.chain import amplitude_unit
 from skinsource.checking import (
     Proportion,
     Superposition,
-    joint_of,
     proportion,
-    strengths_of,
     superposition,
 )
 from skinsource.design import Design
@@ -32,6 +30,7 @@ from skinsource_gui.panels.linearity.content import (
     superposition_words,
 )
 from skinsource_gui.panels.linearity.diagram import DiagramsPicture
+from skinsource_gui.panels.linearity.held import Held, held_of
 from skinsource_gui.panels.linearity.settings import BANDS, VELOCITY, LinearitySettings
 from skinsource_gui.panels.linearity.strength import of_amplitudes, of_velocities
 from skinsource_gui.panels.linearity.table import tab_separated
@@ -81,8 +80,9 @@ class LinearityPanel(FigurePanel):
         )
         self.velocity = self._switch(VELOCITY, lambda on: self._change(velocity=on))
         self.bands = self._switch(BANDS, lambda on: self._change(bands=on))
-        self.choices.addWidget(self.about, 1)
+        self.choices.addStretch(1)
         self.copy = self.add_copy(self.table)
+        self.heads.addWidget(self.about)
         self.say_instead(NEITHER)
 
     @property
@@ -99,23 +99,25 @@ class LinearityPanel(FigurePanel):
             self.await_results()
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
-        designs = [one.snapshot.design for one in compared]
-        strengths, whole = strengths_of(designs), joint_of(designs)
-        problem = next((one.problem for one in compared if one.problem), "")
-        if not strengths and whole is None:
+        held = held_of(compared)
+        problem = next((one.problem for one in held.compared if one.problem), "")
+        found = [one.values for one in held.compared if one.values is not None]
+        if not held.is_linear:
             self.say_instead(NEITHER)
         elif problem:
             self.say_instead(problem)
-        elif any(one.values is None for one in compared):
+        elif len(found) < len(held.compared):
             if self.found is None:
                 self.await_results()
+            else:
+                self.show_stale(True)
         else:
-            found = [one.values for one in compared if one.values is not None]
-            traces = [one["axis_traces"] for one in found]
             settings, looked = self._settings, self._view
-            how = looked.time_range_s, looked.delay_removed, settings.velocity, settings.bands
-            if not self._is_drawn((*how, *traces)):
-                self._show(designs, found, strengths, whole)
+            switched = settings.velocity, settings.bands, held.words
+            how = looked.time_range_s, looked.delay_removed, *switched
+            if not self._is_drawn((*how, *(one["axis_traces"] for one in found))):
+                self._show(held, found)
+            self.show_stale(False)
 
     def show_problem(self, reason: str) -> None:
         """Snapshots have problems of their own, see `show_snapshots`."""
@@ -126,6 +128,7 @@ class LinearityPanel(FigurePanel):
 
     def say_instead(self, message: str) -> None:
         self._drawn, self.found = (), None
+        self.show_stale(False)
         super().say_instead(message)
         self.about.say("")
         self.velocity.hide()
@@ -163,15 +166,10 @@ class LinearityPanel(FigurePanel):
         settings = replace(self._settings, **changes)
         self.view_changed.emit(with_settings(self._view, self.name, settings))
 
-    def _show(
-        self,
-        designs: Sequence[Design],
-        results: Sequence[Mapping[str, Any]],
-        strengths: tuple[float, ...],
-        whole: int | None,
-    ) -> None:
+    def _show(self, held: Held, results: Sequence[Mapping[str, Any]]) -> None:
         """Draw what is known of all designs."""
-        drawn, design = self._drawn, designs[0]
+        drawn, design = self._drawn, held.compared[0].snapshot.design
+        strengths, whole = held.strengths, held.whole
         traces = [one["axis_traces"] for one in results]
         n_outputs, n_axes, _ = traces[0].shape
         if sum(one.size for one in traces) > _MOST_VALUES:
@@ -209,8 +207,8 @@ class LinearityPanel(FigurePanel):
         self.bands.setVisible(bool(strengths))
         self._drawn = drawn
         self.copy.offer(True)
-        synthetic = " · synthetic limb" if limb.synthetic else ""
-        self.about.say(f"Along {along}, of the selected outputs: linear by construction{synthetic}")
+        said = f"Along {along}: linear by construction", held.words
+        self.about.say(" · ".join(filter(None, (*said, "synthetic limb" * limb.synthetic))))
 
     def _time_s(self, results: Mapping[str, Any], delay_s: float) -> Floats:
         """Instants on the time axes as they are now: results of the window know the delay removed.

@@ -9,6 +9,7 @@ from skinsource_gui.panels.linearity.content import (
     diagrams_of_superposition,
     part_of,
     proportion_words,
+    superposition_words,
 )
 from skinsource_gui.panels.linearity.strength import of_amplitudes
 
@@ -109,3 +110,19 @@ def test_the_sum_is_wide_below_the_joint_response_and_they_are_held_against_each
         np.testing.assert_array_equal(dots.y, joint[row, first:end])
     assert against.x.title.startswith("Sum")
     assert against.y.title.startswith("Joint")
+
+
+def test_a_response_of_one_sample_is_a_dot():
+    at = np.array([0.1])
+    alone = responses(1)
+    grown = proportion(STRENGTHS, STRENGTHS[:, None, None] * alone, RATE_HZ, (25.0, 600.0))
+    added = superposition((alone, 2.0 * alone), 3.0 * alone)
+    drawn = (
+        diagrams_of_proportion(grown, ROWS, at, None, of_amplitudes("m/s²"))[0],
+        diagrams_of_superposition(added, ROWS, at, (0.05, 0.2))[0],
+    )
+    for diagram in drawn:
+        assert diagram.x.shown == pytest.approx((0.099, 0.101))
+        assert all(one.x.tolist() == [0.1] and one.width_px == 0.0 for one in diagram.curves)
+    # Nothing is said of how alike curves of one point are.
+    assert superposition_words(added).endswith("no difference")

@@ -13,6 +13,7 @@ from skinsource.checking import Proportion, Superposition
 from skinsource.comparing import Snapshot
 from skinsource.edits import remove_delay
 from skinsource.view import View
+from skinsource_gui.compared import Compared
 from skinsource_gui.figure_panel import SILENT
 from skinsource_gui.panels.linearity.diagram import font_in
 from skinsource_gui.panels.linearity.panel import NEITHER
@@ -95,6 +96,47 @@ def test_the_design_in_the_window_counts_though_it_is_no_snapshot(show, qtbot):
     qtbot.waitUntil(lambda: panel.found is not None and len(panel.found.strengths) == 4)
     assert panel.found.strengths[-1] == 9.0
     assert len(panel.table().splitlines()) == 5
+
+
+@pytest.mark.parametrize(("designs", "kind"), [(STRENGTHS, Proportion), (PARTS, Superposition)])
+def test_snapshots_count_alone_where_the_design_in_the_window_is_something_else(
+    show, qtbot, designs, kind
+):
+    window, panel = show(designs)
+    assert "alone" not in panel.about.text
+    found = panel.found
+    window.document.edit("Elsewhere", played(3))
+    qtbot.waitUntil(lambda: "snapshots alone" in panel.about.text)
+    assert isinstance(panel.found, kind)
+    assert panel.found.apart == found.apart
+    assert panel.figure.message == ""
+    window.document.edit("Again", designs[0])
+    qtbot.waitUntil(lambda: "alone" not in panel.about.text)
+
+
+def test_while_snapshots_are_computed_anew_what_is_drawn_is_told_to_be_of_others(show, qtbot):
+    window, panel = show(STRENGTHS)
+    assert not panel.late
+    panel.show_snapshots([Compared(snapshot=one) for one in kept(*STRENGTHS)])
+    qtbot.waitUntil(lambda: panel.late)
+    assert panel.found is not None
+    assert not panel.copy.isEnabled()
+    window.document.look(replace(window.document.view, outputs=(30,)))
+    qtbot.waitUntil(lambda: not panel.late)
+    assert panel.copy.isEnabled()
+    panel.show_snapshots([Compared(snapshot=one) for one in kept(*STRENGTHS)])
+    qtbot.waitUntil(lambda: panel.late)
+    panel.show_snapshots([])
+    assert panel.figure.message == NEITHER
+    assert not panel.late
+
+
+def test_words_above_the_diagrams_have_a_row_of_their_own(show):
+    _, panel = show(STRENGTHS)
+    switches = max(one.geometry().bottom() for one in (panel.bands, panel.copy))
+    assert switches < panel.about.y()
+    assert panel.about.geometry().bottom() < panel.picture.y()
+    assert panel.about.width() > 0.9 * panel.width()
 
 
 def test_other_outputs_are_shown_as_soon_as_they_are_selected(show, qtbot):
