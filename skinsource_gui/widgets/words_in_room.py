@@ -3,20 +3,21 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QFont, QFontMetrics
+from PySide6.QtGui import QFont, QFontInfo, QFontMetrics
 from PySide6.QtWidgets import QAbstractButton, QToolButton
 
 from skinsource_gui.theme import scaled
 
-# How much smaller words may be.
+# How much smaller words may be; and large ones, while they are no smaller than so many px.
 _SCALES = (1.0, 0.9, 0.8, 0.7, 0.6)
+_SCALES_OF_LARGE, _LEAST_PX = (0.55, 0.5, 0.45, 0.4), 12
 # Below this they are hard to read: where they can, some go into a row below instead.
 _READABLE = 0.8
 
 
 def fitting_font(rows: Sequence[Sequence[QAbstractButton]], font: QFont, room_px: int) -> QFont:
     """The largest font, of about the size of ``font``, in which each row has room for its words."""
-    fonts = [scaled(font, scale) for scale in _SCALES]
+    fonts = _fonts_of(font)
     fit = (one for one in fonts if max(width_in(one, row) for row in rows) <= room_px)
     return next(fit, fonts[-1])
 
@@ -44,7 +45,7 @@ def _words_px(button: QAbstractButton, metrics: QFontMetrics) -> int:
 
 def smallest_of(font: QFont) -> QFont:
     """The smallest font in which words of ``font`` are written."""
-    return scaled(font, _SCALES[-1])
+    return _fonts_of(font)[-1]
 
 
 def readable_of(font: QFont) -> QFont:
@@ -57,3 +58,10 @@ def write_in(font: QFont, buttons: Sequence[QAbstractButton]) -> None:
     for one in buttons:
         if one.font() != font:
             one.setFont(font)
+
+
+def _fonts_of(font: QFont) -> list[QFont]:
+    """Those in which words of ``font`` may be written, from large to small."""
+    large = (scaled(font, scale) for scale in _SCALES_OF_LARGE)
+    readable = [one for one in large if QFontInfo(one).pixelSize() >= _LEAST_PX]
+    return [*(scaled(font, scale) for scale in _SCALES), *readable]

@@ -2,13 +2,21 @@
 
 import pytest
 from PySide6.QtCore import QEvent, QObject
-from PySide6.QtWidgets import QApplication, QPushButton, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtGui import QFontInfo
+from PySide6.QtWidgets import (
+    QApplication,
+    QPushButton,
+    QScrollArea,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from skinsource_gui.panels.timeline.timeline_toolbar import TimelineToolbar
-from skinsource_gui.theme import THEMES, scaled
+from skinsource_gui.theme import THEMES, UNIT_PX, scaled
 from skinsource_gui.widgets.plot.plot_toolbar import PlotToolbar
 from skinsource_gui.widgets.plot.signal_view import SignalView
-from skinsource_gui.widgets.words_in_room import width_in
+from skinsource_gui.widgets.words_in_room import fitting_font, width_in
 
 
 @pytest.mark.parametrize("kind", [QToolButton, QPushButton])
@@ -92,23 +100,67 @@ def test_switches_go_below_before_words_are_hard_to_read(qtbot):
     assert min(one.font().pointSizeF() for one in buttons) >= 0.99 * usual
 
 
-@pytest.mark.parametrize(("height", "n_rows"), [(150, 1), (400, 2)])
-def test_switches_take_a_second_row_where_the_plot_is_high_enough_and_are_whole(
-    qtbot, height, n_rows
+@pytest.mark.parametrize(
+    ("height", "scale", "n_rows"), [(250, 0.7, 1), (700, 0.7, 2), (250, 0.3, 2)]
+)
+def test_switches_take_a_second_row_where_the_plot_is_high_enough_or_they_would_be_cut(
+    qtbot, height, scale, n_rows
 ):
     view = SignalView("plot", "Plot")
     qtbot.addWidget(view)
+    # In large letters: small ones leave room in any plot.
+    view.setFont(scaled(view.font(), 2.0))
     for name in ("Remove 52 ms delay", "Each to its peak"):
         view.toolbar.add_switch(name, name, name, lambda wanted: None)
     view.toolbar.show_state(layout="overlaid", zoomed=False)
     view.show()
-    for at in (150, 400, height):
-        view.resize(300, at)
+    QApplication.processEvents()
+    shown = [one for one in view.toolbar.findChildren(QToolButton) if one.isVisibleTo(view)]
+    # What words of that size need, and what is around and between them.
+    width = width_in(scaled(view.toolbar.font(), scale), shown) + 4 * UNIT_PX
+    for at in (250, 700, height):
+        view.resize(width, at)
         for _ in range(20):
             QApplication.processEvents()
+    assert len({one.geometry().y() for one in shown}) == n_rows
+    for one in shown:
+        assert view.toolbar.rect().contains(one.geometry())
+        assert one.height() >= one.fontMetrics().height()
+
+
+def test_large_words_are_written_still_smaller_before_they_are_cut(qtbot):
+    bar = above_a_plot(None)
+    qtbot.addWidget(bar)
+    usual = bar.font()
+    buttons = [one for one in bar.findChildren(QToolButton) if one.isVisibleTo(bar)]
+    least = {}
+    for scale in (1.0, 3.0):
+        bar.setFont(scaled(usual, scale))
+        least[scale] = fitting_font((buttons,), bar.font(), 0)
+    assert least[1.0].pointSizeF() == pytest.approx(0.6 * usual.pointSizeF(), rel=0.05)
+    assert least[3.0].pointSizeF() == pytest.approx(1.2 * usual.pointSizeF(), rel=0.05)
+    assert QFontInfo(least[3.0]).pixelSize() >= 12
+
+
+def test_what_scrolls_has_no_more_room_than_is_in_sight(qtbot):
+    area, view = QScrollArea(), SignalView("plot", "Plot")
+    qtbot.addWidget(area)
+    area.setWidget(view)
+    area.setWidgetResizable(True)
+    view.setFont(scaled(view.font(), 2.0))
+    for name in ("Remove 52 ms delay", "Each to its peak"):
+        view.toolbar.add_switch(name, name, name, lambda wanted: None)
+    view.toolbar.show_state(layout="overlaid", zoomed=False)
+    view.setMinimumHeight(800)
+    area.show()
+    QApplication.processEvents()
     shown = [one for one in view.toolbar.findChildren(QToolButton) if one.isVisibleTo(view)]
-    places = [one.geometry() for one in shown]
-    assert len({place.y() for place in places}) == n_rows
-    for place in places:
-        assert view.toolbar.rect().contains(place), (place, view.toolbar.rect())
-        assert place.height() >= view.fontMetrics().height()
+    width = width_in(scaled(view.toolbar.font(), 0.7), shown) + 6 * UNIT_PX
+    switch = view.toolbar.findChild(QToolButton, "Each to its peak")
+    for height, below in ((250, False), (900, True), (250, False)):
+        area.resize(width, height)
+        for _ in range(20):
+            QApplication.processEvents()
+        assert view.height() >= 800
+        first = view.toolbar.findChild(QToolButton, "overlaid")
+        assert (switch.y() > first.geometry().bottom()) == below

@@ -34,7 +34,8 @@ class PlotToolbar(QWidget):
     """Overlaid or stacked, switches of one plot, and the way out of a zoom.
 
     Buttons say what the user wants; what they show is set from outside.  Where there is too little
-    room they are written smaller, and before that is hard to read, switches go below, if they may.
+    room they are written smaller, and before that is hard to read, switches go below, if they may;
+    before words are cut they do in any case.
     """
 
     #: ``"overlaid"``, ``"stacked"``, or one that was added.
@@ -118,7 +119,9 @@ class PlotToolbar(QWidget):
         room = self.width() - around.left() - around.right() - gap * len(others)
         smallest = smallest_of(self.font())
         tight = width_in(readable_of(self.font()), shown) > room
-        folds = bool(others) and tight and self._may_fold
+        # Cut words say nothing, whatever a plot needs.
+        cut = width_in(smallest, shown) > room
+        folds = bool(others) and (cut or (tight and self._may_fold))
         rows = (first, others) if folds else (shown,)
         write_in(fitting_font(rows, self.font(), room), shown)
         direction = _BELOW if folds else _BESIDE

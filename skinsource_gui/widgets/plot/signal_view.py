@@ -6,6 +6,7 @@ from PySide6.QtCore import QPoint, Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.height_in_sight import HeightInSight
 from skinsource_gui.widgets.lateness import Lateness
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves
@@ -17,10 +18,9 @@ from skinsource_gui.widgets.plot.plot_toolbar import PlotToolbar
 from skinsource_gui.widgets.plot.ranges import Range
 from skinsource_gui.widgets.plot.signal_exports import SignalExports
 from skinsource_gui.widgets.plot.signal_menu import open_menu
-from skinsource_gui.widgets.room_or_words import RoomOrWords
 
 _COMPUTING = "Computing…"
-#: So many lines of text high, a view has room for two rows of switches.
+#: So many lines of text high, a view has room for two rows of switches, or of a legend.
 _LINES_OF_TWO_ROWS = 12
 
 
@@ -77,7 +77,8 @@ class SignalView(QWidget):
         self.toolbar.everything_wanted.connect(self._show_everything)
         self.plot.reading_changed.connect(self._read)
         self.plot.menu_wanted.connect(self._open_menu)
-        RoomOrWords(self).changed.connect(self._share_height)
+        self._in_sight = HeightInSight(self)
+        self._in_sight.changed.connect(self._share_height)
 
     def set_theme(self, theme: Theme) -> None:
         """Take over colours."""
@@ -111,7 +112,9 @@ class SignalView(QWidget):
 
     def _share_height(self) -> None:
         line_px = self.fontMetrics().lineSpacing()
-        self.toolbar.let_fold(self.height() >= _LINES_OF_TWO_ROWS * line_px)
+        has_room = self._in_sight.px >= _LINES_OF_TWO_ROWS * line_px
+        for part in (self.toolbar, self.legend):
+            part.let_fold(has_room)
 
     def _mark_stale(self, late: bool) -> None:
         if self.plot.curves is None and not self.plot.message:

@@ -35,3 +35,42 @@ def test_as_many_curves_are_written_as_fit_beside_how_many_do_not(qapp, width, r
         assert sum(entries[: fitting + 1]) > room
     assert fitting == 0 or sum(entries[:fitting]) <= room
     assert detail.reading == reads
+
+
+def peaks_of(n_outputs):
+    names, readings = NAMES[:n_outputs], ("0.216",) * n_outputs
+    return LegendText(
+        names=names,
+        unit="m/s²",
+        where="peak",
+        where_room="peak",
+        readings=readings,
+        reading_room="0.216",
+    )
+
+
+def test_numbers_of_outputs_are_left_out_only_where_all_curves_are_written_then(qapp):
+    metrics, seen = QFontMetrics(QFont()), set()
+    for width in range(200, 600):
+        layout = LegendLayout(peaks_of(5), metrics, width)
+        detail, fitting = layout.fitting()
+        seen.add((detail.number, fitting))
+    assert (False, 5) in seen
+    assert {fitting for number, fitting in seen if not number} == {5}
+    assert {1, 2, 5} <= {fitting for number, fitting in seen if number}
+
+
+def test_named_curves_share_a_line_where_they_may_take_no_more(qapp):
+    text = LegendText(
+        names=NAMES[:7], unit="m/s²", where_room="1234.5 Hz", reading_room="−0.1234"
+    ).of_axes(("x", "y", "z"))
+    metrics = QFontMetrics(QFont())
+    for width in (300, 420, 680):
+        folded = LegendLayout(text, metrics, width).lines()
+        *entries, (where, line) = LegendLayout(text, metrics, width, may_fold=False).lines()
+        assert folded[-1][1] > 0
+        assert {at for _, at in entries} == {line} == {0}
+        assert where + metrics.horizontalAdvance("1234.5 Hz · m/s²") <= width
+    # Names are whole, whatever there is room for.
+    narrow = LegendLayout(text, metrics, 60, may_fold=False)
+    assert narrow.lines()[-1][1] > 0

@@ -1,6 +1,7 @@
 """What of a legend there is room for, and where."""
 
 from dataclasses import dataclass
+from itertools import accumulate
 
 from PySide6.QtGui import QFontMetrics
 
@@ -45,11 +46,14 @@ class LegendLayout:
         Of the font.
     width_px
         Of the strip.
+    may_fold
+        Whether named entries may take more lines; else they share one, as far as names have room.
     """
 
     text: LegendText
     metrics: QFontMetrics
     width_px: int
+    may_fold: bool = True
 
     def where(self, where: str, detail: Detail) -> str:
         """Where curves are read, with the unit if it stands nowhere else."""
@@ -67,27 +71,23 @@ class LegendLayout:
         ]
         gaps = GAP_PX * len(words) + UNIT_PX
         whole = SWATCH_PX + gaps + sum(self.metrics.horizontalAdvance(word) for word in words)
-        # Of what all outputs read as much as a line holds.
-        return min(whole, self.width_px - UNIT_PX) if self.text.by_axis else whole
+        # Of what all outputs read as much as a line holds, or a part of it.
+        return min(whole, self._most_px(rank)) if self.text.by_axis else whole
 
     def fitting(self) -> tuple[Detail, int]:
         """What is written of each curve in one line, and of how many curves."""
-        widths: list[int] = []
-        room_px = 0
         details = _READING if self.text.readings else _IDLE
         for detail in details:
-            room_px = self.width_px - UNIT_PX
-            if self.text.where:
-                where = self.where(self.text.where_room, detail)
-                room_px -= self.metrics.horizontalAdvance(where)
-            widths = [self.entry_px(rank, detail) for rank in range(len(self.text.names))]
-            if sum(widths) <= room_px:
+            widths = self._widths(detail)
+            if sum(widths) <= self._room_px(detail):
                 return detail, len(widths)
-        room_px -= self.metrics.horizontalAdvance("+00")
-        fitting = 0
-        while fitting < len(widths) and sum(widths[: fitting + 1]) <= room_px:
-            fitting += 1
-        return details[-1], fitting
+        # Where some are left out anyway, those that are not say which they are.
+        for detail in details[-2:]:
+            room_px = self._room_px(detail) - self.metrics.horizontalAdvance("+00")
+            fitting = sum(1 for end_px in accumulate(self._widths(detail)) if end_px <= room_px)
+            if fitting:
+                return detail, fitting
+        return details[-1], 0
 
     def lines(self) -> list[tuple[int, int]]:
         """Where named entries begin, and at last where they are read: x and number of the line.
@@ -96,11 +96,31 @@ class LegendLayout:
         """
         first, places, line = UNIT_PX // 2, [], 0
         x = first
-        entries = [self.entry_px(rank, NAMED) for rank in range(len(self.text.names))]
-        where = self.metrics.horizontalAdvance(self.where(self.text.where_room, NAMED))
-        for width in (*entries, where):
+        entries = self._widths(NAMED)
+        for width in (*entries, self._where_px):
             if x > first and x + width > self.width_px - first:
                 x, line = first, line + 1
             places.append((x, line))
             x += width
         return places
+
+    def _widths(self, detail: Detail) -> list[int]:
+        return [self.entry_px(rank, detail) for rank in range(len(self.text.names))]
+
+    def _room_px(self, detail: Detail) -> int:
+        """What of one line there is for entries."""
+        where = self.where(self.text.where_room, detail) if self.text.where else ""
+        return self.width_px - UNIT_PX - self.metrics.horizontalAdvance(where)
+
+    @property
+    def _where_px(self) -> int:
+        return self.metrics.horizontalAdvance(self.where(self.text.where_room, NAMED))
+
+    def _most_px(self, rank: int) -> int:
+        """The most that a named entry takes."""
+        line_px = self.width_px - UNIT_PX
+        if self.may_fold:
+            return line_px
+        name_px = self.metrics.horizontalAdvance(self.text.names[rank].short)
+        share_px = (line_px - self._where_px) // len(self.text.names)
+        return max(share_px, SWATCH_PX + 2 * GAP_PX + UNIT_PX + name_px)

@@ -19,7 +19,7 @@ class LegendStrip(QWidget):
     """One line: colour, number, place and reading of each curve, and where they are read.
 
     Where the line is too narrow it leaves out units, then places, then numbers, then curves; the
-    tooltip has them all.  Curves without numbers keep their names, and take more lines.
+    tooltip has them all.  Curves without numbers keep their names, and take more lines if they may.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -29,7 +29,7 @@ class LegendStrip(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._theme = LIGHT
         self._text = LegendText()
-        self._n_lines = 1
+        self._n_lines, self._may_fold = 1, True
 
     @property
     def text(self) -> LegendText:
@@ -46,6 +46,13 @@ class LegendStrip(QWidget):
         if text != self._text:
             self._text = text
             self.setAccessibleDescription(text.lines())
+            self._make_room()
+            self.update()
+
+    def let_fold(self, may_fold: bool) -> None:
+        """Whether there is room for more lines: a plot that is low needs it more."""
+        if may_fold != self._may_fold:
+            self._may_fold = may_fold
             self._make_room()
             self.update()
 
@@ -84,7 +91,8 @@ class LegendStrip(QWidget):
     @property
     def layout_of_words(self) -> LegendLayout:
         """What there is room for, and where."""
-        return LegendLayout(self._text, QFontMetrics(self.words_font), self.width())
+        metrics = QFontMetrics(self.words_font)
+        return LegendLayout(self._text, metrics, self.width(), self._may_fold)
 
     @property
     def _line_px(self) -> int:
