@@ -26,7 +26,7 @@ ARM_REGIONS = ("wrist", "forearm", "elbow")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InputPlace:
-    """Where an actuator touches the palmar side.
+    """Where an actuator touches the palm side.
 
     Attributes
     ----------
@@ -83,7 +83,7 @@ def _input_places() -> tuple[InputPlace, ...]:
     for name, short_name in (
         ("Palm, below the gap of digits III and IV", "distal palm"),
         ("Palm, below digit II at the ball of the thumb", "radial palm"),
-        ("Palm, centre", "mid palm"),
+        ("Palm, centre", "palm centre"),
         ("Palm, little finger side", "ulnar palm"),
         ("Palm, middle of its base", "palm base"),
     ):
@@ -145,12 +145,12 @@ _OTHER_OUTPUTS = {
     46: ("Wrist, second row, ulnar", "wrist 2 uln.", "wrist"),
     54: ("Wrist, second row, radial", "wrist 2 rad.", "wrist"),
     55: ("Wrist, second row, radial edge", "wrist 2 rad. edge", "wrist"),
-    61: ("Wrist, palmar side, first row, middle", "volar wrist 1 mid", "wrist"),
-    62: ("Wrist, palmar side, first row, ulnar", "volar wrist 1 uln.", "wrist"),
-    63: ("Wrist, palmar side, second row, middle", "volar wrist 2 mid", "wrist"),
-    64: ("Wrist, palmar side, second row, ulnar", "volar wrist 2 uln.", "wrist"),
-    66: ("Forearm, palmar side, ulnar, towards the wrist", "volar arm 1", "forearm"),
-    65: ("Forearm, palmar side, ulnar, towards the elbow", "volar arm 2", "forearm"),
+    61: ("Wrist, palm side, first row, middle", "palm wrist 1 mid", "wrist"),
+    62: ("Wrist, palm side, first row, ulnar", "palm wrist 1 uln.", "wrist"),
+    63: ("Wrist, palm side, second row, middle", "palm wrist 2 mid", "wrist"),
+    64: ("Wrist, palm side, second row, ulnar", "palm wrist 2 uln.", "wrist"),
+    66: ("Forearm, palm side, ulnar, towards the wrist", "palm arm 1", "forearm"),
+    65: ("Forearm, palm side, ulnar, towards the elbow", "palm arm 2", "forearm"),
     69: ("Elbow, middle", "elbow mid", "elbow"),
     68: ("Elbow, radial", "elbow rad.", "elbow"),
     67: ("Elbow, radial edge", "elbow rad. edge", "elbow"),

@@ -138,7 +138,10 @@ class ExportActions(QObject):
         picture = self._drawer_of(spec.panel)
         if spec.panel == IN_USE:
             # Which one that is, is not seen any more behind the windows that ask.
-            spec = replace(spec, title=f"picture of the panel {picture.title}…")
+            name = picture.title.lower().replace(" ", "-")
+            spec = replace(
+                spec, title=f"picture of the panel {picture.title}…", file_name=f"{name}.png"
+            )
         size, remark = picture.size_px or spec.size_px, letters_remark(picture)
         below = partial(caption_px, picture.caption)
         options = self._ask_options(spec, size, remark=remark, below=below)

@@ -1,3 +1,5 @@
+import re
+
 import pytest
 
 from skinsource.errors import InvalidInputError
@@ -75,3 +77,9 @@ def test_an_input_that_does_not_exist_is_refused(number):
 def test_an_output_that_does_not_exist_is_refused(number):
     with pytest.raises(InvalidInputError, match="1 to 72"):
         output_place(number)
+
+
+def test_the_palm_has_one_name_in_long_and_in_short():
+    for place in (*INPUTS, *OUTPUTS):
+        for name in (place.name, place.short_name):
+            assert not re.search("volar|palmar|mid palm", name), name

@@ -271,8 +271,13 @@ def test_what_cannot_be_played_is_refused(call, words):
 
 def test_more_than_can_be_held_is_refused_before_it_is_made(monkeypatch):
     monkeypatch.setattr(of_design, "MOST_SAMPLES", 10_000)
-    with pytest.raises(InvalidInputError, match="lower rate"):
+    with pytest.raises(InvalidInputError, match="lower rate") as refused:
         stimulus_of(SEVERAL, 48_000)
+    said = str(refused.value)
+    channels = len(stimulus_of(SEVERAL).channels)
+    assert f"at most {10_000 / channels / 48_000:.1f} s for {channels} channels at 48000 Hz" in said
+    assert "samples" not in said
+    assert "e+" not in said
     assert stimulus_of(SEVERAL).n_times < 5000
 
 

@@ -205,6 +205,19 @@ def test_a_panel_whose_tab_is_clicked_is_in_use_and_named_where_its_picture_is_a
         assert asked.pop() == f"Export picture of the panel {title}"
 
 
+def test_the_file_of_a_picture_is_suggested_by_the_name_of_its_panel(make_window, monkeypatch):
+    window, names = make_window(DESIGN), []
+    monkeypatch.setattr(export_actions, "ask_picture_options", lambda _, usual, **about: usual)
+    monkeypatch.setattr(
+        window.files, "ask_where", lambda title, start, *about: names.append(start.name)
+    )
+    window.activateWindow()
+    window.docks["main_axis"].bring_forward()
+    window.panel("main_axis").setFocus()
+    window.do("export_panel_picture")
+    assert names == ["main-axis.png"]
+
+
 def test_what_is_in_use_is_so_too_where_it_was_asked_for_in_the_palette(make_window, qtbot):
     window = make_window(DESIGN)
     window.activateWindow()

@@ -184,7 +184,7 @@ def _sampled(
     steps = -(-lead // ratio.numerator)
     before, surplus = steps * ratio.denominator, steps * ratio.numerator - lead
     n += before
-    _refuse_too_long(len(channels), -(-n * ratio.numerator // ratio.denominator))
+    _refuse_too_long(len(channels), -(-n * ratio.numerator // ratio.denominator), rate_hz)
     total = np.zeros((len(channels), n))
     for row, start, factor, samples in pieces:
         begin = before + start
@@ -195,11 +195,11 @@ def _sampled(
     return by_ratio(total, ratio, min(own_rate_hz, rate_hz))[:, surplus:]
 
 
-def _refuse_too_long(n_channels: int, n_times: int) -> None:
+def _refuse_too_long(n_channels: int, n_times: int, rate_hz: float) -> None:
     if n_channels * n_times > MOST_SAMPLES:
+        longest_s = MOST_SAMPLES / n_channels / rate_hz
         raise InvalidInputError(
-            f"The stimulus has {counted(n_times, 'sample')} in {counted(n_channels, 'channel')}, "
-            f"{n_channels * n_times:.2g} together, "
-            f"expected at most {MOST_SAMPLES:.2g}. Choose a lower rate, fewer inputs or fewer "
-            "clips."
+            f"The stimulus lasts {n_times / rate_hz:.1f} s, expected at most {longest_s:.1f} s for "
+            f"{counted(n_channels, 'channel')} at {rate_hz:g} Hz. "
+            "Choose a lower rate, mute inputs, or make the design shorter."
         )

@@ -70,6 +70,8 @@ class SkinMap(QWidget):
         self._pointer.pointed_at.connect(self.input_pointed_at)
         # What was selected here last, "input" or "outputs": keys are about that.
         self._last = ""
+        # Outputs that were selected here last.
+        self._chosen: tuple[int, ...] = ()
         self.stage = MapStage(self)
         self.stage.changed.connect(self.update)
         self.picker = OutputPicker(self)
@@ -93,6 +95,9 @@ class SkinMap(QWidget):
         other_limb = content.limb_map is not self.content.limb_map
         if selected_inputs(content) != selected_inputs(self.content) and self._last == "outputs":
             self._last = ""
+        if content.outputs not in (self.content.outputs, self._chosen):
+            # They were selected elsewhere: nothing is said any more of where keys were before.
+            self.picker.keys.cursor_output = None
         self.content, self.picker.selected = content, content.outputs
         if other_limb:
             limb_map = content.limb_map
@@ -235,7 +240,7 @@ class SkinMap(QWidget):
         self.inputs_chosen.emit(ids)
 
     def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
-        self._last = "outputs"
+        self._last, self._chosen = "outputs", outputs
         self.outputs_chosen.emit(outputs)
 
     def _follow_cursor(self) -> None:

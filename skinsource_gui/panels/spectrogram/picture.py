@@ -12,6 +12,7 @@ from skinsource.arrays import Floats
 from skinsource.decibels import decibels
 from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.fields.level_text import minus
+from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.figure.axes import Axes, Axis, fitted_axes
 from skinsource_gui.widgets.figure.figure import Figure
 from skinsource_gui.widgets.map.colour_maps import colour_indices, colour_table
@@ -23,7 +24,6 @@ _SCALE_PX = 10.0
 # What levels are relative to stands below the highest where the scale is so many lines high.
 _REFERENCE, _ROOM_LINES = "re 1 m/s²", 5.0
 _FLAGS = Qt.AlignmentFlag.AlignVCenter
-_LONG_S = 2.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -104,12 +104,15 @@ class SpectrogramPicture(Figure):
         self._draw_scale(painter, axes, room, metrics)
 
     def read(self, at: QPointF) -> str:
-        place = None if self.axes is None else self.axes.value_at(at)
-        if place is None or self.shown is None:
+        axes = self.axes
+        place = None if axes is None else axes.value_at(at)
+        if axes is None or place is None or self.shown is None:
             return ""
         time_s, frequency_hz = place
         level = float(decibels(self.shown.found.at(time_s - self.shown.first_s, frequency_hz)))
-        return minus(f"{time_s * 1e3:.1f} ms · {frequency_hz:.1f} Hz · {level:z.1f} dB re 1 m/s²")
+        long = axes.x.factor == 1.0
+        when = f"{time_s:.4f} s" if long else f"{time_s * 1e3:.1f} ms"
+        return minus(f"{when} · {frequency_hz:.1f} Hz · {level:z.1f} dB re 1 m/s²")
 
     def keys_area(self) -> QRectF:
         return QRectF() if self.axes is None or self.message else self.axes.frame
@@ -125,8 +128,11 @@ class SpectrogramPicture(Figure):
         frame = axes.frame
         if self._playhead_s is not None:
             x = float(axes.to_screen(np.array([self._playhead_s]), np.zeros(1))[0, 0])
-            painter.setPen(QPen(QColor(self.theme.accent), 1.5))
-            painter.drawLine(QLineF(x, frame.top(), x, frame.bottom()))
+            line = QLineF(x, frame.top(), x, frame.bottom())
+            # In the colour of every playhead, on a ground on which it is seen in dark colours too.
+            for colour, width_px in ((self.theme.base, 3.5), (self.theme.error, 1.5)):
+                painter.setPen(QPen(QColor(colour), width_px))
+                painter.drawLine(line)
         if self.cursor_at is not None:
             pen = QPen(QColor("#ffffff"), 1, Qt.PenStyle.DashLine)
             painter.setPen(pen)
@@ -185,9 +191,8 @@ def _time_axis(shown: Shown) -> Axis:
     time_s = shown.found.time_s + shown.first_s
     first, last = float(time_s[0]), float(time_s[-1])
     last = last if last > first else first + 1e-3
-    if last > _LONG_S:
-        return Axis(shown=(first, last), title="Time (s)")
-    return Axis(shown=(first, last), title="Time (ms)", factor=1e3)
+    unit, factor = axis_unit(last)
+    return Axis(shown=(first, last), title=f"Time ({unit})", factor=factor)
 
 
 def _frequency_axis(shown: Shown) -> Axis:

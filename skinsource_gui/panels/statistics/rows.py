@@ -40,8 +40,8 @@ class Row:
         """As they are shown; a dash where there is no number."""
         mark = f" {NOISE_MARK}" if self.noisy else ""
         written = (
-            format(value, style) if np.isfinite(value) else "–"
-            for value, style in zip(self.shown, (".3g", ".3g", ".2f", ".1f", ".1f"), strict=True)
+            format(value, style).removesuffix(".") if np.isfinite(value) else "–"
+            for value, style in zip(self.shown, ("#.3g", "#.3g", ".2f", ".1f", ".1f"), strict=True)
         )
         return (f"{self.number}  {self.name}{mark}", *(one.replace("-", "−") for one in written))
 

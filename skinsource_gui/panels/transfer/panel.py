@@ -118,8 +118,11 @@ class TransferPanel(FigurePanel):
         place, limb = results["transfer_place"], results["limb_data"]
         if limb.synthetic:
             note = " · synthetic limb, without noise"
+        elif not found.noise.any():
+            note = " · noise not known"
         else:
-            note = " · dotted: noise" if found.noise.any() else " · noise not known"
+            # Of a coherence nothing dotted is drawn.
+            note = "" if self._settings.coherence else " · dotted: noise"
         self.place.say(f"From place {place}, {input_words(place, limb.name).name}{note}")
         self.show_found(_usable_words(found, outputs))
 

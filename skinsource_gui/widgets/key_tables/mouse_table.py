@@ -186,14 +186,14 @@ MOUSE: dict[str, tuple[str, tuple[MouseHint, ...]]] = {
             (
                 "menu",
                 "Right button on the map or a plot",
-                "show all of it, copy, save or export it",
+                "save its picture, take its numbers, and more",
             ),
             (
                 "zoom",
-                "Turn the wheel on the map or a plot",
+                "Turn the wheel on the map, on traces or spectra",
                 "zoom at the pointer; a double-click shows all of it",
             ),
-            ("stretch", "Drag across a plot", "zoom to that stretch"),
+            ("stretch", "Drag across traces or spectra", "zoom to that stretch"),
         ),
     ),
 }

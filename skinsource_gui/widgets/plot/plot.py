@@ -169,6 +169,8 @@ class Plot(Canvas):
         self.curves, self._content = None, None
         self.crosshair.forget()
         self.stack.say(message)
+        # While there were curves, the plot may have got another size.
+        self._place()
         self.reading_changed.emit()
 
     def show_band(self, covered: Range | None) -> None:

@@ -5,10 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtCore import QPointF
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QColor, QGuiApplication
 
 from skinsource.evaluation import evaluate
 from skinsource_gui.panels.spectrogram.picture import scale_words
+from skinsource_gui.panels.statistics.rows import Row
 
 LINE = (29, 31, 33, 35)
 
@@ -83,3 +84,52 @@ def test_where_there_is_no_main_axis_no_line_is_drawn(show):
     with_lines = dark_pixels()
     picture.show_axes(replace(shown, found=replace(shown.found, none=none)))
     assert dark_pixels() < with_lines / 2
+
+
+def test_a_spectrogram_is_in_seconds_from_where_traces_are(show):
+    picture = show("spectrogram").picture
+    found = picture.shown.found
+    for last_s, title in ((0.9, "Time (ms)"), (1.1, "Time (s)")):
+        time_s = np.linspace(0.0, last_s, found.time_s.size)
+        picture.show_spectrogram(replace(picture.shown, found=replace(found, time_s=time_s)))
+        picture.grab()
+        assert picture.axes.x.title == title
+        said = picture.read(picture.axes.frame.center())
+        assert title.endswith(f"({said.split()[1]})")
+
+
+def test_the_playhead_of_the_spectrogram_has_the_colour_of_every_playhead(show):
+    picture = show("spectrogram", playhead_s=0.2).picture
+    seen = picture.grab().toImage()
+    x, y = picture.axes.to_screen(np.array([0.2]), np.array([300.0]))[0]
+    row = [seen.pixelColor(round(x) + k, round(y)) for k in (-1, 0, 1)]
+    reddest = max(row, key=lambda colour: colour.red() - colour.blue())
+    wanted = QColor(picture.theme.error)
+    assert abs(reddest.red() - wanted.red()) < 60
+    assert abs(reddest.blue() - wanted.blue()) < 60
+
+
+def test_a_number_of_the_statistics_has_three_digits_whatever_they_are():
+    row = Row(number=1, name="", values=(0.12, 0.03456, 3.0, 100.0, 0.05), noisy=False)
+    assert row.texts()[1:] == ("0.120", "0.0346", "3.00", "100.0", "50.0")
+    assert Row(number=1, name="", values=(123.4,) * 5, noisy=False).texts()[1] == "123"
+
+
+def test_what_is_dotted_is_said_where_something_is_dotted(show, settle, window):
+    panel = show("transfer")
+    panel.show_results({**panel._results, "limb_data": _Measured(), "transfer": _noisy(panel)})
+    assert panel.place.text.endswith("dotted: noise")
+    shown = dict(panel._results)
+    panel.coherence.click()
+    settle()
+    panel.show_results(shown)
+    assert "dotted" not in panel.place.text
+
+
+class _Measured:
+    name, synthetic = "synthetic-1", False
+
+
+def _noisy(panel):
+    found = panel._results["transfer"]
+    return replace(found, noise=np.ones_like(found.magnitude))

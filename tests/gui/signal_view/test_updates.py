@@ -1,6 +1,7 @@
 """The plot of traces and spectra, without a panel."""
 
 import numpy as np
+from PySide6.QtCore import QRectF
 
 from skinsource_gui.theme import DARK, LIGHT
 from skinsource_gui.widgets.plot.curves import Curves
@@ -72,3 +73,12 @@ def test_a_narrow_legend_leaves_out_words_but_its_tooltip_has_them_all(signals):
     assert len(lines) == 10
     assert lines[1].startswith("1  Digit V, beside the nail, ulnar: ")
     assert all(line.endswith("m/s²") for line in lines[1:])
+
+
+def test_a_message_is_in_the_middle_of_the_size_that_the_plot_got_while_there_were_curves(signals):
+    signals.show_curves(waves(2), synthetic=False)
+    signals.resize(signals.width() + 200, signals.height() + 150)
+    plot = signals.plot
+    signals.show_message("Select outputs on the skin map")
+    away = plot.stack.message.geometry().center() - QRectF(plot.rect()).center()
+    assert away.manhattanLength() < 2.0

@@ -188,3 +188,14 @@ def test_the_right_button_on_the_colour_bar_offers_the_colours(window):
     menu.close()
     QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     assert not strip.findChildren(QMenu, "colours_menu")
+
+
+def test_numbers_of_the_scale_stand_beside_its_handles(window):
+    strip = window.panel.colour_bar.strip
+    strip.high.hide()
+    strip.low.hide()
+    seen = strip.grab().toImage()
+    handle, ground = strip.high.geometry(), strip.palette().window().color()
+    for y in range(max(handle.top(), 0), handle.bottom()):
+        assert seen.pixelColor(handle.right(), y) == ground
+        assert seen.pixelColor(handle.right() + 1, y) == ground

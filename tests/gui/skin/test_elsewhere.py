@@ -1,7 +1,8 @@
 """Selected outputs that the limb does not have."""
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from skinsource_gui.widgets.fields.level_text import output_text
 from tests.gui.skin.bench import SHIFT, click
@@ -27,3 +28,15 @@ def test_the_cursor_begins_at_an_output_that_is_there(window):
 def test_an_output_that_is_not_there_is_named():
     assert output_text(80) == "Output 80, not on this limb"
     assert output_text(72).startswith("Output 72, Elbow")
+
+
+def test_nothing_is_said_of_an_output_that_was_clicked_before_others_were_selected_elsewhere(
+    window,
+):
+    view = window.panel.map
+    view.setFocus()
+    click(window, 57)
+    QApplication.sendEvent(view, QEvent(QEvent.Type.Leave))
+    assert window.panel.readout.text().startswith("Output 57")
+    window.show(outputs=(3, 12))
+    assert window.panel.readout.text().startswith("2 outputs selected")

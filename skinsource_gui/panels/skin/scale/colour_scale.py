@@ -12,6 +12,9 @@ from skinsource_gui.panels.skin.scale.level_range import Range, tick_levels
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.level_text import minus
 
+# So many lines beside the colours are numbers: farther than handles reach.
+_WORDS_LINES = 0.8
+
 
 def level_y(level_db: float, axis_db: Range, ramp: QRectF) -> float:
     """Screen height of a level on a scale whose ``ramp`` spans ``axis_db``."""
@@ -65,9 +68,11 @@ def paint_colour_scale(
         painter.setPen(QPen(QColor(theme.dim), 1))
         painter.drawLine(QPointF(ramp.right(), y), QPointF(ramp.right() + 0.3 * line, y))
         painter.setPen(QColor(theme.text))
-        beside = QRectF(ramp.right() + 0.5 * line, y - line / 2, 4 * line, line)
+        beside = QRectF(ramp.right() + _WORDS_LINES * line, y - line / 2, 4 * line, line)
         painter.drawText(beside, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, words)
-    _paint_title(painter, ramp, ramp.right() + 0.9 * line + widest, theme, quantity)
+    _paint_title(
+        painter, ramp, ramp.right() + (_WORDS_LINES + 0.4) * line + widest, theme, quantity
+    )
 
 
 def fitting_title(quantity: MapQuantity, metrics: QFontMetrics, room_px: int) -> str:
