@@ -16,6 +16,7 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.installed_limbs import InstalledLimbs
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.map.level_look import coloured_like
 
 if TYPE_CHECKING:
     from skinsource_gui.scenes_page import ScenesPage
@@ -70,7 +71,8 @@ class SceneActions(QObject):
     def open(self, name: str, limb: str = "") -> None:
         """Open a scene in place of what is open, which is asked for if it is not saved.
 
-        ``limb`` is the one that it is played on; empty: those of the paper.
+        Levels stay in the colours that were chosen.  ``limb`` is the one that it is played on;
+        empty: those of the paper.
         """
         try:
             opened = scenes.open_scene(name, available=self._limbs.names, limb=limb)
@@ -79,7 +81,8 @@ class SceneActions(QObject):
             return
         if not self._files.may_lose_changes():
             return
-        self._document.start_over(opened.design, opened.view, None, scene=opened.scene.title)
+        view = coloured_like(opened.view, self._document.view)
+        self._document.start_over(opened.design, view, None, scene=opened.scene.title)
         self._files.leave_file()
         self._files.suggested = self._preferences.folder / f"{opened.scene.name}{SUFFIX}"
         self._last, self._last_limb = opened.scene.name, limb

@@ -92,7 +92,7 @@ class FrequencyAndAmplitudePanel(Panel):
         self._design, self._view = design, view
         control = settings_of(view, self.name, ControlSettings).control
         self._control.set_value(control)
-        one = next((each for each in design.inputs if each.id == view.selected_input), None)
+        one = _turned_input(design, view)
         known = one is not None
         self._amplitude_part.setVisible(known and control in (ALL, TURNS_AMPLITUDE))
         self._onset_part.setVisible(False)
@@ -157,6 +157,14 @@ class FrequencyAndAmplitudePanel(Panel):
 
     def _change(self, name: str, value: float, gesture: int | None) -> None:
         if self._design is not None:
-            ids = self._view.selected_inputs
+            one = _turned_input(self._design, self._view)
+            ids = self._view.selected_inputs or (() if one is None else (one.id,))
             outcome = edits.change_field(self._design, self._view, ids, name, value)
             self.edited.emit(outcome, gesture)
+
+
+def _turned_input(design: Design, view: View) -> Input | None:
+    """The selected input; where there is only one, nobody has to select it."""
+    if len(design.inputs) == 1:
+        return design.inputs[0]
+    return next((one for one in design.inputs if one.id == view.selected_input), None)

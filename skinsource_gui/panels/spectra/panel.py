@@ -17,6 +17,7 @@ from skinsource_gui.panels.spectra.settings import AXES_HINT, RELATIVE, SpectraS
 from skinsource_gui.signal_panel import SignalPanel
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.provenance import NEEDS
+from skinsource_gui.widgets.plot.ranges import Range
 
 _LOWEST_HZ = 10.0
 
@@ -101,6 +102,7 @@ class SpectraPanel(SignalPanel):
         settings = self._settings
         axis = self._log_axis if settings.log_frequency else self._axis
         stacked = settings.layout != "overlaid"
+        axis = _as_seen(axis, settings.frequency_range_hz)
         self._plot.set_view(axis, settings.frequency_range_hz, stacked=stacked)
 
     def _say(self, message: str) -> None:
@@ -155,3 +157,12 @@ def _axes(sample_rate_hz: float, band: Band | None) -> tuple[XAxis, XAxis]:
         titles=titles, unit="Hz", column="frequency_hz", extent=(0.0, highest_hz), band=band
     )
     return linear, replace(linear, extent=(_LOWEST_HZ, highest_hz), log=True)
+
+
+def _as_seen(axis: XAxis, zoom: Range | None) -> XAxis:
+    """The axis, without words on what is shaded where nothing that is in view is."""
+    seen = zoom or axis.extent
+    if axis.band is None or seen is None:
+        return axis
+    shaded = seen[0] < axis.band[0] or seen[1] > axis.band[1]
+    return axis if shaded else replace(axis, titles=axis.titles[1:])

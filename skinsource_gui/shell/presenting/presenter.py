@@ -18,6 +18,7 @@ from skinsource_gui.shell.presenting.scene_list import Step, steps_of_folder, st
 from skinsource_gui.shell.presenting.whole_scene import WholeScene
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.widgets.map.level_look import coloured_like
 
 #: What clickers send, beside the keys of the table of actions.
 _NEXT, _PREVIOUS, _COVER, _LEAVE = ("PgDown",), ("PgUp",), ("B", "."), ("Esc",)
@@ -236,7 +237,9 @@ class Presenter(QObject):
             return
         left = "" if self._whole is None else self._whole.left(self._document)
         self._at, self._opening = number, True
-        self._document.start_over(shown.design, shown.view, None, scene=step.title)
+        # What was chosen in front of an audience stays, unless a file says something else.
+        view = shown.view if shown.of_file else coloured_like(shown.view, self._document.view)
+        self._document.start_over(shown.design, view, None, scene=step.title)
         self._files.leave_file()
         self._opening, self._panels = False, shown.panels
         self._whole = WholeScene.of(self._document) if self.presenting else None

@@ -22,12 +22,15 @@ class Shown:
     arrangement, panels
         Arrangement of the window that shows it, and the panels that are brought in sight there;
         empty: the window stays as it is.
+    of_file
+        Whether it was saved: then it has the colours that it was saved with.
     """
 
     design: Design
     view: View
     arrangement: str = ""
     panels: tuple[str, ...] = ()
+    of_file: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -64,7 +67,7 @@ def steps_of_paper() -> tuple[Step, ...]:
 
 def _of_file(path: Path) -> Shown:
     content = open_design(path)
-    return Shown(design=content.design, view=content.view)
+    return Shown(design=content.design, view=content.view, of_file=True)
 
 
 def _of_paper(name: str) -> Shown:

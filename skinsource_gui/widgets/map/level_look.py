@@ -1,10 +1,10 @@
 """Colours and range that were chosen on the skin map, for all maps of levels beside it."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from skinsource import fields
 from skinsource.fields import ChoiceSpec, Range, RangeSpec
-from skinsource.panel_settings import settings_of
+from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.widgets.map.colour_maps import VIRIDIS
 
@@ -55,3 +55,11 @@ USUAL_LOOK = LevelLook()
 def level_look(view: View) -> LevelLook:
     """What was chosen for all maps of levels."""
     return settings_of(view, _PANEL, LevelLook)
+
+
+def coloured_like(view: View, other: View) -> View:
+    """Return ``view`` with the colours of ``other``, unless it has chosen some itself."""
+    look, colours = level_look(view), level_look(other).colours
+    if look.colours != USUAL_LOOK.colours or look.colours == colours:
+        return view
+    return with_settings(view, _PANEL, replace(look, colours=colours))

@@ -127,6 +127,24 @@ def test_the_measured_band_is_told_from_what_lies_outside(show):
     assert axis.shaded() == []
 
 
+@pytest.mark.parametrize("log", [False, True])
+def test_shading_is_spoken_of_where_some_is_in_view(show, log):
+    panel = show(seen(LINEAR, log_frequency=log))
+    titles = lambda: plot_of(panel).stack.x_axis.titles  # noqa: E731
+    for zoom, shaded in {
+        None: True,
+        (25.0, 600.0): False,
+        (50.0, 300.0): False,
+        (20.0, 300.0): True,
+        (50.0, 610.0): True,
+    }.items():
+        panel.show_state(
+            start_design("synthetic-1"), seen(LINEAR, log_frequency=log, frequency_range_hz=zoom)
+        )
+        assert any("shaded" in one for one in titles()) == shaded, zoom
+        assert any("band 25 to 600 Hz" in one for one in titles()), zoom
+
+
 @pytest.mark.parametrize(
     ("axes", "method", "noted"),
     [("xyz", "mag", True), ("xy", "mag", True), ("z", "mag", False), ("xyz", "pca", False)],

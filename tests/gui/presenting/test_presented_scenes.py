@@ -1,15 +1,19 @@
 """Scenes that follow one another, and the notes beside them."""
 
+from dataclasses import replace
+
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QMessageBox
 
 from skinsource.design_file import save_design
-from skinsource.scenes import all_scenes
+from skinsource.scenes import all_scenes, open_scene
 from skinsource.view import View
+from skinsource_gui.panels.skin.settings import use_colours
 from skinsource_gui.shell.presenting.notes_window import NotesWindow
 from skinsource_gui.state.historian import Historian
+from skinsource_gui.widgets.map.level_look import level_look
 
 
 def title(window):
@@ -216,3 +220,47 @@ def test_at_the_last_scene_nobody_is_asked_for_what_stays(studio, folder, asked)
     studio.do("previous_scene")
     assert len(asked) == 1
     assert studio.document.design == edited
+
+
+def colours(window):
+    return level_look(window.document.view).colours
+
+
+@pytest.mark.parametrize("presented", [True, False])
+def test_levels_stay_in_the_colours_that_were_chosen_from_scene_to_scene(
+    make_window, design, presented
+):
+    window = make_window(design)
+    if presented:
+        window.do("present")
+    window.do("next_scene")
+    assert colours(window) == "viridis"
+    window.do("use_magma_colours")
+    for step in ("next_scene", "next_scene", "previous_scene", "previous_scene"):
+        window.do(step)
+        assert colours(window) == "magma", step
+        assert window.document.undo_stack.count() == 0
+        assert not window.document.modified
+    # What else a scene looks at is its own.
+    plain = open_scene(all_scenes()[0].name, available=window.limbs.names).view
+    assert replace(window.document.view, panels=()) == replace(plain, panels=())
+    window.do("use_viridis_colours")
+    window.do("next_scene")
+    assert colours(window) == "viridis"
+
+
+def test_a_scene_of_the_gallery_has_the_colours_that_were_chosen(make_window, design):
+    window = make_window(design)
+    window.do("use_cividis_colours")
+    window.scenes.open("2H")
+    assert colours(window) == "cividis"
+
+
+def test_files_that_are_stepped_through_keep_their_own_colours(studio, folder, design):
+    magma = use_colours("magma", design, View()).view
+    save_design(folder / "3 both.skinsource", design, magma)
+    studio.do("use_cividis_colours")
+    studio.do("next_scene")
+    assert colours(studio) == "magma"
+    studio.do("previous_scene")
+    assert colours(studio) == "viridis"

@@ -6,7 +6,7 @@ from PySide6.QtGui import QFont, QFontMetrics
 from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.plot.curves import output_names
 from skinsource_gui.widgets.plot.legend.legend_layout import LegendLayout
-from skinsource_gui.widgets.plot.legend.legend_text import LegendText
+from skinsource_gui.widgets.plot.legend.legend_text import PEAK, LegendText
 
 NAMES = output_names(tuple(range(1, 41)), "synthetic-1")
 
@@ -37,13 +37,13 @@ def test_as_many_curves_are_written_as_fit_beside_how_many_do_not(qapp, width, r
     assert detail.reading == reads
 
 
-def peaks_of(n_outputs):
+def read_of(n_outputs, where="12 ms"):
     names, readings = NAMES[:n_outputs], ("0.216",) * n_outputs
     return LegendText(
         names=names,
         unit="m/s²",
-        where="peak",
-        where_room="peak",
+        where=where,
+        where_room=where,
         readings=readings,
         reading_room="0.216",
     )
@@ -52,12 +52,27 @@ def peaks_of(n_outputs):
 def test_numbers_of_outputs_are_left_out_only_where_all_curves_are_written_then(qapp):
     metrics, seen = QFontMetrics(QFont()), set()
     for width in range(200, 600):
-        layout = LegendLayout(peaks_of(5), metrics, width)
+        layout = LegendLayout(read_of(5), metrics, width)
         detail, fitting = layout.fitting()
         seen.add((detail.number, fitting))
     assert (False, 5) in seen
     assert {fitting for number, fitting in seen if not number} == {5}
     assert {1, 2, 5} <= {fitting for number, fitting in seen if number}
+
+
+def test_no_peak_is_written_without_the_output_whose_it_is_nor_without_its_unit(qapp):
+    metrics, seen = QFontMetrics(QFont()), set()
+    for width in range(20, 900):
+        layout = LegendLayout(read_of(5, PEAK), metrics, width)
+        detail, fitting = layout.fitting()
+        seen.add((detail.reading, fitting))
+        assert detail.number, width
+        # What has the unit, and says what is written, goes with the peaks.
+        said = layout.where(PEAK, detail)
+        assert bool(said) == detail.reading, width
+        assert detail.unit or not detail.reading or said.endswith("m/s²"), width
+    # Before numbers of outputs are left out, peaks are.
+    assert {(True, 5), (False, 5)} <= seen
 
 
 def test_named_curves_share_a_line_where_they_may_take_no_more(qapp):

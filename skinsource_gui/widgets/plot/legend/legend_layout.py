@@ -32,6 +32,8 @@ _READING = (
 #: What is written of a curve that a name stands for.
 NAMED = Detail(number=False, place=True, reading=True, unit=False)
 _IDLE = (Detail(True, True, False, False), Detail(True, False, False, False))
+# Of a peak nothing in the picture says whose it is: before its output, it goes itself.
+_PEAKS = (*_READING[:-1], _IDLE[-1])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -56,7 +58,9 @@ class LegendLayout:
     may_fold: bool = True
 
     def where(self, where: str, detail: Detail) -> str:
-        """Where curves are read, with the unit if it stands nowhere else."""
+        """Where curves are read, with the unit if it stands nowhere else; "" if nothing is."""
+        if self.text.of_peaks and not detail.reading:
+            return ""
         once = (detail.number or detail.place) and not detail.unit
         return f"{where} · {self.text.unit}" if once else where
 
@@ -76,7 +80,7 @@ class LegendLayout:
 
     def fitting(self) -> tuple[Detail, int]:
         """What is written of each curve in one line, and of how many curves."""
-        details = _READING if self.text.readings else _IDLE
+        details = self._details
         for detail in details:
             widths = self._widths(detail)
             if sum(widths) <= self._room_px(detail):
@@ -103,6 +107,12 @@ class LegendLayout:
             places.append((x, line))
             x += width
         return places
+
+    @property
+    def _details(self) -> tuple[Detail, ...]:
+        if self.text.of_peaks:
+            return _PEAKS
+        return _READING if self.text.readings else _IDLE
 
     def _widths(self, detail: Detail) -> list[int]:
         return [self.entry_px(rank, detail) for rank in range(len(self.text.names))]

@@ -18,8 +18,9 @@ _TEXT, _AROUND_PX = 0.9, 7
 class LegendStrip(QWidget):
     """One line: colour, number, place and reading of each curve, and where they are read.
 
-    Where the line is too narrow it leaves out units, then places, then numbers, then curves; the
-    tooltip has them all.  Curves without numbers keep their names, and take more lines if they may.
+    Where the line is too narrow it leaves out units, then places, then numbers, then curves; of
+    peaks, those before numbers.  The tooltip has them all.  Curves without numbers keep their
+    names, and take more lines if they may.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:

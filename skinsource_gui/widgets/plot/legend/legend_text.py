@@ -40,6 +40,11 @@ class LegendText:
         """Whether names stand for the curves, and numbers do not."""
         return any(not name.number for name in self.names)
 
+    @property
+    def of_peaks(self) -> bool:
+        """Whether nothing is read, and each curve has its peak beside it."""
+        return self.where == PEAK
+
     def of_axes(self, axes: tuple[str, ...]) -> "LegendText":
         """The same where each name has a curve along each of some axes."""
         outputs = ", ".join(str(name.number) for name in self.names)
@@ -54,7 +59,7 @@ class LegendText:
 
     def lines(self) -> str:
         """All of it, one line for each curve."""
-        lines = [self.where if self.where == PEAK else f"at {self.where}"] if self.where else []
+        lines = [self.where if self.of_peaks else f"at {self.where}"] if self.where else []
         for rank, name in enumerate(self.names):
             reading = f": {self.readings[rank]} {self.unit}" if self.readings else ""
             told = f"{name.number}  {name.full}" if name.number else f"{name.short}: {name.full}"
