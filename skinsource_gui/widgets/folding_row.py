@@ -72,6 +72,11 @@ class FoldingRow(QWidget):
         self.setMinimumHeight(self._grid.minimumSize().height())
         self.updateGeometry()
 
+    def px_of(self, columns: int) -> int:
+        """How wide it has to be for so many widgets in a row, or for all if they are fewer."""
+        count = min(sum(not one.isHidden() for one in self._widgets), columns)
+        return count * (self._widest_px + self._spacing_px) - self._spacing_px
+
     @property
     def _bars_px(self) -> int:
         """Width that scroll bars have taken."""

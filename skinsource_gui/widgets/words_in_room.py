@@ -17,7 +17,7 @@ _READABLE = 0.8
 
 def fitting_font(rows: Sequence[Sequence[QAbstractButton]], font: QFont, room_px: int) -> QFont:
     """The largest font, of about the size of ``font``, in which each row has room for its words."""
-    fonts = _fonts_of(font)
+    fonts = fonts_of(font)
     fit = (one for one in fonts if max(width_in(one, row) for row in rows) <= room_px)
     return next(fit, fonts[-1])
 
@@ -45,7 +45,7 @@ def _words_px(button: QAbstractButton, metrics: QFontMetrics) -> int:
 
 def smallest_of(font: QFont) -> QFont:
     """The smallest font in which words of ``font`` are written."""
-    return _fonts_of(font)[-1]
+    return fonts_of(font)[-1]
 
 
 def readable_of(font: QFont) -> QFont:
@@ -60,7 +60,7 @@ def write_in(font: QFont, buttons: Sequence[QAbstractButton]) -> None:
             one.setFont(font)
 
 
-def _fonts_of(font: QFont) -> list[QFont]:
+def fonts_of(font: QFont) -> list[QFont]:
     """Those in which words of ``font`` may be written, from large to small."""
     large = (scaled(font, scale) for scale in _SCALES_OF_LARGE)
     readable = [one for one in large if QFontInfo(one).pixelSize() >= _LEAST_PX]

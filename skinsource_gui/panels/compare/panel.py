@@ -9,7 +9,6 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
-    QHBoxLayout,
     QLabel,
     QSizePolicy,
     QToolButton,
@@ -53,6 +52,7 @@ from skinsource_gui.widgets.folding_row import FoldingRow
 from skinsource_gui.widgets.map.level_look import level_look
 from skinsource_gui.widgets.map.scale_row import Scale, scale_of_levels
 from skinsource_gui.widgets.map.small_map import SmallMap, SmallMaps
+from skinsource_gui.widgets.room.button_row import ButtonRow
 
 _NEEDS = frozenset({"limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db"})
 # So wide that the map stands beside the cards, also in lines of words.
@@ -142,15 +142,9 @@ class ComparePanel(Panel):
         self._halves.setDirection(way)
 
     def _lay_out(self) -> None:
-        bar = QHBoxLayout()
-        bar.setSpacing(UNIT_PX // 2)
-        bar.addWidget(self.match)
-        bar.addWidget(self.toggle)
-        bar.addWidget(self.file)
-        bar.addStretch(1)
         upper = QVBoxLayout()
         upper.setSpacing(UNIT_PX // 2)
-        upper.addLayout(bar)
+        upper.addWidget(ButtonRow((self.match, self.toggle, self.file), self))
         upper.addWidget(self._row, 1)
         upper.addWidget(self.words)
         upper.addStretch(0)

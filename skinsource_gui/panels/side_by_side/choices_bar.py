@@ -3,7 +3,8 @@
 from dataclasses import replace
 from typing import Any
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QToolButton, QVBoxLayout, QWidget
 
 from skinsource.design import Design
@@ -20,10 +21,17 @@ from skinsource_gui.panels.side_by_side.settings import (
 from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.folding_row import FoldingRow
+from skinsource_gui.widgets.room.height_in_sight import HeightInSight
+from skinsource_gui.widgets.words_in_room import fonts_of
+
+# A panel that shows fewer lines of text has no room for many rows: so many choices stand in each.
+_LINES_WITH_ROOM, _BESIDE = 14, 2
 
 
 class ChoicesBar(QWidget):
     """Turns choices into another view.
+
+    Where the maps below need the room its words are written smaller until two stand in each row.
 
     Attributes
     ----------
@@ -42,6 +50,7 @@ class ChoicesBar(QWidget):
         super().__init__(parent)
         self._panel_name = panel_name
         self._view, self.settings = View(), SideBySideSettings()
+        self._has_room = True
         self.of, self.shown = ChoiceField(OF, self), ChoiceField(SHOWN, self)
         self.of.setObjectName("side_by_side_of")
         self.shown.setObjectName("side_by_side_shown")
@@ -62,8 +71,10 @@ class ChoicesBar(QWidget):
         self.file.setToolTip("Keep the design of a file as a snapshot, and show it here")
         self.file.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.file.clicked.connect(self.file_wanted)
-        parts = (self.of, self.shown, self.own_maximum, self.limbs, self.file)
-        self._row = FoldingRow(parts, UNIT_PX // 2)
+        self._parts = self.of, self.shown, self.own_maximum, self.limbs, self.file
+        self._row = FoldingRow(self._parts, UNIT_PX // 2)
+        self._in_sight = HeightInSight(parent)
+        self._in_sight.changed.connect(self._look_for_room)
         around = QVBoxLayout(self)
         around.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
         around.addWidget(self._row)
@@ -81,10 +92,36 @@ class ChoicesBar(QWidget):
         self.own_maximum.setVisible(kind.shown(settings) == "levels")
         for name, part in (("shown", self.shown), ("limbs", self.limbs), ("file", self.file)):
             part.setVisible(name in fields)
-        self._row.fold()
         if "limbs" in fields:
             usual = not settings.limbs.strip()
             self.limbs.show_chosen(settings.chosen(design.limb), usual=usual)
+        self._fit()
+
+    def _look_for_room(self) -> None:
+        has_room = self._in_sight.px >= _LINES_WITH_ROOM * self.fontMetrics().lineSpacing()
+        if has_room != self._has_room:
+            self._has_room = has_room
+            self._fit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            self._fit()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._fit()
+
+    def _fit(self) -> None:
+        """Write as large as leaves few rows, where there shall be no more; else as usual."""
+        around = self.contentsMargins().left() + self.contentsMargins().right() + UNIT_PX
+        for font in fonts_of(self.font()) if not self._has_room else (self.font(),):
+            for one in self._parts:
+                one.setFont(font)
+            self._row.fold()
+            if self._row.px_of(_BESIDE) <= self.width() - around:
+                return
 
     def _change(self, **changes: Any) -> None:
         settings = replace(self.settings, **changes)

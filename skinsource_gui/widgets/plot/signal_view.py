@@ -6,7 +6,6 @@ from PySide6.QtCore import QPoint, Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.height_in_sight import HeightInSight
 from skinsource_gui.widgets.lateness import Lateness
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves
@@ -18,6 +17,7 @@ from skinsource_gui.widgets.plot.plot_toolbar import PlotToolbar
 from skinsource_gui.widgets.plot.ranges import Range
 from skinsource_gui.widgets.plot.signal_exports import SignalExports
 from skinsource_gui.widgets.plot.signal_menu import open_menu
+from skinsource_gui.widgets.room.height_in_sight import HeightInSight
 
 _COMPUTING = "Computing…"
 #: So many lines of text high, a view has room for two rows of switches, or of a legend.

@@ -2,12 +2,16 @@
 
 import pytest
 from PySide6.QtCore import QRect
-from PySide6.QtGui import QFont, QFontMetrics
-from PySide6.QtWidgets import QApplication
+from PySide6.QtGui import QFont, QFontMetrics, QRegion
+from PySide6.QtWidgets import QAbstractButton, QApplication
 
 from skinsource.scenes import all_scenes
 from skinsource_gui.panels.frequency_and_amplitude.heading import Heading
+from skinsource_gui.panels.side_by_side.view import MapsView
 from skinsource_gui.widgets.fields.field_cell import FieldCell
+from skinsource_gui.widgets.figure.figure import Figure
+from skinsource_gui.widgets.plot.plot import Plot
+from skinsource_gui.widgets.plot.view_box import PlotViewBox
 
 
 @pytest.fixture
@@ -66,6 +70,50 @@ def test_the_one_control_of_each_scene_is_whole_in_the_window(presented, qtbot, 
             assert is_whole(window, part), (scene.name, part.objectName())
         area = window.docks["frequency_and_amplitude"].widget()
         assert area.verticalScrollBar().maximum() == 0, scene.name
+
+
+def pictures(panel):
+    """What is drawn in a panel, without numbers and titles of axes: widgets, and where in them."""
+    for plot in panel.findChildren(Plot):
+        boxes = [one for one in plot.scene().items() if isinstance(one, PlotViewBox)]
+        areas = [plot.mapFromScene(one.sceneBoundingRect()).boundingRect() for one in boxes]
+        yield plot, QRegion.boundingRect(sum((QRegion(one) for one in areas), QRegion()))
+    for figure in panel.findChildren(Figure):
+        yield figure, figure.rect()
+    for maps in panel.findChildren(MapsView):
+        for place in maps.places.cells:
+            yield maps, place.map.toRect()
+
+
+def in_sight(dock, widget, area):
+    """What of a part of a widget its dock shows."""
+    view = dock.widget().viewport()
+    return QRect(widget.mapTo(view, area.topLeft()), area.size()) & view.rect()
+
+
+def test_pictures_and_switches_of_each_scene_are_seen_in_the_largest_letters(presented, qtbot):
+    window = presented((1366, 768), 3.0)
+    for scene in all_scenes():
+        window.do("next_scene")
+        settle(window, qtbot)
+        qtbot.waitUntil(lambda: not window.engine.busy, timeout=60_000)
+        settle(window, qtbot)
+        docks = [one for one in window.docks.values() if one.isVisible() and one.in_sight]
+        assert {"skin", "frequency_and_amplitude"} < {one.objectName() for one in docks}
+        for dock in docks:
+            at, tops = (scene.name, dock.objectName()), [dock.panel.height()]
+            for widget, area in pictures(dock.panel):
+                if widget.isVisible():
+                    assert in_sight(dock, widget, area).height() >= 80, at
+                    tops.append(widget.mapTo(dock.panel, area.topLeft()).y())
+            for one in dock.panel.findChildren(QAbstractButton):
+                above = one.mapTo(dock.panel, one.rect().topLeft()).y() < min(tops)
+                if one.isVisible() and one.text() and above:
+                    shown = in_sight(dock, one, one.rect())
+                    assert shown.width() == one.width(), (*at, one.text())
+                    assert one.fontMetrics().horizontalAdvance(one.text()) < one.width(), at
+                    # Cards of snapshots go on below.
+                    assert shown.height() == one.height() or len(tops) == 1, (*at, one.text())
 
 
 @pytest.fixture

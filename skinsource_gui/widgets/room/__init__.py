@@ -1,0 +1,1 @@
+"""How widgets share little room: how much there is, and words in it."""
