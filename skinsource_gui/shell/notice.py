@@ -185,7 +185,9 @@ class Notice(QObject):
             least = max(least, status.height())
         width = whole
         if at_top:
-            words = self._words.fontMetrics().horizontalAdvance(self._words.text())
+            # Beside a border a label indents words by half a letter: in one line they cover least.
+            metrics = self._words.fontMetrics()
+            words = metrics.horizontalAdvance(self._words.text()) + metrics.horizontalAdvance("x")
             width = min(whole, words + left + size.width() + 4 * UNIT_PX)
         needed = max(self._words.heightForWidth(width), least)
         start, top = whole - width, 0 if at_top else height - needed

@@ -68,6 +68,25 @@ def test_a_notice_while_presenting_covers_neither_a_panel_nor_the_name_of_one(wi
     assert label.geometry() == window.statusBar().geometry()
 
 
+@pytest.mark.parametrize("scale", [1.0, 2.0, 3.0])
+def test_a_notice_while_presenting_is_one_line_high_in_letters_of_any_size(window, settle, scale):
+    window.appearance._scale_text(scale)
+    try:
+        window.do("present")
+        window.showNormal()
+        window.resize(1366, 768)
+        settle()
+        window.reports.report("Scene 19 of 19: 5F · Separate and joint")
+        label = window.findChild(QLabel, "notice")
+        assert label.isVisible()
+        assert label.height() < 2 * label.fontMetrics().lineSpacing()
+        tops = [dock.widget().mapTo(window, QPoint()).y() for dock in shown_docks(window)]
+        assert label.geometry().bottom() <= min(y for y in tops if y > 0)
+    finally:
+        window.appearance.reset_text()
+        window.appearance.fit_room(1.0)
+
+
 def test_a_click_on_the_words_reaches_nothing_else(window, settle):
     window.reports.refuse("That cannot be.")
     settle()
