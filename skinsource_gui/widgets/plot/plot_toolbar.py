@@ -74,6 +74,10 @@ class PlotToolbar(QWidget):
         button = self._button(name, text, hint)
         self._layouts.addButton(button)
         self._segments.insertWidget(self._segments.count() - 1, button)
+        others = list(self._layout_buttons.values())
+        if others:
+            # Tab goes from left to right, also where the plot was made before this button.
+            QWidget.setTabOrder(others[-1], button)
         self._layout_buttons[name] = button
         self._last_before_switches = button
 
