@@ -2,15 +2,17 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QPoint, QSize, Qt
+from PySide6.QtCore import QPoint, QRectF, QSize, Qt
+from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from skinsource_gui.panel import Panel
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.empty_words import output_words
 from skinsource_gui.widgets.figure.figure import Figure
 from skinsource_gui.widgets.figure.figure_menu import open_figure_menu
+from skinsource_gui.widgets.figure.figure_picture import draw_figure
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 
 #: What is said until there are results, and where nothing moves.
@@ -64,6 +66,26 @@ class FigurePanel(Panel):
     def no_outputs(self) -> str:
         """What it says while no output is selected."""
         return output_words(self.in_sight)
+
+    @property
+    def picture_words(self) -> str:
+        """What stands above the figure in a picture: what is chosen there, in words."""
+        return ""
+
+    def draw_picture(
+        self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
+    ) -> None:
+        """Draw figure and words for a page or a slide, and nothing that is pressed; size in px."""
+        del theme  # that in use: the figure has its colours
+        # Words grow with the picture, and are no smaller than on the screen.
+        scale = min(width / max(self.width(), 1), height / max(self.height(), 1))
+        scale = max(scale, 1.0)
+        painter.save()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.scale(scale, scale)
+        room = QRectF(0.0, 0.0, width / scale, height / scale)
+        draw_figure(painter, room, self.figure, self.picture_words, self._found)
+        painter.restore()
 
     def sizeHint(self) -> QSize:
         return QSize(360, 280)

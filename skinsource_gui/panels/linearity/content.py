@@ -6,7 +6,7 @@ from skinsource.arrays import Floats
 from skinsource.checking import Proportion, Superposition
 from skinsource.resampling import finer
 from skinsource.validation.linearity import BIN_HZ
-from skinsource_gui.panels.linearity.diagram import Curve, Diagram
+from skinsource_gui.panels.linearity.curve import Curve, Diagram
 from skinsource_gui.panels.linearity.strength import StrengthUnit
 from skinsource_gui.widgets.figure.axes import Axis
 
@@ -18,9 +18,9 @@ _WIDEST_PX, _NARROWEST_PX = 8.0, 1.2
 _PALE = 0.55
 # What is shown on both sides of a response of one sample.
 _BESIDE_ONE_S = 1e-3
-# Bands that are drawn one by one, and room beside lines over logarithmic axes, as factors.
+# Bands that are drawn one by one, and room beside lines over logarithmic axes, as a factor.
 _SHOWN_HZ = (50.0, 100.0, 200.0, 400.0)
-_EDGE, _LABEL_EDGE = 1.4, 2.4
+_EDGE = 1.4
 
 
 def part_of(time_s: Floats, curves: Floats, zoom: tuple[float, float] | None) -> tuple[int, int]:
@@ -121,7 +121,7 @@ def _growth_in_bands(found: Proportion, rows: tuple[int, ...], unit: StrengthUni
             ends += [float(level.min()), float(level.max())]
     low, high = (min(ends), max(ends)) if ends else (0.1, 1.0)
     return Diagram(
-        x=_strengths((float(at[0]) / _EDGE, float(at[-1]) * _LABEL_EDGE), unit, log=True),
+        x=_strengths((float(at[0]) / _EDGE, float(at[-1]) * _EDGE), unit, log=True),
         y=Axis(
             shown=(low / _EDGE, high * _EDGE), title="In the band (m/s²)", short="m/s²", log=True
         ),
@@ -162,6 +162,14 @@ def diagrams_of_superposition(
         Diagram(x=_time(x), y=_around(joint, "Both (m/s²)"), curves=over),
         Diagram(x=Axis(shown=axis.shown, title="Sum of separate (m/s²)"), y=axis, curves=against),
     )
+
+
+def part_words(shown_s: tuple[float, float], time_s: Floats) -> str:
+    """Which part is drawn over time where no zoom says so; "" for all of it."""
+    if shown_s[0] <= time_s[0] and time_s[-1] <= shown_s[1]:
+        return ""
+    first, last = (f"{1e3 * one:.0f}" for one in shown_s)
+    return f"over time the loudest part, {first} to {last} ms: zoom Traces for another"
 
 
 def proportion_words(found: Proportion) -> str:

@@ -1,56 +1,24 @@
-"""A diagram of lines and dots, and what is drawn of it."""
-
-from dataclasses import dataclass
+"""Diagrams of lines and dots, as they are drawn."""
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QFontInfo, QFontMetricsF, QPainter, QPen
+from PySide6.QtGui import QFont, QFontInfo, QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
-from skinsource.arrays import Floats
+from skinsource_gui.panels.linearity.curve import DOT_PX, Curve, Diagram
+from skinsource_gui.panels.linearity.end_labels import (
+    colour_of,
+    write_labels,
+    x_with_room_for_labels,
+)
+from skinsource_gui.panels.linearity.legend import draw_legend
 from skinsource_gui.theme import UNIT_PX, Theme, scaled
 from skinsource_gui.widgets.fields.level_text import minus
-from skinsource_gui.widgets.figure.axes import Axes, Axis, fitted_axes
+from skinsource_gui.widgets.figure.axes import Axes, fitted_axes
 from skinsource_gui.widgets.figure.figure import Figure
 
-_DOT_PX = 3.5
 # Where a diagram is narrower than so many lines its letters are smaller, down to a part and to px.
 _LINES_WIDE, _LEAST_PART, _LEAST_PX = 10.0, 0.5, 11.0
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Curve:
-    """A line, or dots.
-
-    Attributes
-    ----------
-    x, y : (n_points,)
-        Where it goes.
-    rank
-        Of the output in the selection: its colour; None: that of words.
-    width_px
-        Of the line; 0: dots.
-    label
-        Written at its end.
-    pale
-        0 to 1: how much of the colour is left out, so that what lies over it is seen.
-    """
-
-    x: Floats
-    y: Floats
-    rank: int | None
-    width_px: float
-    pale: float = 0.0
-    label: str = ""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Diagram:
-    """Curves, the first lowest, over two axes."""
-
-    x: Axis
-    y: Axis
-    curves: tuple[Curve, ...]
 
 
 class DiagramsPicture(Figure):
@@ -59,29 +27,36 @@ class DiagramsPicture(Figure):
     def __init__(self, name: str, accessible_name: str, parent: QWidget | None = None) -> None:
         super().__init__(name, accessible_name, parent)
         self.diagrams: tuple[Diagram, ...] = ()
+        self.outputs: tuple[int, ...] = ()
         self._placed: list[tuple[QPointF, Axes]] = []
 
-    def show_diagrams(self, diagrams: tuple[Diagram, ...]) -> None:
-        """Take over what to show."""
-        self.diagrams = diagrams
+    def show_diagrams(self, diagrams: tuple[Diagram, ...], outputs: tuple[int, ...]) -> None:
+        """Take over what to show, and the numbers of the outputs, in the order of their ranks."""
+        self.diagrams, self.outputs = diagrams, outputs
         self.say("")
         self.read_again()
 
     def draw(self, painter: QPainter, room: QRectF) -> None:
-        areas = _areas(room, len(self.diagrams))
+        head = room.adjusted(UNIT_PX, 0, -UNIT_PX, 0)
+        head.setHeight(QFontMetricsF(painter.font()).height())
+        areas = _areas(room.adjusted(0, head.height(), 0, 0), len(self.diagrams))
         painter.setFont(font_in(areas, painter.font()))
         metrics = QFontMetricsF(painter.font())
+        draw_legend(painter, head, self.outputs, self.theme)
         self._placed = []
         for area, one in zip(areas, self.diagrams, strict=True):
             painter.save()
             # Labels of y begin at the left edge of their area.
             painter.translate(area.topLeft())
-            axes = fitted_axes(QRectF(QPointF(), area.size()), one.x, one.y, metrics)
+            inner = QRectF(QPointF(), area.size())
+            axes = fitted_axes(inner, one.x, one.y, metrics)
+            longer = x_with_room_for_labels(axes, one.curves, metrics)
+            axes = fitted_axes(inner, longer, one.y, metrics)
             axes.paint(painter, self.theme)
-            painter.setClipRect(axes.frame.adjusted(-_DOT_PX, -_DOT_PX, _DOT_PX, _DOT_PX))
+            painter.setClipRect(axes.frame.adjusted(-DOT_PX, -DOT_PX, DOT_PX, DOT_PX))
             for curve in one.curves:
                 _draw(painter, axes, curve, self.theme)
-            _write_labels(painter, axes, one.curves, self.theme)
+            write_labels(painter, axes, one.curves, self.theme)
             painter.restore()
             self._placed.append((area.topLeft(), axes))
 
@@ -118,7 +93,7 @@ def font_in(areas: list[QRectF], font: QFont) -> QFont:
 
 
 def _draw(painter: QPainter, axes: Axes, curve: Curve, theme: Theme) -> None:
-    colour = QColor(theme.text) if curve.rank is None else QColor(theme.output_colour(curve.rank))
+    colour = colour_of(curve, theme)
     colour.setAlphaF(1.0 - curve.pale)
     if curve.width_px:
         pen = QPen(colour, curve.width_px)
@@ -130,19 +105,4 @@ def _draw(painter: QPainter, axes: Axes, curve: Curve, theme: Theme) -> None:
     painter.setBrush(colour)
     for x, y in axes.to_screen(curve.x, curve.y):
         if np.isfinite(x) and np.isfinite(y):
-            painter.drawEllipse(QPointF(x, y), _DOT_PX, _DOT_PX)
-
-
-def _write_labels(painter: QPainter, axes: Axes, curves: tuple[Curve, ...], theme: Theme) -> None:
-    """Beside the ends of curves; none over another one."""
-    line, taken = painter.fontMetrics().height(), list[float]()
-    for curve in curves:
-        if not curve.label:
-            continue
-        x, y = axes.to_screen(curve.x[-1:], curve.y[-1:])[0]
-        room = QRectF(x + 2.0 * _DOT_PX, y - line / 2, axes.frame.right() - x, line)
-        if np.isfinite(y) and not any(abs(y - other) < 0.9 * line for other in taken):
-            taken.append(y)
-            colour = theme.text if curve.rank is None else theme.output_colour(curve.rank)
-            painter.setPen(QColor(colour))
-            painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, curve.label)
+            painter.drawEllipse(QPointF(x, y), DOT_PX, DOT_PX)

@@ -26,6 +26,7 @@ from skinsource_gui.figure_panel import SILENT, FigurePanel
 from skinsource_gui.panels.linearity.content import (
     diagrams_of_proportion,
     diagrams_of_superposition,
+    part_words,
     proportion_words,
     superposition_words,
 )
@@ -84,6 +85,10 @@ class LinearityPanel(FigurePanel):
         self.copy = self.add_copy(self.table)
         self.heads.addWidget(self.about)
         self.say_instead(NEITHER)
+
+    @property
+    def picture_words(self) -> str:
+        return self.about.text
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
@@ -194,21 +199,23 @@ class LinearityPanel(FigurePanel):
             if fastest and self._settings.velocity:
                 self._unit = of_velocities(fastest / strengths[0])
             bands = self._settings.bands
-            self.picture.show_diagrams(
-                diagrams_of_proportion(shown, rows, time_s, zoom, self._unit, bands=bands)
-            )
+            drawing = diagrams_of_proportion(shown, rows, time_s, zoom, self._unit, bands=bands)
+            self.picture.show_diagrams(drawing, self._outputs)
             self.show_found(proportion_words(shown))
         elif whole is not None:
             self.velocity.hide()
             parts = [one for k, one in enumerate(channels) if k != whole]
             self.found = added = superposition(parts, channels[whole])
-            self.picture.show_diagrams(diagrams_of_superposition(added, rows, time_s, zoom))
+            drawing = diagrams_of_superposition(added, rows, time_s, zoom)
+            self.picture.show_diagrams(drawing, self._outputs)
             self.show_found(superposition_words(added))
         self.bands.setVisible(bool(strengths))
         self._drawn = drawn
         self.copy.offer(True)
-        said = f"Along {along}: linear by construction", held.words
-        self.about.say(" · ".join(filter(None, (*said, "synthetic limb" * limb.synthetic))))
+        said = [f"Along {along}: linear by construction", held.words]
+        said.append("synthetic limb" * limb.synthetic)
+        said.append("" if zoom else part_words(drawing[0].x.shown, time_s))
+        self.about.say(" · ".join(filter(None, said)))
 
     def _time_s(self, results: Mapping[str, Any], delay_s: float) -> Floats:
         """Instants on the time axes as they are now: results of the window know the delay removed.

@@ -36,6 +36,10 @@ class MainAxisPanel(FigurePanel):
         self.say_instead(self.no_outputs)
 
     @property
+    def picture_words(self) -> str:
+        return self.about.text
+
+    @property
     def needs(self) -> frozenset[str]:
         return frozenset({"output_main_axes", "shown_outputs", "axis_numbers", "limb_data"})
 

@@ -62,6 +62,10 @@ class SpectrogramPanel(FigurePanel):
         self.figure.say(self.no_outputs)
 
     @property
+    def picture_words(self) -> str:
+        return f"Window {self.window_length.currentText()}"
+
+    @property
     def needs(self) -> frozenset[str]:
         drawn = {"output_spectrogram", "spectrogram_output", "response_time_s"}
         return frozenset(drawn | {"sample_rate_hz", "axes", "method", "limb_data"})

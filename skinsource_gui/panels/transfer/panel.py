@@ -56,6 +56,10 @@ class TransferPanel(FigurePanel):
         self.figure.say(self.no_outputs)
 
     @property
+    def picture_words(self) -> str:
+        return self.place.text
+
+    @property
     def needs(self) -> frozenset[str]:
         return frozenset({"transfer", "transfer_place", "shown_outputs", "scaling", "limb_data"})
 

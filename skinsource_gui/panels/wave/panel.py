@@ -45,6 +45,10 @@ class WavePanel(FigurePanel):
         self.say_instead(self._few())
 
     @property
+    def picture_words(self) -> str:
+        return self.about.text
+
+    @property
     def needs(self) -> frozenset[str]:
         return frozenset({"line_wave", "shown_outputs", "limb_data", "voices"})
 

@@ -85,24 +85,28 @@ class Figure(QWidget):
         """Tell what the cursor reads now that something else is drawn."""
         self.move_cursor(self.cursor_at)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.fillRect(self.rect(), QColor(self.theme.base))
-        room = QRectF(self.rect())
+    def paint(self, painter: QPainter, room: QRectF) -> None:
+        """Draw what there is, or say why there is nothing; on the screen and on a page."""
         if self.message:
             painter.setPen(QColor(self.theme.dim))
             inner = room.adjusted(2 * UNIT_PX, UNIT_PX, -2 * UNIT_PX, -UNIT_PX)
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(inner, flags, self.message)
-        else:
-            painter.setFont(scaled(tabular(self.font()), _TEXT))
-            painter.setOpacity(PALE if self._late else 1.0)
-            self.draw(painter, room)
-            painter.setOpacity(1.0)
-            if self._late:
-                theme = self.theme
-                paint_updating(painter, room, QColor(theme.base), QColor(theme.text))
+            return
+        painter.setFont(scaled(tabular(self.font()), _TEXT))
+        painter.setOpacity(PALE if self._late else 1.0)
+        self.draw(painter, room)
+        painter.setOpacity(1.0)
+        if self._late:
+            theme = self.theme
+            paint_updating(painter, room, QColor(theme.base), QColor(theme.text))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        room = QRectF(self.rect())
+        painter.fillRect(room, QColor(self.theme.base))
+        self.paint(painter, room)
         if self.hasFocus():
             paint_focus_frame(painter, room, self.theme)
         painter.end()

@@ -19,13 +19,14 @@ from skinsource_gui.widgets.pictures.picture_options import Remark
 _CALLED = {Z: "along-z", MAGNITUDE: "magnitude", RMS: "sliding-rms"}
 # Bytes of a frame for each million pixels of the map at 1/20: fewer with this power of the speed,
 # and for this quantity, more with more outputs.  And for how long the skin moves on.  As films of
-# the published limbs came out, most within a factor of two.
-_BYTES = {".mp4": 3000.0, ".webm": 3500.0, ".gif": 40_000.0}
+# the published limbs came out, most within this factor: the least and the most of it are told.
+_BYTES = {".mp4": 4500.0, ".webm": 5000.0, ".gif": 40_000.0}
+_WITHIN = 2.0
 _USUAL_PACE, _POWER = 20.0, 0.7
 _OF_RMS, _AT_REST = 0.4, 0.1
 _MOVES_ON_S = 0.15
-# The map is so much higher than wide; what lies beside it costs next to nothing.
-_MAP_SHAPE = 4 / 3
+# The map is so much higher than wide; what lies beside it, scale and words, costs less.
+_MAP_SHAPE, _OF_BESIDE = 4 / 3, 0.25
 
 
 def film_name(design: Design, view: View, options: FilmOptions) -> str:
@@ -47,7 +48,7 @@ def film_remark(design: Design, view: View, options: FilmOptions) -> Remark:
     about = "about " if view.time_range_s is None else ""
     said = [
         f"{_part_words(view)}: {about}{film.duration_s:.3g} s of film, {film.count} frames, "
-        f"about {_size_words(_bytes(film, design, options))}."
+        f"{_size_words(_bytes(film, design, options))}."
     ]
     if film.slow_motion != float(options.pace):
         said.append(
@@ -91,16 +92,21 @@ def _part_words(view: View) -> str:
 def _bytes(film: Film, design: Design, options: FilmOptions) -> float:
     width, height = frame_size(options)
     map_px = min(width * height, width * width * _MAP_SHAPE, height * height / _MAP_SHAPE)
+    counted_px = map_px + _OF_BESIDE * (width * height - map_px)
     begin_s, end_s = _moves_s(design)
     seen_s = min(film.time_s(film.count), end_s + _MOVES_ON_S) - max(film.begin_s, begin_s)
     moving = min(max(seen_s, 0.0) * film.frames_per_s * film.slow_motion, film.count)
     frames = moving + _AT_REST * (film.count - moving)
     each = _BYTES[options.kind] * (_OF_RMS if options.quantity == RMS else 1.0)
     each *= sqrt(facts_of(design.limb).n_outputs / N_OUTPUTS)
-    return frames * each * map_px / 1e6 * (_USUAL_PACE / film.slow_motion) ** _POWER
+    return frames * each * counted_px / 1e6 * (_USUAL_PACE / film.slow_motion) ** _POWER
 
 
 def _size_words(n_bytes: float) -> str:
-    """``"3 MB"``: no more than one digit is known."""
-    unit, words = (1e6, "MB") if n_bytes >= 0.95e6 else (1e3, "kB")
-    return f"{max(float(f'{n_bytes / unit:.1g}'), 1.0):g} {words}"
+    """``"0.5 to 2 MB"``: from the least to the most that is likely, with one digit each."""
+    least, most = n_bytes / _WITHIN, n_bytes * _WITHIN
+    unit, words = (1e6, "MB") if most >= 0.95e6 else (1e3, "kB")
+    told = [float(f"{one / unit:.1g}") for one in (least, most)]
+    if unit < 1e6:
+        told = [max(one, 1.0) for one in told]
+    return f"{told[0]:g} to {told[1]:g} {words}"

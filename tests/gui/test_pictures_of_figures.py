@@ -1,0 +1,88 @@
+"""Pictures of panels with a figure hold that and words, no controls, and are filled."""
+
+import numpy as np
+import pytest
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QAbstractButton, QComboBox
+
+import skinsource as ss
+from skinsource.view import View
+from skinsource_gui.theme import LIGHT
+from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
+from tests.gui.linearity.test_linearity_panel import STRENGTHS, show
+from tests.gui.test_pictures_out import texts_of
+
+__all__ = ["show"]
+
+DESIGN = ss.Design(
+    limb="synthetic-1",
+    inputs=(ss.track(7, ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2)),),
+)
+SLIDE_PX = (1280, 720)
+
+
+def in_front(make_window, qtbot, name):
+    window = make_window(DESIGN, View(outputs=(20, 26)))
+    window.docks[name].bring_forward()
+    panel = window.panel(name)
+    qtbot.waitUntil(lambda: not window.engine.busy and not panel.figure.message, timeout=30_000)
+    return window, panel
+
+
+def inked(image):
+    """The ground's height and width, and where on it anything is drawn: rows, columns."""
+    bits = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1, 4)
+    ground = QColor(LIGHT.base)
+    other = (bits[..., :3] != [ground.blue(), ground.green(), ground.red()]).any(axis=2)
+    return np.flatnonzero(other.any(axis=1)), np.flatnonzero(other.any(axis=0))
+
+
+@pytest.mark.parametrize("name", ["spectrogram", "transfer", "main_axis"])
+def test_a_picture_of_a_figure_has_no_controls(make_window, qtbot, tmp_path, name):
+    window, panel = in_front(make_window, qtbot, name)
+    path = tmp_path / "a.svg"
+    save_drawing(path, window.pictures.picture_of(name).draw, *SLIDE_PX)
+    words = texts_of(path)
+    assert panel._found.split(" · ")[0].split()[0] in words
+    assert "Copy" not in words
+    for control in (*panel.findChildren(QAbstractButton), *panel.findChildren(QComboBox)):
+        text = control.currentText() if isinstance(control, QComboBox) else control.text()
+        # What is chosen may be said in words.
+        assert not text or text not in words or text in panel.picture_words + panel._found
+
+
+@pytest.mark.parametrize("name", ["spectrogram", "transfer"])
+def test_a_picture_of_a_figure_fills_the_slide(make_window, qtbot, name):
+    window, panel = in_front(make_window, qtbot, name)
+    image = drawn_image(panel.draw_picture, *SLIDE_PX)
+    del window
+    rows, columns = inked(image)
+    assert columns[0] < 0.05 * SLIDE_PX[0]
+    assert columns[-1] > 0.93 * SLIDE_PX[0]
+    assert rows[-1] > 0.93 * SLIDE_PX[1]
+
+
+def test_a_picture_of_linearity_has_its_heads_as_words_and_no_buttons(show, tmp_path):
+    window, panel = show(STRENGTHS)
+    path = tmp_path / "a.svg"
+    save_drawing(path, window.pictures.picture_of("linearity").draw, *SLIDE_PX)
+    words = texts_of(path)
+    assert "linear by construction" in words
+    assert "strengths, divided by them" in words
+    for button in (panel.velocity, panel.bands, panel.copy):
+        assert button.text() not in words or not button.text()
+    rows, columns = inked(drawn_image(panel.draw_picture, *SLIDE_PX))
+    assert columns[-1] > 0.93 * SLIDE_PX[0]
+    assert rows[-1] > 0.93 * SLIDE_PX[1]
+
+
+def test_after_its_picture_a_figure_reads_what_it_read(make_window, qtbot):
+    _, panel = in_front(make_window, qtbot, "transfer")
+    frame = panel.figure.axes.frame
+    panel.figure.move_cursor(frame.center())
+    read, seen = panel.words.text, panel.grab().toImage()
+    drawn_image(panel.draw_picture, *SLIDE_PX)
+    assert panel.figure.cursor_at == frame.center()
+    assert panel.grab().toImage() == seen
+    panel.figure.read_again()
+    assert panel.words.text == read
