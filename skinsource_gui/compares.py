@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
+from skinsource.comparing import Snapshot
 from skinsource_gui.compared import Compared
 from skinsource_gui.tells_lateness import TellsLateness
 
@@ -24,6 +25,10 @@ class ComparesDesigns(TellsLateness):
         None: it is not told.
         """
         return {}
+
+    def snapshots_drawn(self, snapshots: Sequence[Snapshot]) -> Sequence[Snapshot]:
+        """Which of the designs that it is told of it draws."""
+        return snapshots
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
         """Draw the designs side by side; called while it is visible."""

@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 from skinsource.choice_words import short_limb_title
-from skinsource.comparing import EDITED, shown, together
+from skinsource.comparing import EDITED, Snapshot, shown, together
 from skinsource.validity.judged import Judged, in_full, in_short
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
@@ -16,7 +16,12 @@ from skinsource_gui.state.judging import Judging
 from skinsource_gui.state.predicting import on_limb, sources_of_levels, sources_shown, too_large
 from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.pictures.caption import caption_of
+from skinsource_gui.widgets.pictures.stimulus_words import stimulus_words
 from skinsource_gui.widgets.plot.signal_exports import SignalExports
+
+# What maps are drawn with between outputs: what asks for it draws one.
+_MAP = "surface"
+_EDITED = "Edited"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -46,17 +51,24 @@ class Carrying:
     def caption(self, *panels: Panel) -> str:
         """What stands below a picture of these panels."""
         found = self._shown(panels)
-        design = self._document.design
-        return caption_of(
+        design, compared = self._document.design, self._compared(panels)
+        named = [(_words(one), one.design) for one in compared]
+        words = caption_of(
             design,
             self._document.view.match_gain(design),
+            compared=named,
             limbs=tuple(one.given["limb"] for one in found),
-            notes=in_short(self._judged(found)),
+            notes=in_short(self._judged(found, panels)),
         )
+        here = shown(compared, design)
+        if not compared or all(panel.needs_of_snapshots for panel in panels):
+            return words
+        elsewhere = stimulus_words(design) if here is None else _words(here)
+        return f"{words} Other panels: {elsewhere}."
 
     def lines(self, *panels: Panel) -> tuple[str, ...]:
         """What stands in a table of their numbers."""
-        return in_full(self._judged(self._shown(panels)))
+        return in_full(self._judged(self._shown(panels), panels))
 
     def _equip(self, panel: Panel) -> None:
         caption, lines = partial(self.caption, panel), partial(self.lines, panel)
@@ -66,32 +78,56 @@ class Carrying:
         for button in panel.findChildren(CopyButton):
             button.lines = lines
 
-    def _judged(self, found: Sequence[_Shown]) -> list[Judged]:
-        return [
+    def _judged(self, found: Sequence[_Shown], panels: Sequence[Panel]) -> list[Judged]:
+        judged = [
             Judged(label=one.label)
             if too_large(one.given["limb"])
             else self._judging.judge(one.label, one.given, present=one.present)
             for one in found
         ]
+        maps = any(_MAP in _drawn(panel) for panel in panels)
+        return judged if maps else [one.without_maps() for one in judged]
+
+    def _compared(self, panels: Sequence[Panel]) -> list[Snapshot]:
+        """Snapshots that these panels show side by side, and what is edited, as they stand."""
+        together_now = together(self._document.view.snapshots, self._document.design)
+        drawn = {
+            one.number: one
+            for panel in panels
+            if panel.needs_of_snapshots
+            for one in panel.snapshots_drawn(together_now)
+        }
+        ordered = sorted(drawn.values(), key=lambda one: one.number)
+        return ordered if len(ordered) > 1 else []
 
     def _shown(self, panels: Sequence[Panel]) -> list[_Shown]:
-        """The design in the window, then others that the panels show beside it."""
+        """The design in the window, where it is shown, and others that the panels show."""
         design, view = self._document.design, self._document.view
-        label, found = short_limb_title(design.limb), list[_Shown]()
+        compared = self._compared(panels)
+        here = shown(compared, design)
+        label = short_limb_title(design.limb)
+        if compared:
+            label = _EDITED if here is None else _words(here)
+        found = list[_Shown]()
+        if not compared or here is not None or not all(one.needs_of_snapshots for one in panels):
+            found.append(_Shown(label=label, given=sources_shown(design, view), present=True))
         beside = dict.fromkeys(limb for panel in panels for limb in panel.needs_on_limbs)
         for limb in beside:
             asked = None if limb == design.limb else on_limb(design, view, limb)
             if asked is not None and not isinstance(asked, str):
                 given = sources_of_levels(*asked, match_gain=view.match_gain(design))
                 found.append(_Shown(label=short_limb_title(limb), given=given))
-        snapshots = together(view.snapshots, design)
-        if len(snapshots) > 1 and any(panel.needs_of_snapshots for panel in panels):
-            here = shown(snapshots, design)
-            for one in sorted(snapshots, key=lambda one: one.number):
-                words = "Edited" if one.number == EDITED else f"Snapshot {one.number}"
-                if here is not None and one.number == here.number:
-                    label = words
-                else:
-                    given = sources_of_levels(one.design, view)
-                    found.append(_Shown(label=words, given=given))
-        return [_Shown(label=label, given=sources_shown(design, view), present=True), *found]
+        for one in compared:
+            if here is None or one.number != here.number:
+                given = sources_of_levels(one.design, view)
+                found.append(_Shown(label=_words(one), given=given))
+        return found
+
+
+def _words(one: Snapshot) -> str:
+    return _EDITED if one.number == EDITED else f"Snapshot {one.number}"
+
+
+def _drawn(panel: Panel) -> frozenset[str]:
+    """All that it asks for."""
+    return panel.needs.union(panel.needs_of_snapshots, *panel.needs_on_limbs.values())

@@ -3,6 +3,8 @@
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QWidget
 
+from skinsource import scenes
+from skinsource.design import Design
 from skinsource.own_limbs import missing_limb
 from skinsource.quoting import printable
 from skinsource_gui.shell.windows_in_sight import WindowsInSight
@@ -31,14 +33,14 @@ class WindowFrame(QObject):
         self._window.setWindowState(self._window.windowState() ^ Qt.WindowState.WindowFullScreen)
 
     def _follow_title(self) -> None:
-        if self._document.design.title != self._said:
+        if _title_of(self._document.design) != self._said:
             self._show_title()
 
     def _show_title(self) -> None:
         path, design = self._document.path, self._document.design
-        self._said = design.title
+        self._said = title = _title_of(design)
         # A scene has a title, or a name among others, and no file.
-        name = printable(design.title or self._document.scene).strip() or "Untitled"
+        name = printable(title or self._document.scene).strip() or "Untitled"
         recovered = self._document.recovered_from
         if path:
             name = path.stem
@@ -51,3 +53,8 @@ class WindowFrame(QObject):
         locked = " (read-only)" if read_only else ""
         self._window.setWindowTitle(f"{name}[*]{locked} – SkinSource studio")
         self._window.setWindowModified(self._document.modified)
+
+
+def _title_of(design: Design) -> str:
+    # What knows the scenes is not read before one is open.
+    return scenes.title_of(design) if design.title else ""

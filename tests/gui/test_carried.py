@@ -23,9 +23,11 @@ DESIGN = ss.Design(
 SAID = (
     "The probe moves at up to",
     "above 40 mm/s the skin no longer answers in proportion.",
-    "of the energy lies above 300 Hz: between outputs the map is a guess.",
     "Responses are computed from a model, not measured.",
 )
+GUESSED = "of the energy lies above 300 Hz: between outputs the map is a guess."
+#: Panels that draw maps between outputs; all in sight do too.
+MAPS = ("skin", "compare", "windowed", "side_by_side", ALL_IN_SIGHT)
 EVERY = (*(spec.panel.name for spec in PANELS), ALL_IN_SIGHT)
 
 
@@ -45,12 +47,13 @@ def drawn(window, name, path, size=(900, 700)):
 def test_below_each_panel_stands_once_each_condition_that_is_not_kept(window, tmp_path, name):
     words = drawn(window, name, tmp_path / "a.svg")
     assert {one: words.count(one) for one in SAID} == dict.fromkeys(SAID, 1)
+    assert words.count(GUESSED) == (name in MAPS)
     assert "Tone 400 Hz" in words
     assert "Limb" in words
 
 
 def test_a_page_has_the_words_of_its_caption_too(window, tmp_path):
-    save_drawing(tmp_path / "a.pdf", window.pictures.picture_of("statistics").draw, 900, 700)
+    save_drawing(tmp_path / "a.pdf", window.pictures.picture_of("windowed").draw, 900, 700)
     text = Paper(tmp_path / "a.pdf").text().replace(" ", "")
     assert "betweenoutputsthemapisaguess" in text
     assert "Responsesarecomputedfromamodel" in text
@@ -132,7 +135,8 @@ def test_numbers_of_a_plot_have_each_note_once(window, tmp_path, monkeypatch):
     monkeypatch.setattr(exports, "_ask", lambda *_: path)
     exports.save_data()
     head = [line for line in path.read_text("utf-8").splitlines() if line.startswith("#")]
-    assert sum("validity, spacing: CAUTION" in line for line in head) == 1
+    assert sum("validity, drive: CAUTION" in line for line in head) == 1
+    assert not any("map is a guess" in line for line in head)
     assert len(head) == len(set(head))
 
 
@@ -142,3 +146,80 @@ def test_a_copied_picture_has_its_caption(window, qapp):
     exports.caption = str
     exports.copy_picture()
     assert with_words.height() > QApplication.clipboard().image().height()
+
+
+@pytest.fixture
+def tones(make_window, settle):
+    """Four frequencies, as snapshots of a scene of the paper."""
+    window = make_window(DESIGN)
+    opened = ss.scenes.open_scene("2B", available=("synthetic-1",))
+    window.document.start_over(opened.design, opened.view, None, scene=opened.scene.title)
+    settle()
+    return window
+
+
+FOUR = "Snapshots 1, 2, 3, 4: Place 7, 1 m/s²: Tone 50/100/200/400 Hz, 200 ms."
+
+
+@pytest.mark.parametrize("name", ["side_by_side", "compare"])
+def test_designs_side_by_side_are_told_with_what_differs(tones, name):
+    caption = tones.pictures.picture_of(name).caption
+    assert caption.startswith(f"Fig. 2B: Low frequencies reach farther. {FOUR} Limb: Synthetic 1")
+    assert "Other panels" not in caption
+
+
+def test_a_picture_of_everything_tells_which_design_the_other_panels_show(tones):
+    tones.docks["side_by_side"].bring_forward()
+    caption = tones.pictures.picture_of(ALL_IN_SIGHT).caption
+    assert FOUR in caption
+    assert caption.endswith(" Other panels: Snapshot 1.")
+    alone = tones.pictures.picture_of("skin").caption
+    assert alone.startswith(
+        "Fig. 2B: Low frequencies reach farther · 50 Hz. Place 7, 1 m/s²: Tone 50 Hz"
+    )
+
+
+def test_designs_that_are_made_otherwise_are_told_each_by_itself(window, settle):
+    window.do("store_snapshot_1")
+    window.document.edit("Nothing", replace(DESIGN, inputs=()))
+    settle()
+    caption = window.pictures.picture_of("compare").caption
+    assert caption.startswith(
+        "Edited: Silent: nothing is driven. Snapshot 1: Place 7, 500 m/s²: Tone 400 Hz, 100 ms"
+    )
+
+
+def test_several_strengths_are_told_without_what_is_edited_and_not_drawn(window, settle):
+    for number, amplitude in enumerate((1.0, 2.0, 3.0), start=1):
+        window.document.edit("Strength", DESIGN.with_input(0, amplitude=amplitude))
+        window.do(f"store_snapshot_{number}")
+    window.document.look(replace(window.document.view, outputs=(30,)))
+    tone = ss.waveforms.Tone(frequency_hz=50.0)
+    window.document.edit("Other", replace(DESIGN, inputs=(ss.track(3, tone),)))
+    settle()
+    caption = window.pictures.picture_of("linearity").caption
+    assert caption.startswith("Snapshots 1, 2, 3: Place 7, 1/2/3 m/s²: Tone 400 Hz, 100 ms")
+
+
+def test_a_scene_that_was_changed_is_not_called_what_it_was(tones, settle):
+    title = "Fig. 2B: Low frequencies reach farther"
+    heading = tones.panel("frequency_and_amplitude")._words
+    tones.docks["frequency_and_amplitude"].bring_forward()
+    tones.document.look(replace(tones.document.view, selected_inputs=tones.document.design.ids))
+    settle()
+    assert heading._phrases[0] == f"{title} · 50 Hz · Tone at place 7"
+    tone = ss.waveforms.Tone(frequency_hz=300.0)
+    one = tones.document.design.inputs[0]
+    changed = replace(one, clips=(replace(one.clips[0], waveform=tone),))
+    tones.document.edit("Frequency", replace(tones.document.design, inputs=(changed,)))
+    settle()
+    assert heading._phrases[0] == f"{title} · edited · Tone at place 7"
+    assert tones.windowTitle().startswith(f"{title} · edited[*]")
+    assert tones.pictures.picture_of("skin").caption.startswith(f"{title} · edited. Place 7")
+    assert tones.pictures.picture_of("side_by_side").caption.startswith(
+        f"{title}. Edited, Snapshots 1, 2, 3, 4: Place 7, 1 m/s²: Tone 300/50/100/200/400 Hz,"
+    )
+    tones.document.undo_stack.undo()
+    settle()
+    assert heading._phrases[0] == f"{title} · 50 Hz · Tone at place 7"
+    assert tones.windowTitle().startswith(f"{title} · 50 Hz[*]")

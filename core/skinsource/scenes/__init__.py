@@ -27,12 +27,14 @@ if TYPE_CHECKING:
         scenes_folder,
         why_not_on,
     )
+    from skinsource.scenes.title_now import title_of
 else:
     __getattr__, __dir__ = late_names(
         __name__,
         {
             "paper_scene": "Condition OpenedScene Scene",
             "shelf": "all_scenes names open_scene scene scenes_folder why_not_on",
+            "title_now": "title_of",
         },
     )
 
@@ -45,5 +47,6 @@ __all__ = [
     "open_scene",
     "scene",
     "scenes_folder",
+    "title_of",
     "why_not_on",
 ]

@@ -31,6 +31,8 @@ class Finding:
         What amplitudes are to be multiplied with where that mends it; else 1.
     outputs
         Those that it is about; none: it is about all.
+    of_maps
+        Whether it is about what maps draw between outputs, and about nothing else.
     """
 
     name: str
@@ -41,6 +43,7 @@ class Finding:
     mend: str = ""
     factor: float = 1.0
     outputs: tuple[int, ...] = ()
+    of_maps: bool = False
 
 
 Findings = tuple[Finding, ...]

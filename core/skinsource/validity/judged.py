@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from skinsource.quoting import sentence
 from skinsource.validity.finding import Findings, words_of
@@ -28,6 +28,12 @@ class Judged:
     label: str
     note: str = ""
     findings: Findings | None = None
+
+    def without_maps(self) -> "Judged":
+        """The same for what draws no map: nothing is told of what lies between outputs."""
+        if self.findings is None:
+            return self
+        return replace(self, findings=tuple(one for one in self.findings if not one.of_maps))
 
 
 def in_short(judged: Sequence[Judged]) -> tuple[str, ...]:

@@ -239,11 +239,12 @@ def _spacing(played: Sequence[_Drive], rate: float, limit_hz: float | None) -> F
             "Up to which frequency the outputs of this limb stand close enough for waves is not "
             "known: between them the map may be a guess."
         )
-        return Finding(name="spacing", state="unknown", sentence=sentence)
+        return Finding(name="spacing", state="unknown", sentence=sentence, of_maps=True)
     share = _share(played, rate, (0.0, limit_hz))
     left = share > MOST_SHARE
     return Finding(
         name="spacing",
+        of_maps=True,
         state="left" if left else "kept",
         in_short=f"{{:.0%}} of the energy {_GUESSED.format(limit_hz)}" if left else "",
         number=share if left else None,

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from skinsource import scenes
 from skinsource.choice_words import short_limb_title
 from skinsource.comparing import EDITED, alike, gain_words, louder, loudest_db
 from skinsource.decibels import FLOOR_DB
@@ -80,7 +81,7 @@ def sentence(compared: Compared, *, present: bool) -> str:
     gain = gain_words(compared.gain)
     parts = [
         f"{name[:1].upper()}{name[1:]}",
-        printable(compared.snapshot.design.title).strip(),
+        printable(scenes.title_of(compared.snapshot.design)).strip(),
         f"loudest output {level_words(compared)}",
         f"shown {gain} to match" if gain else "",
         "in the window" if present else "",

@@ -2,7 +2,7 @@
 
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from skinsource import edits
+from skinsource import edits, scenes
 from skinsource.clips import Clip
 from skinsource.clips.clip import ONSET as ONSET_S
 from skinsource.design import AMPLITUDE, Design, Input, amplitude_spec
@@ -108,7 +108,7 @@ class FrequencyAndAmplitudePanel(Panel):
         clip = clip_of(one, view)
         playing = EMPTY.capitalize() if clip is None else clip.waveform.title
         played = f"{playing} at place {one.location}"
-        title = design.title
+        title = scenes.title_of(design) if design.title else ""
         self._words.show_phrases(*((f"{title} · {played}", title) if title else ()), played)
         if clip is not None:
             self._onset.set_value(clip.onset_s)

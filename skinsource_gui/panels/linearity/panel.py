@@ -16,6 +16,7 @@ from skinsource.checking import (
     proportion,
     superposition,
 )
+from skinsource.comparing import Snapshot
 from skinsource.design import Design
 from skinsource.fields import SwitchSpec
 from skinsource.own_limbs import axes_on, facts_of
@@ -93,6 +94,10 @@ class LinearityPanel(FigurePanel):
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
         return _NEEDS if self._view.outputs else frozenset()
+
+    def snapshots_drawn(self, snapshots: Sequence[Snapshot]) -> Sequence[Snapshot]:
+        held = held_of([Compared(snapshot=one) for one in snapshots])
+        return [one.snapshot for one in held.compared]
 
     def show_state(self, design: Design, view: View) -> None:
         self._view, self._settings = view, settings_of(view, self.name, LinearitySettings)

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import ClassVar
 
+from skinsource import scenes
 from skinsource.choice_words import AXES, short_limb_title, word_of
 from skinsource.comparing import EDITED, nothing_to_compare, shown
 from skinsource.design import Design
@@ -50,7 +51,7 @@ def snapshot_names(
     ``with_limbs``: where they are on several limbs, they say on which.
     """
     found: list[Names] = []
-    titles = [printable(one.snapshot.design.title).strip() for one in compared]
+    titles = [printable(scenes.title_of(one.snapshot.design)).strip() for one in compared]
     own_parts = _own_parts([each for each in titles if each])
     several = with_limbs and len({one.snapshot.design.limb for one in compared}) > 1
     for one, title in zip(compared, titles, strict=True):

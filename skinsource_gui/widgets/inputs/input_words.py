@@ -1,7 +1,14 @@
 """An input in a few words."""
 
 from skinsource.clips import Clip
-from skinsource.fields import ListSpec, NumberSpec, specs_of
+from skinsource.fields import (
+    ListSpec,
+    NumberSpec,
+    PointsSpec,
+    RecipeSpec,
+    TextSpec,
+    specs_of,
+)
 from skinsource.quoting import printable
 from skinsource.signals import sample_count
 from skinsource.waveforms import Waveform
@@ -10,15 +17,25 @@ from skinsource_gui.widgets.fields.units import LONG_S, number_text, value_text
 DURATION_FIELD = "duration_s"
 #: What an input without clips plays.
 EMPTY = "nothing yet"
+# Names of fields of two frequencies: where it begins and where it ends.
+_ENDS = (("start_hz", "end_hz"), ("low_hz", "high_hz"))
+_SAID = (DURATION_FIELD, *(name for ends in _ENDS for name in ends))
+# Of a path with more frequencies the lowest and the highest are told.
+_MOST_TOLD, _MOST_PARTS, _MOST_LETTERS = 4, 3, 60
 # What is shorter is rounding, s.
 _LEAST_S = 1e-9
 
 
 def figure_text(waveform: Waveform) -> str:
-    """Title and first number or list of a waveform, ``"Tone 100 Hz"``; of a recording its name."""
+    """Title and frequencies of a waveform, ``"Tone 100 Hz"``; else its first number.
+
+    Of a recording its name.
+    """
     name = getattr(waveform, "name", "")
     if name:
         return printable(name)
+    if path := _path_hz(waveform):
+        return f"{waveform.title} {'–'.join(number_text(one, 'Hz', digits=4) for one in path)} Hz"
     for name, spec in specs_of(waveform).items():
         if isinstance(spec, ListSpec) and isinstance(spec.of, NumberSpec):
             values = getattr(waveform, name)
@@ -31,6 +48,30 @@ def figure_text(waveform: Waveform) -> str:
                 return f"{waveform.title} {number}"
             return f"{waveform.title}, {spec.label.lower()} {number}"
     return waveform.title
+
+
+def told_text(waveform: Waveform) -> str:
+    """The same with what else it is made of, for who cannot look: ``"Square 100 Hz (duty 0.5)"``.
+
+    Phases, and how it is windowed, are not told.
+    """
+    figure = figure_text(waveform)
+    more: list[str] = []
+    for name, spec in specs_of(waveform).items():
+        value = getattr(waveform, name)
+        if isinstance(spec, NumberSpec) and name not in _SAID and spec.unit != "rad":
+            number = value_text(value, spec.unit, digits=4)
+            if not any(
+                figure.endswith(f" {one}") for one in (number, f"{spec.label.lower()} {number}")
+            ):
+                more.append(f"{spec.label.lower()} {number}")
+        elif isinstance(spec, TextSpec) and name != "name":
+            words = printable(value)
+            more.append(words if len(words) <= _MOST_LETTERS else f"{words[:_MOST_LETTERS]}…")
+        elif isinstance(spec, ListSpec) and isinstance(spec.of, RecipeSpec):
+            inside = [told_text(one.waveform) for one in value if isinstance(one, Clip)]
+            more += [*inside[:_MOST_PARTS], *["…"] * (len(inside) > _MOST_PARTS)]
+    return f"{figure} ({', '.join(more)})" if more else figure
 
 
 def clips_text(count: int) -> str:
@@ -60,3 +101,19 @@ def fixed_length_text(waveform: Waveform) -> str:
     samples = "" if count == 1 else f" ({count} samples)"
     fixed = "" if specs_of(waveform) else ", fixed"
     return f"{duration_text(waveform.duration_s)}{samples}{fixed}"
+
+
+def _path_hz(waveform: Waveform) -> tuple[float, ...]:
+    """Frequencies from which to which it goes, in this order; none where it stays at one."""
+    specs = specs_of(waveform)
+    for ends in _ENDS:
+        if all(name in specs for name in ends):
+            return tuple(getattr(waveform, name) for name in ends)
+    for name, spec in specs.items():
+        if isinstance(spec, PointsSpec):
+            at = next((k for k, one in enumerate(spec.columns) if one.unit == "Hz"), None)
+            if at is not None:
+                path = [point[at] for point in getattr(waveform, name)]
+                turns = tuple(one for k, one in enumerate(path) if k == 0 or one != path[k - 1])
+                return turns if len(turns) <= _MOST_TOLD else (min(turns), max(turns))
+    return ()

@@ -1,6 +1,5 @@
 """What stands below a picture: the stimulus that it belongs to, and what it is not good for."""
 
-import re
 from collections.abc import Callable, Sequence
 from functools import partial
 from math import ceil
@@ -8,34 +7,32 @@ from math import ceil
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
-from skinsource.chain import amplitude_unit
+from skinsource import scenes
 from skinsource.choice_words import SCALINGS, limb_word, word_of
-from skinsource.clips import Clip
 from skinsource.comparing import match_words
-from skinsource.counting import counted
-from skinsource.design import Design, Input, audible_inputs
-from skinsource.effects import Effect, Envelope
-from skinsource.effects.envelope import UNCHANGED
+from skinsource.design import Design
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.level_text import minus
-from skinsource_gui.widgets.inputs.input_words import duration_text, figure_text
 from skinsource_gui.widgets.pictures.picture_file import Draw
+from skinsource_gui.widgets.pictures.stimulus_words import (
+    BREAKS,
+    Named,
+    common_title,
+    stimuli_words,
+)
 
-# Clips of one input, and inputs, that are told apart; more are counted.
-_MOST_CLIPS, _MOST_INPUTS = 3, 6
 # Height of its letters, as a part of the smaller side of the picture, and their limits, px.
 _PART, _SMALLEST_PX, _LARGEST_PX = 1 / 45, 8, 40
 # It takes this part of the height, or its letters are smaller; as small as can be read it may take
 # the larger part, and where that is too little, they are smaller still.
 _PART_OF_HEIGHT, _MOST_OF_HEIGHT, _LEAST_PX = 0.16, 0.3, 5
-# Where a line may end: a number stays with its unit, and a unit is not broken at its slash.
-_BREAKS = re.compile(r"(?<!\d) | (?![^\W\d]|°)")
 
 
 def caption_of(
     design: Design,
     match_gain: float = 1.0,
     *,
+    compared: Sequence[Named] = (),
     limbs: Sequence[str] = (),
     notes: Sequence[str] = (),
 ) -> str:
@@ -47,32 +44,36 @@ def caption_of(
         What is played.
     match_gain
         With which it is shown, see `View.match_gain`.
+    compared
+        Designs that are shown side by side, with what they are called there; none: ``design`` is
+        shown alone.
     limbs
         Names of limbs on which something is shown beside the design's own.
     notes
         Sentences on these limbs, and on what it is not good for; see `skinsource.validity.judged`.
     """
-    heard = audible_inputs(design.inputs)
-    unit = amplitude_unit(design.scaling, design.actuated)
-    said = [_input_words(one, unit) for one in heard[:_MOST_INPUTS]]
-    if len(heard) > _MOST_INPUTS:
-        said.append(f"and {counted(len(heard) - _MOST_INPUTS, 'more input')}")
-    stimulus = "; ".join(said) or "Silent: nothing is driven"
-    title = f"{design.title}. " if design.title else ""
-    scaling = word_of(SCALINGS, design.scaling).title.lower()
-    titles = [limb_word(one).title for one in dict.fromkeys((design.limb, *limbs))]
+    named = compared or [("", design)]
+    designs = [one for _, one in named]
+    title = common_title([scenes.title_of(one) if one.title else "" for one in designs])
+    first = f"{title}. " if title else ""
+    scalings = dict.fromkeys(word_of(SCALINGS, one.scaling).title.lower() for one in designs)
+    titles = [limb_word(one).title for one in dict.fromkeys((*(d.limb for d in designs), *limbs))]
     limb = f"Limb{'s' if len(titles) > 1 else ''}: {', '.join(titles)}"
-    driven = "" if design.actuated is None else f"; predicted through {design.actuated.words}"
+    through = dict.fromkeys(one.actuated.words for one in designs if one.actuated is not None)
+    driven = f"; predicted through {', '.join(through)}" if through else ""
     matched = match_words(match_gain)
     shown = f" {matched}." if matched else ""
     said_last = "".join(f" {one}" for one in notes)
-    return minus(f"{title}{stimulus}. {limb}; scaling: {scaling}{driven}.{shown}{said_last}")
+    scaling = ", ".join(scalings)
+    return minus(
+        f"{first}{stimuli_words(named)}. {limb}; scaling: {scaling}{driven}.{shown}{said_last}"
+    )
 
 
 def lines_of(words: str, metrics: QFontMetricsF, room_px: float) -> list[str]:
     """Break ``words`` into lines that have room; a number and its unit stay together."""
     lines: list[str] = []
-    for part in _BREAKS.split(words):
+    for part in BREAKS.split(words):
         longer = f"{lines[-1]} {part}" if lines else part
         if lines and metrics.horizontalAdvance(longer) <= room_px:
             lines[-1] = longer
@@ -157,37 +158,3 @@ def _letters_px(width: float, height: float) -> int:
 
 def _height(lines: Sequence[str], font: QFont) -> float:
     return len(lines) * QFontMetricsF(font).lineSpacing()
-
-
-def _input_words(one: Input, unit: str) -> str:
-    clips = [clip for clip in one.clips if not clip.muted]
-    said = [_clip_words(clip) for clip in clips[:_MOST_CLIPS]]
-    if len(clips) > _MOST_CLIPS:
-        said.append(counted(len(clips) - _MOST_CLIPS, "more clip"))
-    amplitude = f"{one.amplitude:g} {unit}".strip()
-    curve = f", with a gain curve {_points(one.gain_curve)}" if one.gain_curve else ""
-    return f"Place {one.location}, {amplitude}{curve}: {', '.join(said) or 'no clips'}"
-
-
-def _clip_words(clip: Clip) -> str:
-    parts = figure_text(clip.waveform), duration_text(clip.duration_s)
-    onset = f"at {clip.onset_s * 1e3:g} ms" if clip.onset_s else ""
-    gain = f"gain {clip.gain:g}" if clip.gain != 1.0 else ""
-    effects = [_effect_words(one) for one in clip.effects if one.on and _changes(one)]
-    through = f"through {', '.join(effects)}" if effects else ""
-    return " ".join(part for part in (", ".join(parts), onset, gain, through) if part)
-
-
-def _effect_words(effect: Effect) -> str:
-    """What a clip goes through: ``"fade"``, ``"an envelope of 12 points"``."""
-    if isinstance(effect, Envelope):
-        return f"an envelope {_points(effect.points)}"
-    return effect.title.lower()
-
-
-def _changes(effect: Effect) -> bool:
-    return not (isinstance(effect, Envelope) and effect.points == UNCHANGED)
-
-
-def _points(curve: Sequence[object]) -> str:
-    return f"of {counted(len(curve), 'point')}"

@@ -73,3 +73,11 @@ def test_each_condition_that_is_not_kept_has_short_words_and_no_other(scaling):
     short = " ".join(in_short([Judged(label="A", findings=found)]))
     assert "{" not in short
     assert " of the energy lies above 300 Hz" in short
+
+
+def test_what_lies_between_outputs_is_told_of_maps_alone():
+    map_alone = Finding(name="spacing", state="left", sentence="", in_short="G.", of_maps=True)
+    one = Judged(label="A", findings=(FAST, map_alone))
+    assert in_short([one]) == ("Fast.", "G.")
+    assert in_short([one.without_maps()]) == ("Fast.",)
+    assert Judged(label="A").without_maps() == Judged(label="A")

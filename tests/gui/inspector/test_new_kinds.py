@@ -9,7 +9,7 @@ from skinsource.catalogue import load_limb
 from skinsource.design import track
 from skinsource.design_file import open_design, save_design
 from skinsource.errors import InvalidInputError
-from skinsource.fields import ChoiceSpec, NumberSpec
+from skinsource.fields import ChoiceSpec, NumberSpec, specs_of
 from skinsource.projection import project_axes
 from skinsource.quantities import new_graph, sources
 from skinsource.response import predict
@@ -17,7 +17,8 @@ from skinsource.spectra import rms
 from skinsource.view import View
 from skinsource.waveforms import Tone
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
-from skinsource_gui.widgets.inputs.input_words import figure_text
+from skinsource_gui.widgets.fields.units import value_text
+from skinsource_gui.widgets.inputs.input_words import figure_text, told_text
 from tests.gui.inspector.bench import Bench, design_of
 
 
@@ -119,9 +120,41 @@ def test_a_length_that_follows_from_other_fields_is_said_anew(qtbot):
     [
         (waveforms.WaveletTrain(), "Wavelet train 50–400 Hz"),
         (waveforms.WaveletTrain((84.1,)), "Wavelet train 84.1 Hz"),
-        (waveforms.Glide(), "Glide"),
+        (waveforms.Glide(), "Glide 60–240 Hz"),
+        (waveforms.Chirp(), "Chirp 25–600 Hz"),
+        (waveforms.Chirp(start_hz=600.0, end_hz=25.0), "Chirp 600–25 Hz"),
+        (waveforms.Noise(), "Noise 25–600 Hz"),
         (waveforms.Gabor(), "Gabor wavelet 100 Hz"),
     ],
 )
 def test_a_waveform_is_named_with_what_tells_most_of_it(waveform, words):
     assert figure_text(waveform) == words
+
+
+@pytest.mark.parametrize(
+    ("waveform", "words"),
+    [
+        (waveforms.Tone(), "Tone 100 Hz"),
+        (waveforms.Impulse(), "Impulse"),
+        (waveforms.Noise(), "Noise 25–600 Hz (seed 0)"),
+        (waveforms.Square(), "Square 100 Hz (duty 0.5)"),
+        (waveforms.DampedSine(), "Damped sine 100 Hz (decay 30 ms)"),
+        (
+            waveforms.FrequencyModulated(),
+            "Frequency modulated 200 Hz (modulator 20 Hz, deviation 50 Hz)",
+        ),
+        (waveforms.Formula(), "Formula (sin(2*pi*100*t) * hann())"),
+        (waveforms.Layers(), "Layers (Tone 100 Hz)"),
+    ],
+)
+def test_who_cannot_look_is_told_all_numbers_of_a_waveform_but_phases(waveform, words):
+    assert told_text(waveform) == words
+
+
+@pytest.mark.parametrize("kind", waveforms.KINDS, ids=lambda one: one.__name__)
+def test_no_kind_is_told_without_a_number_that_it_has(kind):
+    waveform = kind()
+    for name, spec in specs_of(waveform).items():
+        if isinstance(spec, NumberSpec) and spec.unit != "rad" and name != "duration_s":
+            number = value_text(getattr(waveform, name), spec.unit, digits=4).split()[0]
+            assert number in told_text(waveform), name

@@ -1,0 +1,51 @@
+"""A scene is called what it is: once it was changed, its title does not go on naming a variant."""
+
+from dataclasses import replace
+
+import pytest
+
+import skinsource as ss
+from skinsource.scenes import title_of
+
+MEASURED = tuple(f"measured-{k}" for k in range(1, 5))
+
+
+def opened(name, **how):
+    return ss.scenes.open_scene(name, **how)
+
+
+@pytest.mark.parametrize("available", [(), MEASURED], ids=["synthetic", "measured"])
+@pytest.mark.parametrize("name", ss.scenes.names())
+def test_each_scene_is_called_by_its_title_as_long_as_it_is_that_scene(name, available):
+    for one in opened(name, available=available).conditions:
+        assert title_of(one.design) == one.design.title
+
+
+@pytest.mark.parametrize("name", ss.scenes.names())
+def test_each_scene_that_plays_something_else_is_called_edited(name):
+    scene = ss.scenes.scene(name)
+    for one in opened(name, available=()).conditions:
+        louder = one.design.with_input(0, amplitude=3.25 * one.design.inputs[0].amplitude)
+        assert title_of(louder) == f"Fig. {name}: {scene.title} · edited"
+
+
+def test_a_scene_on_another_limb_is_no_longer_called_by_the_limb_of_its_title():
+    known = next(one for one in ss.scenes.all_scenes() if one.title.endswith(", limb 1"))
+    design = opened(known.name, available=()).design
+    moved = replace(design, limb="synthetic-3")
+    assert title_of(moved) == f"Fig. {known.name}: {known.title.removesuffix(', limb 1')} · edited"
+    chosen = opened(known.name, limb="synthetic-3").design
+    assert title_of(chosen) == chosen.title
+
+
+def test_another_limb_or_colour_leaves_the_title_of_a_scene_that_names_none():
+    design = opened("2B", available=()).design
+    assert title_of(replace(design, limb="synthetic-3")) == design.title
+    assert title_of(design.with_input(0, colour=7)) == design.title
+
+
+def test_words_of_the_user_stay_whatever_numbers_they_hold():
+    for title in ("", "My 50 Hz", "Fig. 2B: mine · 50 Hz", "Fig. 99: A", "Fig. 3 of my thesis"):
+        inputs = (ss.track(7, ss.waveforms.Tone()),)
+        design = ss.Design(limb="synthetic-1", title=title, inputs=inputs)
+        assert title_of(design) == title
