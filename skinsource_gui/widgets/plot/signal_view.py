@@ -150,8 +150,10 @@ def reading(plot: Plot) -> LegendText:
     )
     if curves.axes:
         text = text.of_axes(curves.axes)
+    elif curves.peaks:
+        text = _with_room_for_peaks(text, curves)
     if plot.crosshair.index is None:
-        return _with_peaks(text, curves) if curves.peaks and not curves.axes else text
+        return _with_peaks(text, curves) if text.relative else text
     readings = tuple(unit.reading(float(y)) for y in curves.y[:, plot.crosshair.index])
     return replace(
         text,
@@ -162,12 +164,14 @@ def reading(plot: Plot) -> LegendText:
 
 def _with_peaks(text: LegendText, curves: Curves) -> LegendText:
     """Where nothing is read: the peaks to which the curves are relative."""
-    peaks = curves.peak_words
+    return replace(text, unit=curves.peak_unit.symbol, where=PEAK, readings=curves.peak_words)
+
+
+def _with_room_for_peaks(text: LegendText, curves: Curves) -> LegendText:
+    """Where peaks give way to readings, and come back: places stay."""
     return replace(
         text,
-        unit=curves.peak_unit.symbol,
-        where=PEAK,
-        where_room=PEAK,
-        readings=peaks,
-        reading_room=max(peaks, key=len),
+        relative=True,
+        reading_room=max((text.reading_room, *curves.peak_words), key=len),
+        unit_room=max((text.unit, curves.peak_unit.symbol), key=len),
     )

@@ -12,8 +12,6 @@ from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.state.start_design import start_design
-from skinsource_gui.widgets.plot.curves import Curves, output_names
-from skinsource_gui.widgets.plot.signal_picture import _legend_lines
 from skinsource_gui.widgets.plot.signal_table import save_table
 from skinsource_gui.widgets.plot.signal_view import SignalView
 from tests.gui.curve_panels.bench import click, plot_of, said_above
@@ -238,43 +236,6 @@ def test_silence_has_no_peak_to_be_relative_to(show):
     click(panel, "relative")
     panel.show_results(results_for(panel._view, amplitude=0.0))
     assert not plot_of(panel).curves.y.any()
-
-
-def test_the_peaks_to_which_curves_are_relative_are_said_with_their_unit(show):
-    panel = show()
-    plot, legend = plot_of(panel), panel.findChild(SignalView).legend
-    numbers = [name.number for name in plot.curves.names]
-    peaks = np.abs(plot.curves.y).max(axis=-1)
-    assert legend.text.readings == ()
-    click(panel, "relative")
-    assert (legend.text.where, legend.text.unit) == ("peak", "m/s²")
-    read = [float(one.replace("\N{THIN SPACE}", "")) for one in legend.text.readings]
-    assert read == pytest.approx(peaks, rel=5e-3)
-    first, second, *_ = legend.text.lines().splitlines()
-    assert first == "peak"
-    assert second.startswith(f"{numbers[0]}  ")
-    assert second.endswith(f": {legend.text.readings[0]} m/s²")
-    # In a picture too, where nothing is read.
-    words = [text for line in _legend_lines(plot) for _, _, text in line]
-    assert words[0].endswith(f", peak {legend.text.readings[0]} m/s²")
-    # Where the crosshair is, parts of the peaks are read.
-    plot.crosshair.put(100)
-    assert legend.text.unit == "of its peak"
-    plot.crosshair.put(None)
-    click(panel, "relative")
-    assert legend.text.readings == ()
-
-
-def test_peaks_that_differ_much_have_three_digits_each():
-    curves = Curves(
-        x=np.arange(2.0),
-        y=np.ones((3, 2)),
-        names=output_names((1, 2, 3), "synthetic-1"),
-        kind="relative",
-        peaks=(12.345, 0.0312345, 0.0),
-    )
-    assert curves.peak_words == ("12.3", "0.0312", "0")
-    assert curves.peak_unit.symbol == "m/s²"
 
 
 def test_a_table_of_curves_relative_to_their_peaks_says_so_and_which_these_are(show, tmp_path):

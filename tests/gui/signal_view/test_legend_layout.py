@@ -1,5 +1,7 @@
 """What of a legend a line has room for."""
 
+from dataclasses import replace
+
 import pytest
 from PySide6.QtGui import QFont, QFontMetrics
 
@@ -89,3 +91,37 @@ def test_named_curves_share_a_line_where_they_may_take_no_more(qapp):
     # Names are whole, whatever there is room for.
     narrow = LegendLayout(text, metrics, 60, may_fold=False)
     assert narrow.lines()[-1][1] > 0
+
+
+def relative(where, unit, n_outputs=7):
+    """The same curves while nothing is read, and while something is."""
+    return replace(
+        read_of(n_outputs, where),
+        unit=unit,
+        where_room="1234.56 ms",
+        reading_room="−0.123",
+        unit_room="of its peak",
+        relative=True,
+    )
+
+
+def test_peaks_take_a_second_line_where_one_is_too_narrow_and_nothing_moves_while_one_reads(qapp):
+    metrics, n_lines = QFontMetrics(QFont()), set()
+    for width in range(100, 1200, 7):
+        idle, read = (
+            LegendLayout(text, metrics, width)
+            for text in (relative(PEAK, "m/s²"), relative("12 ms", "of its peak"))
+        )
+        detail = idle.in_lines
+        assert read.in_lines == detail, width
+        if detail is None:
+            continue
+        assert (detail.number, detail.reading) == (True, True)
+        assert idle.lines(detail) == read.lines(detail), width
+        n_lines.add(idle.lines(detail)[-1][1] + 1)
+        # One line is enough where there is no room for more.
+        assert LegendLayout(idle.text, metrics, width, may_fold=False).in_lines is None
+    assert n_lines == {2}
+    # Where two are too few too, and where one is enough, there is one.
+    for width in (100, 1200):
+        assert LegendLayout(relative(PEAK, "m/s²"), metrics, width).in_lines is None

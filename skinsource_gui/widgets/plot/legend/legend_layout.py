@@ -6,7 +6,7 @@ from itertools import accumulate
 from PySide6.QtGui import QFontMetrics
 
 from skinsource_gui.theme import UNIT_PX
-from skinsource_gui.widgets.plot.legend.legend_text import LegendText
+from skinsource_gui.widgets.plot.legend.legend_text import PEAK, LegendText
 
 #: Width of the colour of a curve, and what is left between words.
 SWATCH_PX, GAP_PX = 13, 4
@@ -32,6 +32,10 @@ _READING = (
 #: What is written of a curve that a name stands for.
 NAMED = Detail(number=False, place=True, reading=True, unit=False)
 _IDLE = (Detail(True, True, False, False), Detail(True, False, False, False))
+#: What is written of a curve that takes its number along into more lines.
+NUMBERED = _READING[2]
+#: Into so many: curves are worth more than their peaks.
+_MOST_LINES = 2
 # Of a peak nothing in the picture says whose it is: before its output, it goes itself.
 _PEAKS = (*_READING[:-1], _IDLE[-1])
 
@@ -49,7 +53,7 @@ class LegendLayout:
     width_px
         Of the strip.
     may_fold
-        Whether named entries may take more lines; else they share one, as far as names have room.
+        Whether entries may take more lines; else they share one, and names as far as there is room.
     """
 
     text: LegendText
@@ -93,15 +97,27 @@ class LegendLayout:
                 return detail, fitting
         return details[-1], 0
 
-    def lines(self) -> list[tuple[int, int]]:
-        """Where named entries begin, and at last where they are read: x and number of the line.
+    @property
+    def in_lines(self) -> Detail | None:
+        """What is written of each curve where they may take more lines; None: in one line.
+
+        Names may always; numbers take few more where peaks have no room in one.
+        """
+        if self.text.named:
+            return NAMED
+        if self.text.relative and self.may_fold:
+            _, last = self.lines(NUMBERED)[-1]
+            return NUMBERED if 0 < last < _MOST_LINES else None
+        return None
+
+    def lines(self, detail: Detail = NAMED) -> list[tuple[int, int]]:
+        """Where entries begin, and at last where they are read: x and number of the line.
 
         There is room for readings whether or not there are some: nothing moves while one reads.
         """
         first, places, line = UNIT_PX // 2, [], 0
         x = first
-        entries = self._widths(NAMED)
-        for width in (*entries, self._where_px):
+        for width in (*self._widths(detail), self._where_px):
             if x > first and x + width > self.width_px - first:
                 x, line = first, line + 1
             places.append((x, line))
@@ -119,12 +135,14 @@ class LegendLayout:
 
     def _room_px(self, detail: Detail) -> int:
         """What of one line there is for entries."""
-        where = self.where(self.text.where_room, detail) if self.text.where else ""
+        where_room = PEAK if self.text.of_peaks else self.text.where_room
+        where = self.where(where_room, detail) if self.text.where else ""
         return self.width_px - UNIT_PX - self.metrics.horizontalAdvance(where)
 
     @property
     def _where_px(self) -> int:
-        return self.metrics.horizontalAdvance(self.where(self.text.where_room, NAMED))
+        unit = self.text.unit_room or self.text.unit
+        return self.metrics.horizontalAdvance(f"{self.text.where_room} · {unit}")
 
     def _most_px(self, rank: int) -> int:
         """The most that a named entry takes."""

@@ -7,7 +7,7 @@ from PySide6.QtGui import QFont, QFontMetrics, QHelpEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, scaled, tabular
-from skinsource_gui.widgets.plot.legend.legend_layout import NAMED, LegendLayout
+from skinsource_gui.widgets.plot.legend.legend_layout import Detail, LegendLayout
 from skinsource_gui.widgets.plot.legend.legend_painter import LegendPainter
 from skinsource_gui.widgets.plot.legend.legend_text import LegendText
 
@@ -18,9 +18,9 @@ _TEXT, _AROUND_PX = 0.9, 7
 class LegendStrip(QWidget):
     """One line: colour, number, place and reading of each curve, and where they are read.
 
-    Where the line is too narrow it leaves out units, then places, then numbers, then curves; of
-    peaks, those before numbers.  The tooltip has them all.  Curves without numbers keep their
-    names, and take more lines if they may.
+    Where the line is too narrow it leaves out units, then places, then numbers, then curves; peaks
+    may take one line more, and are left out before numbers.  The tooltip has them all.  Curves
+    without numbers keep their names, and take more lines if they may.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -83,10 +83,11 @@ class LegendStrip(QWidget):
             return
         painter = QPainter(self)
         painter.setFont(self.words_font)
-        if self._text.named:
-            self._paint_lines(painter)
-        else:
+        detail = self.layout_of_words.in_lines
+        if detail is None:
             self._paint_line(painter)
+        else:
+            self._paint_lines(painter, detail)
         painter.end()
 
     @property
@@ -104,7 +105,9 @@ class LegendStrip(QWidget):
         return self._line_px if self._n_lines > 1 else self.height()
 
     def _make_room(self) -> None:
-        n_lines = self.layout_of_words.lines()[-1][1] + 1 if self._text.named else 1
+        layout = self.layout_of_words
+        detail = layout.in_lines
+        n_lines = 1 if detail is None else layout.lines(detail)[-1][1] + 1
         if n_lines != self._n_lines:
             self._n_lines = n_lines
             self.updateGeometry()
@@ -121,15 +124,15 @@ class LegendStrip(QWidget):
             writer.write(x, f"+{hidden}", self._theme.dim)
         writer.write_where(self.rect().adjusted(0, 0, -UNIT_PX // 2, 0), detail)
 
-    def _paint_lines(self, painter: QPainter) -> None:
+    def _paint_lines(self, painter: QPainter, detail: Detail) -> None:
         layout, advance = self.layout_of_words, self._line_px - _AROUND_PX // 2
         writer = LegendPainter(painter, layout, self._row_px, self._theme)
-        *entries, (_, last) = layout.lines()
-        reading = replace(NAMED, reading=bool(self._text.readings))
+        *entries, (_, last) = layout.lines(detail)
+        reading = replace(detail, reading=bool(self._text.readings))
         for rank, (x, line) in enumerate(entries):
             painter.save()
             painter.translate(0, line * advance)
             writer.paint_entry(x, rank, reading)
             painter.restore()
         width = self.width() - UNIT_PX // 2
-        writer.write_where(QRect(0, last * advance, width, self._row_px), NAMED)
+        writer.write_where(QRect(0, last * advance, width, self._row_px), detail)

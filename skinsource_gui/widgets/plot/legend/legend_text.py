@@ -21,10 +21,12 @@ class LegendText:
         Of the readings.
     where, readings
         Where curves are read and what is read there; ``""`` and ``()`` where nothing is.
-    where_room, reading_room
-        The longest of them; places stay while numbers change.
+    where_room, reading_room, unit_room
+        The longest of them, and of units; places stay while numbers change.
     by_axis
         Whether the names are those of axes, each with what all outputs read along it.
+    relative
+        Whether curves are relative to their peaks, which are said while nothing is read.
     """
 
     names: tuple[CurveName, ...] = ()
@@ -33,7 +35,9 @@ class LegendText:
     readings: tuple[str, ...] = ()
     where_room: str = ""
     reading_room: str = ""
+    unit_room: str = ""
     by_axis: bool = False
+    relative: bool = False
 
     @property
     def named(self) -> bool:
