@@ -286,3 +286,13 @@ def test_folders_are_made_with_their_parents(tmp_path):
 def test_a_folder_that_cannot_be_made_is_explained(target):
     with pytest.raises(StorageError, match="cannot be written"):
         make_folder(target / "below a file")
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no pipes with names here")
+def test_what_is_no_file_is_not_replaced_by_one(tmp_path):
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    with pytest.raises(StorageError, match="a device or a pipe stands there"):
+        write_bytes(pipe, b"1")
+    assert stat.S_ISFIFO(pipe.stat().st_mode)
+    assert [one.name for one in tmp_path.iterdir()] == ["pipe"]

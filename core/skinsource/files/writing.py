@@ -85,9 +85,13 @@ def _link_followed(path: Path) -> Path:
 
 def _mode_of(path: Path) -> int | None:
     try:
-        return stat.S_IMODE(path.stat().st_mode)
+        mode = path.stat().st_mode
     except FileNotFoundError:
         return None
+    if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
+        # A file would take its place: for who may, that of /dev/null too.
+        raise _BadPath("a device or a pipe stands there, no file")
+    return stat.S_IMODE(mode)
 
 
 def _create(path: Path, *, private: bool) -> None:
