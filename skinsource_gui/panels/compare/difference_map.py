@@ -11,6 +11,7 @@ from skinsource.comparing import end_db
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
 from skinsource_gui.widgets.fields.level_text import minus, output_text
 from skinsource_gui.widgets.map.colour_maps import DIVERGING, colour_table
+from skinsource_gui.widgets.map.output_rings import paint_numbers, paint_rings
 from skinsource_gui.widgets.map.scale_row import Scale, paint_scale_row, scale_row_px
 from skinsource_gui.widgets.map.small_map import Range, SmallMap, paint_small_map, small_frame
 from skinsource_gui.widgets.outputs.picking import output_at
@@ -30,12 +31,15 @@ class Difference:
         What minus what, and what else one should know; without a map: why there is none.
     limb
         Whose outputs they are.
+    outputs
+        Those that are selected: marked on the map.
     """
 
     shown: SmallMap | None = None
     heading: str = ""
     words: str = ""
     limb: str = ""
+    outputs: tuple[int, ...] = ()
 
     @property
     def end_db(self) -> float:
@@ -126,6 +130,9 @@ class DifferenceMap(QWidget):
         )
         table = colour_table(DIVERGING)
         paint_small_map(painter, area, difference.shown, None, theme, scale.range_db, table)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        paint_rings(painter, difference.shown, area, difference.outputs, theme)
+        paint_numbers(painter, difference.shown, area, difference.outputs, theme)
         paint_scale_row(painter, bottom, scale, theme)
         painter.end()
 

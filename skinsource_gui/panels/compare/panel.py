@@ -199,9 +199,8 @@ class ComparePanel(Panel):
             heading, words = equal_words(present, other)
         if present.values["limb_data"].synthetic or other.values["limb_data"].synthetic:
             words = f"{words}, synthetic limb"
-        return Difference(
-            shown=minus, heading=heading, words=words, limb=present.snapshot.design.limb
-        )
+        limb, outputs = present.snapshot.design.limb, self._view.outputs
+        return Difference(shown=minus, heading=heading, words=words, limb=limb, outputs=outputs)
 
     def _minus(self, present: Compared, other: Compared) -> SmallMap:
         small = self._maps.map_of(present.values or {})

@@ -2,8 +2,8 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFont, QPainter, QPen
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QColor, QFont, QPainter
 
 from skinsource_gui.panels.side_by_side.content import Cell, Content
 from skinsource_gui.panels.side_by_side.headings import bold, paint_heading, places_for
@@ -12,18 +12,13 @@ from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.figure.shrunk import shrunk
 from skinsource_gui.widgets.map.colour_maps import colour_table
 from skinsource_gui.widgets.map.length_bar import paint_small_bar
+from skinsource_gui.widgets.map.output_rings import paint_rings
 from skinsource_gui.widgets.map.scale_row import paint_scale_row
 from skinsource_gui.widgets.map.small_map import (
-    SmallMap,
     paint_small_map,
-    small_frame,
-    spacing_px,
 )
-from skinsource_gui.widgets.outputs.picking import is_placed
 
 _CENTRE = Qt.AlignmentFlag.AlignCenter
-_RING_PX, _WIDE_PX = 4.0, 7.0
-_FEW_RINGS = 12
 
 
 def paint_content(
@@ -96,7 +91,7 @@ def _paint_cell(
     painter.setFont(plain)
     table = colour_table(cell.scale.colours)
     paint_small_map(painter, place.map, cell.small, cell.design, theme, cell.scale.range_db, table)
-    _paint_rings(painter, cell.small, place, content, theme, pointed_at)
+    paint_rings(painter, cell.small, place.map, content.outputs, theme, pointed_at)
     paint_small_bar(painter, place.map, cell.small, cell.limb, theme)
 
 
@@ -107,40 +102,3 @@ def fitting(painter: QPainter, wordings: Sequence[str], width: float) -> str:
     fits = (words for words in wordings if metrics.horizontalAdvance(words) <= width)
     shortest = metrics.elidedText(wordings[-1], Qt.TextElideMode.ElideRight, int(width))
     return next(fits, shortest)
-
-
-def ring_size(n: int, spacing_px: float) -> tuple[float, float]:
-    """Radius and width of ``n`` rings, px: of many of them so small that the map is seen."""
-    if n <= _FEW_RINGS:
-        return _RING_PX, 2.0
-    return min(max(0.3 * spacing_px, 1.5), _RING_PX), 1.0
-
-
-def _paint_rings(
-    painter: QPainter,
-    small: SmallMap,
-    place: CellPlace,
-    content: Content,
-    theme: Theme,
-    pointed_at: int | None,
-) -> None:
-    """Selected outputs in the colours of their curves, and the one that is pointed at."""
-    limb_map = small.limb_map
-    frame = small_frame(limb_map, place.map)
-    points = frame.to_screen(limb_map.output_positions)
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    radius, width = ring_size(len(content.outputs), spacing_px(limb_map, frame))
-    rings = [
-        (number, theme.output_pen(rank, width), radius)
-        for rank, number in enumerate(content.outputs)
-    ]
-    if pointed_at is not None:
-        rings.append((pointed_at, QPen(QColor(theme.text), 1.5), _WIDE_PX))
-    for number, pen, radius in rings:
-        if not is_placed(points, number):
-            continue  # not on this map
-        centre = QPointF(*points[number - 1])
-        painter.setPen(QPen(QColor(theme.base), 2.0 * pen.widthF()))
-        painter.drawEllipse(centre, radius, radius)
-        painter.setPen(pen)
-        painter.drawEllipse(centre, radius, radius)

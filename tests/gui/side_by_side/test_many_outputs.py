@@ -9,9 +9,9 @@ from skinsource.design import Design, track
 from skinsource.evaluation import evaluate
 from skinsource_gui.compared import Compared
 from skinsource_gui.panels.side_by_side.cells import Cells
-from skinsource_gui.panels.side_by_side.painter import ring_size
 from skinsource_gui.panels.transfer.picture import bar_sizes
 from skinsource_gui.theme import LIGHT
+from skinsource_gui.widgets.map.output_rings import ring_size
 from skinsource_gui.widgets.map.small_map import paint_small_map
 
 DESIGN = Design(limb="synthetic-1", inputs=(track(7),))
