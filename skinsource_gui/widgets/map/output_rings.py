@@ -10,6 +10,8 @@ from skinsource_gui.widgets.outputs.picking import is_placed
 _RING_PX, _WIDE_PX = 4.0, 7.0
 _FEW_RINGS = 12
 _EDGE_PX, _GROUND = 2.0, 0.85
+# How far from its ring a number may stand, in rings.
+_FARTHEST = 6
 
 
 def ring_size(n: int, spacing_px: float) -> tuple[float, float]:
@@ -49,7 +51,10 @@ def paint_rings(
 def number_places(
     small: SmallMap, area: QRectF, outputs: tuple[int, ...], metrics: QFontMetricsF
 ) -> list[tuple[int, QRectF]]:
-    """Where numbers stand beside the rings of few outputs: on no other number and on no ring."""
+    """Where numbers stand beside the rings of few outputs: on no other number and on no ring.
+
+    Where rings are close some stand farther off.
+    """
     points = small_frame(small.limb_map, area).to_screen(small.limb_map.output_positions)
     placed = [one for one in outputs if is_placed(points, one)]
     if len(outputs) > _FEW_RINGS:
@@ -64,12 +69,12 @@ def number_places(
         x, y = (float(one) for one in points[number - 1])
         wide = metrics.horizontalAdvance(str(number)) + 2.0 * _EDGE_PX
         high = metrics.height()
-        corners = (
-            (x + side / 2, y - high / 2),
-            (x - side / 2 - wide, y - high / 2),
-            (x - wide / 2, y - side / 2 - high),
-            (x - wide / 2, y + side / 2),
-        )
+        corners = [
+            (left, y - high / 2 + down * high / 2)
+            for away in (side / 2, *(rank * side for rank in range(1, _FARTHEST)))
+            for down in (0, -1, 1, -2, 2, -3, 3)
+            for left in (x + away, x - away - wide)
+        ]
         for left, top in corners:
             place = QRectF(left, top, wide, high)
             if area.contains(place) and not any(place.intersects(one) for one in taken):
@@ -82,10 +87,16 @@ def number_places(
 def paint_numbers(
     painter: QPainter, small: SmallMap, area: QRectF, outputs: tuple[int, ...], theme: Theme
 ) -> None:
-    """Write the numbers of outputs beside their rings."""
+    """Write the numbers of outputs beside their rings, each on a line in its colour."""
     ground = QColor(theme.base)
     ground.setAlphaF(_GROUND)
+    points = small_frame(small.limb_map, area).to_screen(small.limb_map.output_positions)
     for number, place in number_places(small, area, outputs, QFontMetricsF(painter.font())):
+        x, y = (float(one) for one in points[number - 1])
+        right = place.left() > x
+        edge = QPointF(place.left() if right else place.right(), place.center().y())
+        painter.setPen(theme.output_pen(outputs.index(number), 1.0))
+        painter.drawLine(QPointF(x + (_RING_PX if right else -_RING_PX), y), edge)
         painter.fillRect(place, ground)
         painter.setPen(QColor(theme.text))
         painter.drawText(place, Qt.AlignmentFlag.AlignCenter, str(number))

@@ -44,16 +44,16 @@ def test_rings_have_the_colours_of_the_curves(compared):
         assert LIGHT.output_colour(rank).name() in colours
 
 
-@pytest.mark.parametrize("size", [(180, 200), (400, 600)])
+@pytest.mark.parametrize("size", [(240, 90), (180, 200), (400, 600)])
 def test_numbers_stand_beside_their_rings_and_on_nothing_else(compared, size):
     small, area = compared.difference.shown, QRectF(0, 0, *size)
     metrics = QFontMetricsF(compared.font())
     places = number_places(small, area, OUTPUTS, metrics)
-    assert {19, 21} <= {number for number, _ in places}
+    assert {number for number, _ in places} == set(OUTPUTS)
     points = small_frame(small.limb_map, area).to_screen(small.limb_map.output_positions)
     for number, place in places:
         x, y = points[number - 1]
-        assert abs(place.center().x() - x) + abs(place.center().y() - y) < 3 * metrics.height()
+        assert abs(place.center().x() - x) + abs(place.center().y() - y) < 6 * metrics.height()
         others = [one for other, one in places if other != number]
         assert not any(place.intersects(one) for one in others)
 
