@@ -4,7 +4,17 @@ from itertools import islice
 from typing import ClassVar
 
 from PySide6.QtCore import QEvent, QPoint, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontMetrics,
+    QHelpEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+)
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from skinsource.validity import Finding, Findings
@@ -45,12 +55,16 @@ class ValidityLamps(QWidget):
         self.setAccessibleName(_NAME)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
-        self.setFont(scaled(self.font(), _TEXT))
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self._theme: Theme = LIGHT
         self.findings: Findings = ()
         self._lateness = Lateness(self)
         self._lateness.changed.connect(self._follow_lateness)
+
+    @property
+    def words_font(self) -> QFont:
+        """Of the names, as large as letters are now."""
+        return scaled(self.font(), _TEXT)
 
     @property
     def lamps(self) -> tuple[Finding, ...]:
@@ -86,10 +100,10 @@ class ValidityLamps(QWidget):
         self.update()
 
     def sizeHint(self) -> QSize:
-        return QSize(self._width(self._said(0)), self.fontMetrics().height() + 2)
+        return QSize(self._width(self._said(0)), QFontMetrics(self.words_font).height() + 2)
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(self._width(self._said(-1)), self.fontMetrics().height() + 2)
+        return QSize(self._width(self._said(-1)), QFontMetrics(self.words_font).height() + 2)
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
@@ -117,6 +131,7 @@ class ValidityLamps(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setFont(self.words_font)
         painter.setOpacity(_PALE if self._lateness.late else 1.0)
         for finding, place in self._places():
             self._paint_lamp(painter, finding, place)
@@ -171,7 +186,7 @@ class ValidityLamps(QWidget):
     def _lamp_width(self, one: Finding, words: frozenset[str]) -> float:
         if one.name not in words:
             return _DOT_PX
-        return _DOT_PX + 4 + self.fontMetrics().horizontalAdvance(NAMES[one.name])
+        return _DOT_PX + 4 + QFontMetrics(self.words_font).horizontalAdvance(NAMES[one.name])
 
     def _width(self, words: frozenset[str]) -> int:
         lamps = self.lamps

@@ -6,14 +6,14 @@ from itertools import groupby
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QPushButton
+from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
 from skinsource.edits import Edit
 from skinsource.validity import Finding
 from skinsource_gui.state.engine import FIRST_SLOT
 from skinsource_gui.status.validity_card import ValidityCard
 from skinsource_gui.status.validity_lamps import ValidityLamps, _words_of
-from skinsource_gui.theme import DARK
+from skinsource_gui.theme import DARK, scaled
 
 FINDINGS = (
     Finding(name="band", state="left", sentence="Outside.", mend="band_limit"),
@@ -39,6 +39,20 @@ def lamps(qtbot):
 def test_a_lamp_is_called_in_its_explanation_as_beside_it():
     heads = [_words_of(one).splitlines()[0] for one in FINDINGS[:3]]
     assert heads == ["Band: caution", "Drive: unknown", "SNR: kept"]
+
+
+def test_lamps_follow_the_size_of_letters_there_and_back(qtbot):
+    host = QWidget()
+    qtbot.addWidget(host)
+    usual = host.font()
+    host.setFont(scaled(usual, 2.0))
+    lamps = ValidityLamps(host)
+    lamps.show_findings(FINDINGS)
+    large = lamps.sizeHint()
+    host.setFont(usual)
+    assert lamps.sizeHint().height() < 0.7 * large.height()
+    host.setFont(scaled(usual, 2.0))
+    assert lamps.sizeHint() == large
 
 
 def test_lamps_are_explained_and_mended_with_one_click(window, qtbot):
