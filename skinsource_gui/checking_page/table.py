@@ -12,6 +12,8 @@ from skinsource_gui.checking_page.checking import Row
 from skinsource_gui.theme import UNIT_PX, tabular
 from skinsource_gui.widgets.fields.level_text import minus
 
+_ERROR = "|p/P - m/M|; p predicted, m measured, P and M their RMS, mean over all channels"
+_AMPLITUDE = "100 |RMS(p/P) - RMS(m/M)| / RMS(m/M); letters as of Error"
 _COLUMNS = (
     ("Design", "What is predicted"),
     ("Recording", "What was measured of it"),
@@ -19,8 +21,11 @@ _COLUMNS = (
     ("Linear", "Smallest adjusted R² of outputs over the level of the inputs; 1: in proportion"),
     ("Superposed", "Smallest Pearson's r between the sum of the inputs and all together"),
     ("Channels", "How many are above twice the noise, and so count"),
-    ("Error", "Normalised mean absolute error, median over the channels"),
-    ("Amplitude %", "Difference in amplitude, median over the channels"),
+    (
+        "Error",
+        f"Normalised mean absolute error, median over the channels: mean over time of {_ERROR}",
+    ),
+    ("Amplitude %", f"Difference in amplitude, median over the channels: {_AMPLITUDE}"),
     ("r", "Pearson's r over time, median over the channels"),
     ("Shift", "By how many samples the recording was moved onto the prediction"),
 )

@@ -23,6 +23,7 @@ from skinsource.rendering.streaming import StreamedVibration
 from skinsource.rendering.total_spectrum import TotalSpectrum
 from skinsource.scaling.response_scaling import Scaling
 from skinsource.surface import SurfaceOperator
+from skinsource.validity import are_probe_accelerations
 
 #: Levels of what is not felt at all.
 SILENT_DB = -200.0
@@ -105,7 +106,7 @@ def surface_sensation_db(surface: SurfaceOperator, sensation_db: Floats) -> Floa
 
 def contact_weighted_rms(
     place_drives: tuple[tuple[int, Floats], ...],
-    sample_rate_hz: float,
+    limb_data: Limb,
     scaling: Scaling,
     actuation: Actuation | None,
 ) -> tuple[tuple[int, float], ...] | None:
@@ -113,10 +114,10 @@ def contact_weighted_rms(
 
     None where drives are no accelerations.
     """
-    if scaling != "probe" or actuation is not None:
+    if not are_probe_accelerations(limb_data, scaling, actuated=actuation is not None):
         return None
     return tuple(
-        (place, float(weighted_rms(np.trim_zeros(played), sample_rate_hz)))
+        (place, float(weighted_rms(np.trim_zeros(played), limb_data.sample_rate_hz)))
         for place, played in place_drives
         if played.any()
     )

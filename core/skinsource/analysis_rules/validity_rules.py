@@ -7,6 +7,7 @@ from skinsource.scaling.response_scaling import Scaling
 from skinsource.validity import (
     SPATIAL_LIMIT_HZ,
     Findings,
+    are_probe_accelerations,
     fastest_probe,
     found_in_drives,
     found_in_outputs,
@@ -30,6 +31,7 @@ def validity(
             limb_data.sample_rate_hz,
             scaling,
             probe=actuation is None,
+            unit_known=not limb_data.per_unit_drive,
             band_hz=limb_data.band_hz,
             # Where a lab put its outputs is another matter.
             spatial_limit_hz=SPATIAL_LIMIT_HZ if limb_data.name in PUBLISHED else None,
@@ -46,7 +48,7 @@ def fastest_probe_m_per_s(
     actuation: Actuation | None,
 ) -> float | None:
     """Largest velocity of any probe, in m/s; None: not known, or actuators move in their place."""
-    if scaling != "probe" or actuation is not None:
+    if not are_probe_accelerations(limb_data, scaling, actuated=actuation is not None):
         return None
     drives = [samples for _, samples in place_drives]
     return fastest_probe(drives, limb_data.sample_rate_hz, limb_data.band_hz)

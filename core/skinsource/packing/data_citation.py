@@ -28,11 +28,12 @@ def citation(design: Design) -> str:
     limb, data = limb_word(design.limb).title, data_of(design)
     published = bool(data["dataset_doi"])
     what = f"doi:{DATASET_DOI}" if published else _kind_of(design.limb)
+    unverified = f"; {data['source_note']}" if data["source_note"] else ""
     digest, own = data["source_sha256"], data["limb_sha256"]
     lines = [
         _PAPER,
         *([_DATASET] if published else []),
-        f"Predicted with SkinSource studio {__version__} on the limb {limb} ({what})"
+        f"Predicted with SkinSource studio {__version__} on the limb {limb} ({what}{unverified})"
         + (f", responses SHA-256 {digest}" if digest else "")
         + (f", its numbers SHA-256 {own}" if own else ""),
     ]
@@ -42,13 +43,14 @@ def citation(design: Design) -> str:
 def data_of(design: Design) -> dict[str, str]:
     """Where the responses of a design's limb come from: name, DOI and SHA-256 of the file.
 
-    Of a limb that a lab imported: the SHA-256 of its numbers.  What is not known here, or is
-    computed, is empty.
+    And a note where it is not known to be the published one.  Of a limb that a lab imported: the
+    SHA-256 of its numbers.  What is not known here, or is computed, is empty.
     """
     found = {
         "limb": design.limb,
         "dataset_doi": "",
         "source_name": "",
+        "source_note": "",
         "source_sha256": "",
         "limb_sha256": design.limb_digest or facts_of(design.limb).digest,
     }
@@ -59,7 +61,12 @@ def data_of(design: Design) -> dict[str, str]:
         store = describe()
     except SkinSourceError:
         return found
-    return {**found, "source_name": store.source_name, "source_sha256": store.source_sha256}
+    return {
+        **found,
+        "source_name": store.source_name,
+        "source_note": f"not verified as published: {store.note}" if store.note else "",
+        "source_sha256": store.source_sha256,
+    }
 
 
 def _kind_of(limb: str) -> str:

@@ -88,6 +88,7 @@ def report_html(conditions: Sequence[Condition], about: Sequence[str]) -> str:
         "<h1>Predictions, checked</h1>",
         *(f"<p class='note'>{escape(line)}</p>" for line in about),
         _table(conditions),
+        *([f"<p class='note'>{escape(_DEFINED)}</p>"] if measured else []),
         *(_plots(measured) if measured else ["<p>No measurement was given.</p>"]),
         *_details(conditions),
         "</body></html>",
@@ -133,6 +134,13 @@ def round_ticks(low: float, high: float) -> Floats:
     # Of whole numbers of steps the digits that rounding adds are taken off again.
     digits = max(-floor(log10(step)), 0)
     return np.round(np.arange(first, last + 1) * step, digits)
+
+
+_DEFINED = (
+    "Error: mean over time of |p/P - m/M|, the normalised mean absolute error. Amplitude %: "
+    "100 |RMS(p/P) - RMS(m/M)| / RMS(m/M). p: predicted, m: measured; P and M: their RMS, mean "
+    "over all channels. Both are medians over the channels that count."
+)
 
 
 def _table(conditions: Sequence[Condition]) -> str:

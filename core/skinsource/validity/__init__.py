@@ -7,12 +7,13 @@ from skinsource.validity.judging import (
     found_in_outputs,
     found_in_setup,
 )
-from skinsource.validity.probe import fastest_probe, probe_velocity
+from skinsource.validity.probe import are_probe_accelerations, fastest_probe, probe_velocity
 
 __all__ = [
     "SPATIAL_LIMIT_HZ",
     "Finding",
     "Findings",
+    "are_probe_accelerations",
     "fastest_probe",
     "found_in_drives",
     "found_in_outputs",

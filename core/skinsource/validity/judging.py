@@ -18,7 +18,17 @@ SPATIAL_LIMIT_HZ = 300.0
 #: So much of the energy may lie where it should not.
 MOST_SHARE = 0.05
 _MM_PER_M = 1e3
+_LIMIT = f"{LARGEST_VELOCITY_M_PER_S * _MM_PER_M:g} mm/s"
 _GUESSED = "lies above {:g} Hz: between outputs the map is a guess."
+_UNIT_NOT_KNOWN = Finding(
+    name="drive",
+    state="unknown",
+    sentence=(
+        "The responses of this limb answer a drive of unknown unit: how fast the probe moves is "
+        "not known, so neither is whether the skin answers in proportion, as it does up to "
+        f"{_LIMIT}."
+    ),
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,6 +46,7 @@ def found_in_drives(
     scaling: Scaling,
     *,
     probe: bool = True,
+    unit_known: bool = True,
     band_hz: Band | None = BAND_HZ,
     spatial_limit_hz: float | None = SPATIAL_LIMIT_HZ,
 ) -> Findings:
@@ -51,6 +62,8 @@ def found_in_drives(
         What their unit is.
     probe
         Whether they are what the probe does, not what an actuator is asked for.
+    unit_known
+        Whether responses answer an acceleration, not a drive of whatever unit.
     band_hz
         In which the responses were measured; None: it is not known.
     spatial_limit_hz
@@ -62,7 +75,9 @@ def found_in_drives(
     ]
     return (
         _band(played, sample_rate_hz, band_hz),
-        _velocity(played, sample_rate_hz, scaling, band_hz, probe=probe),
+        _velocity(played, sample_rate_hz, scaling, band_hz, probe=probe)
+        if unit_known
+        else _UNIT_NOT_KNOWN,
         _spacing(played, sample_rate_hz, spatial_limit_hz),
     )
 
@@ -200,14 +215,13 @@ def _band(played: Sequence[_Drive], rate: float, band_hz: Band | None) -> Findin
 def _velocity(
     played: Sequence[_Drive], rate: float, scaling: Scaling, band_hz: Band | None, *, probe: bool
 ) -> Finding:
-    limit = f"{LARGEST_VELOCITY_M_PER_S * _MM_PER_M:g} mm/s"
     if scaling != "probe":
         return Finding(
             name="drive",
             state="unknown",
             sentence=(
                 "How fast the probe moves is not known in this scaling, so neither is whether the "
-                f"skin answers in proportion, as it does up to {limit}."
+                f"skin answers in proportion, as it does up to {_LIMIT}."
             ),
             mend="probe_scaling",
         )
@@ -218,7 +232,7 @@ def _velocity(
     lowest_hz = lowest_hz_of(band_hz)
     left = fastest > LARGEST_VELOCITY_M_PER_S
     moves, speed = "The probe moves at up to {:.3g} mm/s", fastest * _MM_PER_M
-    beyond = f"above {limit} the skin no longer answers in proportion."
+    beyond = f"above {_LIMIT} the skin no longer answers in proportion."
     return Finding(
         name="drive",
         state="left" if left else "kept",
@@ -226,7 +240,7 @@ def _velocity(
         number=speed if left else None,
         sentence=(
             f"{moves.format(speed)}, from {lowest_hz:g} Hz on; "
-            + (beyond if left else f"up to {limit} the skin answers in proportion.")
+            + (beyond if left else f"up to {_LIMIT} the skin answers in proportion.")
         ),
         mend="quieter" if left else "",
         factor=LARGEST_VELOCITY_M_PER_S / fastest if left else 1.0,

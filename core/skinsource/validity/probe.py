@@ -7,12 +7,22 @@ import scipy
 from numpy.typing import ArrayLike
 
 from skinsource.arguments import finite_array, positive_number
-from skinsource.limb import BAND_HZ, Band
+from skinsource.limb import BAND_HZ, Band, Limb
+from skinsource.scaling.response_scaling import Scaling
 
 # What is slower than the band is faded out over an octave, which rings for so many periods.
 _RINGS_PERIODS = 10.0
 # Even where a band begins lower still: a velocity from there on would need minutes of room.
 _LEAST_HZ = 1.0
+
+
+def are_probe_accelerations(limb: Limb, scaling: Scaling, *, actuated: bool) -> bool:
+    """Whether drives are accelerations of a probe, m/s².
+
+    Not where actuators move in its place, nor where a lab's own responses answer a drive: nobody
+    says in which unit that was.
+    """
+    return scaling == "probe" and not actuated and not limb.per_unit_drive
 
 
 def probe_velocity(

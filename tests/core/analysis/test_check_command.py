@@ -73,6 +73,8 @@ def test_a_recording_is_held_against_the_prediction_and_reported(design_file, tm
     assert len(ticks) >= 12
     assert all(len(one.strip("-").replace(".", "").strip("0")) <= 2 for one in ticks)
     assert page.count("<svg") == 3
+    assert "Error: mean over time of |p/P - m/M|" in page
+    assert "100 |RMS(p/P) - RMS(m/M)| / RMS(m/M)" in page
     assert "<td>67</td>" in page
     assert "two.skinsource" in page
     # What else could it be a report on?

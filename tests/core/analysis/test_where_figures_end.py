@@ -11,6 +11,7 @@ from skinsource.analysis.travelling import travelling_wave
 from skinsource.analysis_rules.noise_rules import output_noise_rms
 from skinsource.analysis_rules.perception_rules import contact_weighted_rms
 from skinsource.analysis_rules.wave_rules import line_wave
+from skinsource.catalogue import load_limb
 from skinsource.chain import Actuation, ActuatorAt
 from skinsource.job import never
 from skinsource.perception.hand_arm import hand_arm_weighting, weighted_rms
@@ -18,6 +19,7 @@ from skinsource.perception.threshold_table import table_threshold
 from skinsource.rendering.projecting import Projection
 from skinsource.validity import found_in_drives
 from skinsource.view import View
+from tests.core.own_limbs.lab_bench import installed
 
 RATE = 1300.0
 LINE = (20, 22, 24, 26)
@@ -112,11 +114,11 @@ def test_above_the_measured_band_nothing_is_felt():
 
 
 def test_the_weighted_acceleration_of_a_contact_is_not_told_behind_an_actuator():
-    drives = ((8, sine(100.0)),)
-    ((place, weighted),) = contact_weighted_rms(drives, RATE, "probe", None)
+    drives, limb = ((8, sine(100.0)),), load_limb("synthetic-1")
+    ((place, weighted),) = contact_weighted_rms(drives, limb, "probe", None)
     assert (place, weighted > 0.0) == (8, True)
     bench = Actuation(actuators=(ActuatorAt(model=ss.actuators.load("example-voice-coil")),))
-    assert contact_weighted_rms(drives, RATE, "probe", bench) is None
+    assert contact_weighted_rms(drives, limb, "probe", bench) is None
 
 
 def test_between_rows_of_a_table_thresholds_are_straight_in_logarithms():
@@ -144,3 +146,22 @@ def test_shares_of_several_drives_are_weighed_by_their_energy():
     loud, soft = sine(100.0, 10.0), sine(10.0, 1.0)
     assert lamp("band", loud, soft).state == "kept"
     assert lamp("band", sine(100.0, 1.0), sine(10.0, 10.0)).sentence.startswith("99%")
+
+
+@pytest.mark.parametrize("answers_drive", [True, False])
+def test_of_a_probe_whose_drive_has_no_known_unit_nothing_is_told(user_data, answers_drive):
+    installed(per_unit_drive=answers_drive)
+    design = ss.Design(limb="lab-1", inputs=(tone(100.0, 2.0, place=3),), scaling="probe")
+    wanted = "validity", "fastest_probe_m_per_s", "contact_weighted_rms"
+    found = ss.evaluate(design, *wanted)
+    drive = next(one for one in found["validity"] if one.name == "drive")
+    if answers_drive:
+        assert (drive.state, drive.mend) == ("unknown", "")
+        assert "a drive of unknown unit" in drive.sentence
+        assert found["fastest_probe_m_per_s"] is None
+        assert found["contact_weighted_rms"] is None
+    else:
+        assert drive.state == "kept"
+        assert found["fastest_probe_m_per_s"] == pytest.approx(2.0 / (200.0 * np.pi), rel=0.05)
+        ((place, weighted),) = found["contact_weighted_rms"]
+        assert (place, weighted > 0.0) == (3, True)
