@@ -113,6 +113,7 @@ class LimbForm(QObject):
         # What a file said, by its field: it goes with that file, unless it was changed since.
         self._said: dict[_Field, _Value] = {}
         self.left, self.mirrored = QCheckBox("Left hand"), QCheckBox("Show mirrored")
+        self.synthetic = QCheckBox("Computed, not measured")
         self.mirrored.setToolTip(tooltip("Show mirrored", "A left hand as a right one"))
         self._lay_out()
 
@@ -136,6 +137,7 @@ class LimbForm(QObject):
         for name, field in self.numbers.items():
             field.set_value(float(said[name]) * (_METRES if name == "hand_length_mm" else 1.0))
         self.left.setChecked(header["hand"] == "left")
+        self.synthetic.setChecked(bool(header["synthetic"]))
         self._said = {field: _value_of(field) for field in self._filled()}
 
     def show_plain(self, in_layout: bool, path: Path) -> None:
@@ -152,7 +154,7 @@ class LimbForm(QObject):
     def _filled(self) -> tuple[_Field, ...]:
         """What a file in the layout fills."""
         lines = self.name, self.title, self.note
-        return *lines, self.axes, *self.numbers.values(), self.left
+        return *lines, self.axes, *self.numbers.values(), self.left, self.synthetic
 
     def _forget_file(self) -> None:
         unchanged = {field for field in self._said if _value_of(field) == self._said[field]}
@@ -164,8 +166,9 @@ class LimbForm(QObject):
         for name, number in self.numbers.items():
             if number in unchanged:
                 number.set_value(_STARTS.get(name, 0.0))
-        if self.left in unchanged:
-            self.left.setChecked(False)
+        for box in (self.left, self.synthetic):
+            if box in unchanged:
+                box.setChecked(False)
         self._said = {}
 
     def values(self) -> dict[str, Any]:
@@ -180,6 +183,7 @@ class LimbForm(QObject):
             "axes": self.axes.value,
             "left": self.left.isChecked(),
             "mirrored": self.mirrored.isChecked(),
+            "synthetic": self.synthetic.isChecked(),
             "band_hz": (lowest_hz, highest_hz) if highest_hz > 0.0 else None,
             **numbers,
         }
@@ -200,6 +204,12 @@ class LimbForm(QObject):
         self.order.setPlaceholderText("ioat")
         self.axes.chosen.connect(self.changed)
         self._rows.addRow("Axes", self.axes)
+        self.synthetic.setToolTip(
+            tooltip("Computed", "Pictures and files say that it is synthetic")
+        )
+        self.synthetic.setAccessibleName("Responses are computed, not measured")
+        self.synthetic.toggled.connect(self.changed)
+        self._rows.addRow("Origin", self.synthetic)
         for name, field in self.numbers.items():
             field.setObjectName(f"limb_{name}")
             field.set_value(_STARTS.get(name, 0.0))

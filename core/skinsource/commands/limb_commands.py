@@ -94,6 +94,12 @@ def _add_import(actions: Any) -> None:
         help="responses to the pulse of the published limbs, not to one sample of the drive",
     )
     one.add_argument(
+        "--synthetic",
+        action="store_true",
+        default=None,
+        help="the responses are computed, not measured",
+    )
+    one.add_argument(
         "--replace", action="store_true", help="take the place of an own limb of the same name"
     )
     one.set_defaults(run=_import)
@@ -120,6 +126,7 @@ def _import(arguments: argparse.Namespace) -> int:
             "hand_length_px": arguments.hand_length_units,
             "left": arguments.left,
             "mirrored": arguments.mirrored,
+            "synthetic": arguments.synthetic,
             "per_unit_drive": False if arguments.pulse else None,
         },
     )

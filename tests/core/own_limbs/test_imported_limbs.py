@@ -235,6 +235,13 @@ def test_the_command_imports_lists_mirrors_exports_and_removes(user_data, tmp_pa
     assert "expected small letters" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("computed", [False, True])
+def test_who_imports_says_that_responses_are_computed(user_data, tmp_path, capsys, computed):
+    path = layout_file(tmp_path / "ours.h5")
+    assert main(["limb", "import", str(path), *(["--synthetic"] if computed else [])]) == 0
+    assert load_limb("ours").synthetic == computed
+
+
 def test_an_own_limb_is_replaced_only_where_that_is_asked_for(user_data, tmp_path, capsys):
     path = layout_file(tmp_path / "ours.h5")
     assert main(["limb", "import", str(path)]) == 0

@@ -135,6 +135,24 @@ def test_axes_and_hand_of_a_file_go_with_it_unless_they_were_chosen(
     assert form.values()["mirrored"]
 
 
+def test_computed_responses_are_said_to_be_and_a_file_in_the_layout_says_so_itself(
+    user_data, tmp_path, page, qtbot
+):
+    installed(synthetic=True)
+    export_limb("lab-1", tmp_path / "lab.h5")
+    remove_limb("lab-1")
+    np.save(tmp_path / "plain.npy", np.zeros((7, 31, 2, 9)))
+    form = page.form
+    opened(page, tmp_path / "lab.h5", "responses", qtbot)
+    assert form.values()["synthetic"]
+    opened(page, tmp_path / "plain.npy", "responses", qtbot)
+    assert not form.values()["synthetic"]
+    opened(page, tmp_path / "lab.h5", "responses", qtbot)
+    form.synthetic.click()
+    imported(page, "lab-1", qtbot)
+    assert not load_limb("lab-1").synthetic
+
+
 def test_tables_that_were_opened_stay_when_an_array_takes_the_place_of_a_file_in_the_layout(
     user_data, tmp_path, page, qtbot
 ):
