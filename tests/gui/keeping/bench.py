@@ -1,5 +1,7 @@
 """Unsaved work, and the copies that are kept of it."""
 
+from contextlib import suppress
+
 from skinsource.design_file import open_design
 
 
@@ -8,8 +10,11 @@ def edit(window, amplitude):
 
 
 def copies(folder):
-    found = folder.glob("unsaved/*/*.skinsource")
-    return sorted(found, key=lambda path: path.stat().st_mtime_ns)
+    while True:
+        # One may be deleted while they are looked at: look again.
+        with suppress(FileNotFoundError):
+            found = folder.glob("unsaved/*/*.skinsource")
+            return sorted(found, key=lambda path: path.stat().st_mtime_ns)
 
 
 def kept_amplitudes(folder):

@@ -125,3 +125,17 @@ def test_peaks_take_a_second_line_where_one_is_too_narrow_and_nothing_moves_whil
     # Where two are too few too, and where one is enough, there is one.
     for width in (100, 1200):
         assert LegendLayout(relative(PEAK, "m/s²"), metrics, width).in_lines is None
+
+
+@pytest.mark.parametrize("may_fold", [False, True])
+@pytest.mark.parametrize("n_outputs", [3, 7, 40])
+def test_less_width_never_makes_a_legend_lower(qapp, n_outputs, may_fold):
+    # Where it scrolls, a bar beside it would else come and go until the stack ran out.
+    metrics = QFontMetrics(QFont())
+    axes = LegendText(
+        names=NAMES[:7], unit="m/s²", where_room="1234.5 Hz", reading_room="−0.1234"
+    ).of_axes(("x", "y", "z"))
+    for text in (relative(PEAK, "m/s²", n_outputs), read_of(n_outputs, PEAK), axes):
+        layouts = (LegendLayout(text, metrics, width, may_fold) for width in range(1200, 40, -1))
+        n_lines = [layout.n_lines for layout in layouts]
+        assert n_lines == sorted(n_lines)

@@ -110,6 +110,19 @@ class LegendLayout:
             return NUMBERED if 0 < last < _MOST_LINES else None
         return None
 
+    @property
+    def n_lines(self) -> int:
+        """For how many lines there is to be room: never for fewer because there is less width.
+
+        Else what scrolls would be lower with a scroll bar beside it than without, and Qt would put
+        that bar there and take it away until the stack ran out.
+        """
+        if self.text.named:
+            return self.lines(NAMED)[-1][1] + 1
+        if self.text.relative and self.may_fold:
+            return min(self.lines(NUMBERED)[-1][1] + 1, _MOST_LINES)
+        return 1
+
     def lines(self, detail: Detail = NAMED) -> list[tuple[int, int]]:
         """Where entries begin, and at last where they are read: x and number of the line.
 

@@ -105,9 +105,7 @@ class LegendStrip(QWidget):
         return self._line_px if self._n_lines > 1 else self.height()
 
     def _make_room(self) -> None:
-        layout = self.layout_of_words
-        detail = layout.in_lines
-        n_lines = 1 if detail is None else layout.lines(detail)[-1][1] + 1
+        n_lines = self.layout_of_words.n_lines
         if n_lines != self._n_lines:
             self._n_lines = n_lines
             self.updateGeometry()
