@@ -127,7 +127,7 @@ def test_a_velocity_is_told_from_where_the_limb_was_measured(user_data):
     slow = Tone(frequency_hz=10.0, duration_s=1.0)
     design = Design(limb="lab-1", inputs=(track(1, slow, amplitude=3.0),), scaling="probe")
     for band, lowest_hz in (((5.0, 1500.0), 5), (None, 25), ((0.0, 1500.0), 25), ((0.1, 9.0), 1)):
-        installed(band_hz=band)
+        installed(band_hz=band, per_unit_drive=False)
         found = lamp(design, "drive")
         assert f"from {lowest_hz} Hz on" in found.sentence
         assert (found.state == "left") == (lowest_hz < 10), band
