@@ -1,15 +1,17 @@
 """What hides a picture from an audience that shall guess first."""
 
-from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QWidget
+
+from skinsource_gui.widgets.over.over_all import OverAll
 
 #: What stands on what is covered.
 COVERED = "Covered"
 _LEAST_LINES = 2
 
 
-class Cover(QWidget):
+class Cover(OverAll):
     """Lies over all of another widget, and lets neither eyes nor the mouse through.
 
     Parameters
@@ -20,25 +22,9 @@ class Cover(QWidget):
 
     def __init__(self, part: QWidget) -> None:
         super().__init__(part)
-        self._part = part
         self.setObjectName("cover")
         self.setAccessibleName(COVERED)
         self.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
-        part.installEventFilter(self)
-        self.setGeometry(part.rect())
-        self.show()
-        self.raise_()
-
-    def take_away(self) -> None:
-        """Reveal what is below."""
-        self._part.removeEventFilter(self)
-        self.hide()
-        self.deleteLater()
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize:
-            self.setGeometry(self._part.rect())
-        return super().eventFilter(watched, event)
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ToolTip:

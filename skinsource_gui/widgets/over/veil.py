@@ -1,10 +1,11 @@
 """What lies over results of an older design until newer ones are there."""
 
-from PySide6.QtCore import QEvent, QObject, QRectF, Qt
+from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.widgets.over.over_all import OverAll
 
 #: What stands on them.
 UPDATING = "Updating…"
@@ -14,7 +15,7 @@ _LEAST_LINES = 2
 _RADIUS_PX = 4.0
 
 
-class Veil(QWidget):
+class Veil(OverAll):
     """Lies over all of another widget, which stays readable and can be used.
 
     Parameters
@@ -25,25 +26,9 @@ class Veil(QWidget):
 
     def __init__(self, part: QWidget) -> None:
         super().__init__(part)
-        self._part = part
         self.setObjectName("veil")
         self.setAccessibleName(UPDATING)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        part.installEventFilter(self)
-        self.setGeometry(part.rect())
-        self.show()
-        self.raise_()
-
-    def take_away(self) -> None:
-        """Show what is below as it is."""
-        self._part.removeEventFilter(self)
-        self.hide()
-        self.deleteLater()
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize:
-            self.setGeometry(self._part.rect())
-        return super().eventFilter(watched, event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, palette = QPainter(self), self.palette()
