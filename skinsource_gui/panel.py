@@ -51,6 +51,8 @@ class Panel(ComparesDesigns):
     snapshot_wanted = Signal(int)
     #: A sentence that says why something the user asked this panel for was not done.
     failed = Signal(str)
+    #: Words on what the user asked this panel for, and it did: what had failed before is over.
+    done = Signal(str)
     #: A file that the user asked this panel for was written there, `Path`.
     written = Signal(object)
 

@@ -89,7 +89,7 @@ class MainWindow(QMainWindow):
         self.panels = MadePanels({spec.panel.name: spec.panel for spec in PANELS})
         titles = {spec.panel.name: spec.panel.title for spec in PANELS}
         self.docks = {name: docks.Dock(name, titles[name], self.panels, self) for name in titles}
-        self.limbs = InstalledLimbs(tuple(available_limbs), self)
+        self.limbs = InstalledLimbs(tuple(available_limbs), self.document, self)
         self.notice = Notice(self)
         self.hints = FirstHints(preferences, self.notice, self.document)
         self.setup_bar = SetupBar()
@@ -110,7 +110,7 @@ class MainWindow(QMainWindow):
         Historian(self.document, self.panels)
         self._connect()
         self.appearance.apply()
-        told = self.files, preferences, self.appearance
+        told = self.reports.report, self.files, preferences, self.appearance
         self.panels.each(docks.TakingIn(self.docks, self.do, self.reports.complain, *told))
         self.layout_of_docks.restore()
         self._show_limbs()

@@ -23,6 +23,7 @@ from skinsource.panel_settings import settings_of, with_settings
 from skinsource.perception import LIMITS
 from skinsource.perception.settings import AREA, PerceptionSettings, held
 from skinsource.perception.threshold_table import read_threshold_table
+from skinsource.quoting import printable
 from skinsource.view import View
 from skinsource_gui.figure_panel import COMPUTING
 from skinsource_gui.panel import Panel
@@ -172,7 +173,8 @@ class PerceptionPanel(Panel):
         except SkinSourceError as error:
             self.failed.emit(str(error))
             return
-        self._change(table=held(table), source=path.name[:200])
+        said = f"Thresholds are those of {printable(path.name)}"
+        self._change(said, table=held(table), source=path.name[:200])
 
     def _lay_out(self) -> None:
         thresholds = (self.own, self.model, None, self.copy)
@@ -189,7 +191,8 @@ class PerceptionPanel(Panel):
     def _connect(self) -> None:
         self.area.edited.connect(lambda area_cm2, _: self._change(area_cm2=area_cm2))
         self.own.clicked.connect(self._ask)
-        self.model.clicked.connect(lambda: self._change(table=(), source=""))
+        said = "Thresholds are those of the model"
+        self.model.clicked.connect(lambda: self._change(said, table=(), source=""))
 
     def _ask(self) -> None:
         chosen, _ = QFileDialog.getOpenFileName(
@@ -213,7 +216,10 @@ class PerceptionPanel(Panel):
         levels = tab_separated(self._found, self._outputs, self._limb)
         return levels + contact_table(self._weighted)
 
-    def _change(self, **changes: Any) -> None:
+    def _change(self, said: str = "", **changes: Any) -> None:
+        """Change settings; ``said`` tells that what was asked for was done, changed or not."""
+        if said:
+            self.done.emit(said)
         settings = replace(self._settings, **changes)
         if settings != self._settings:
             self.view_changed.emit(with_settings(self._view, self.name, settings))

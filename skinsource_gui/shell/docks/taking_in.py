@@ -16,8 +16,8 @@ class TakingIn:
     ----------
     docks
         By the name of their panel: where it goes.
-    do, complain
-        Does what the table of actions calls by a name; says what went wrong.
+    do, complain, report
+        Does what the table of actions calls by a name; says what went wrong, and what was done.
     files, preferences, appearance
         Who hears of files that are written; folder and colours that it is told.
     """
@@ -27,17 +27,19 @@ class TakingIn:
         docks: Mapping[str, Dock],
         do: Callable[[str], None],
         complain: Callable[[str], None],
+        report: Callable[[str], None],
         files: FileActions,
         preferences: Preferences,
         appearance: Appearance,
     ) -> None:
-        self._docks, self._do, self._complain = docks, do, complain
+        self._docks, self._do, self._complain, self._report = docks, do, complain, report
         self._files, self._preferences, self._appearance = files, preferences, appearance
 
     def __call__(self, panel: Panel) -> None:
         """Take in a panel."""
         panel.action_wanted.connect(self._do)
         panel.failed.connect(self._complain)
+        panel.done.connect(self._report)
         panel.written.connect(self._files.note_written)
         self._files.folder_changed.connect(panel.show_folder)
         panel.show_folder(self._preferences.folder)

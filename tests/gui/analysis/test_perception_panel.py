@@ -167,3 +167,23 @@ def test_the_limits_of_the_numbers_need_no_scrolling_in_a_small_window(window, s
     assert panel.limits.height() >= panel.limits.heightForWidth(panel.limits.width())
     # Rows of the table are seen.
     assert panel.table.viewport().height() > 3 * panel.table.rowHeight(0)
+
+
+@pytest.mark.parametrize("mend", ["the right table", "the model"])
+def test_why_a_table_was_refused_is_said_until_thresholds_are_taken(window, settle, tmp_path, mend):
+    panel = window.panel("perception")
+    wrong, right = tmp_path / "wrong.csv", tmp_path / "right.csv"
+    wrong.write_text("nonsense")
+    right.write_text("frequency_hz,threshold_m_per_s2\n25,0.1\n600,0.1\n")
+    panel.take_thresholds(right)
+    panel.take_thresholds(wrong)
+    assert "line 1" in window.notice.text
+    settle()
+    assert "line 1" in window.notice.text
+    if mend == "the model":
+        panel.model.click()
+    else:
+        panel.take_thresholds(right)
+    assert window.notice.text == ""
+    said = "the model" if mend == "the model" else "right.csv"
+    assert window.statusBar().currentMessage() == f"Thresholds are those of {said}"

@@ -11,6 +11,7 @@ from skinsource.locations import input_words, output_words
 from skinsource.own_limbs import facts_of, remove_limb
 from skinsource.view import View
 from skinsource_gui.status.limb_note import LimbNote
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from tests.core.own_limbs.lab_bench import installed
 
 GONE = Design(limb="lab-9", inputs=(track(6),))
@@ -91,3 +92,24 @@ def test_another_limb_brings_its_hand(gone, qtbot):
     hand = gone.panel("hand")
     assert hand.diagram.isVisibleTo(hand)
     assert "SYNTHETIC LIMB" in gone.findChild(LimbNote).text()
+
+
+def test_a_new_design_on_a_limb_whose_file_has_come_back_tells_its_name(user_data, window, qtbot):
+    installed()
+    QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
+    design = Design(limb="lab-1", limb_digest=facts_of("lab-1").digest, inputs=(track(6),))
+    window.document.start_over(design, View(axes="xz", outputs=(3,)), None)
+    rested(window, qtbot)
+    box = window.setup_bar.findChild(ChoiceField, "limb")
+    there = box.shown_text
+    remove_limb("lab-1")
+    QApplication.sendEvent(window, QEvent(QEvent.Type.WindowActivate))
+    rested(window, qtbot)
+    assert box.shown_text == "lab-1 (not available)"
+    # Nobody left the window in between.
+    installed()
+    window.files.new()
+    rested(window, qtbot)
+    assert window.document.design.limb == "lab-1"
+    assert box.shown_text == there
+    assert "OWN LIMB" in window.findChild(LimbNote).text()
