@@ -18,6 +18,8 @@ from skinsource.quoting import quoted
 from skinsource.sampling import turns
 
 _FRAMES_AT_ONCE = 64
+#: Over so many neighbours the spectra of noise are averaged in the paper.
+MEAN_OF_BINS = 10
 
 
 def rms(x: ArrayLike, span: Span = "record", sample_rate_hz: float = SAMPLE_RATE_HZ) -> Floats:
@@ -141,6 +143,25 @@ def one_sided_magnitude(
     magnitude[..., 1 : (n_times + 1) // 2] *= 2.0
     frequency_hz = np.arange(n_times // 2 + 1, dtype=np.float64) * (sample_rate_hz / n_times)
     return frequency_hz, magnitude
+
+
+def mean_of_bins(magnitude: Floats, n: int) -> Floats:
+    """Moving mean of a spectrum over neighbours, of fewer at the ends.
+
+    Parameters
+    ----------
+    magnitude : (..., n_bins)
+        Magnitudes.
+    n
+        How many: the bin itself, ``n // 2`` below and the rest above it; 1: the spectrum itself.
+    """
+    if n <= 1 or magnitude.shape[-1] == 0:
+        return magnitude
+    beside = [(0, 0)] * (magnitude.ndim - 1) + [(n // 2, (n - 1) // 2)]
+    sums = sliding_window_view(np.pad(magnitude, beside), n, axis=-1).sum(axis=-1)
+    known = np.pad(np.ones(magnitude.shape[-1]), beside[-1])
+    means: Floats = sums / sliding_window_view(known, n).sum(axis=-1)
+    return means
 
 
 def share_outside_band(samples: ArrayLike, sample_rate_hz: float, band: Band = BAND_HZ) -> float:

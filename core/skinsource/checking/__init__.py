@@ -3,9 +3,11 @@
 from skinsource.checking.condition import Recorded, condition_of
 from skinsource.checking.linearity import (
     Proportion,
+    Straightness,
     Superposition,
     joint_of,
     proportion,
+    straightness,
     strengths_of,
     superposition,
 )
@@ -14,11 +16,13 @@ from skinsource.checking.pages import html_of, write_report
 __all__ = [
     "Proportion",
     "Recorded",
+    "Straightness",
     "Superposition",
     "condition_of",
     "html_of",
     "joint_of",
     "proportion",
+    "straightness",
     "strengths_of",
     "superposition",
     "write_report",

@@ -6,14 +6,16 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
+import scipy
 
+from skinsource.analysis.bands import band_magnitudes
 from skinsource.arrays import Floats
 from skinsource.comparing.snapshot import alike, louder
 from skinsource.design import Design, Input, audible_inputs
 from skinsource.errors import InvalidInputError
 from skinsource.limb import Band
 from skinsource.validation import superposition_correlation
-from skinsource.validation.linearity import band_magnitudes, straight_lines
+from skinsource.validation.linearity import straight_lines
 
 #: Fewer strengths make no line that could be bent.
 LEAST_STRENGTHS = 3
@@ -49,6 +51,22 @@ class Proportion:
     frequency_hz: Floats
     band_rms: Floats
     band_line: Floats
+    adjusted_r2: Floats
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Straightness:
+    """How straight outputs are over the strengths of an input, those that nobody selected too.
+
+    Attributes
+    ----------
+    frequency_hz : (n_bins,)
+        Middles of bands of 2 Hz.
+    adjusted_r2 : (n_outputs, n_axes, n_bins)
+        Of straight lines by least squares; NaN: nothing is heard.
+    """
+
+    frequency_hz: Floats
     adjusted_r2: Floats
 
 
@@ -119,7 +137,8 @@ def proportion(
     divided = y / x[:, None, None]
     rms = np.sqrt(np.mean(np.square(y), axis=-1))
     slope, offset, _ = straight_lines(x[:, None], rms)
-    frequency_hz, band_rms = band_magnitudes(y, sample_rate_hz, band_hz)
+    transforms = scipy.fft.rfft(y)
+    frequency_hz, band_rms = band_magnitudes(transforms, y.shape[-1], sample_rate_hz, band_hz)
     levels = x[:, None, None]
     of_band, above, adjusted_r2 = straight_lines(levels, band_rms)
     return Proportion(
@@ -133,6 +152,16 @@ def proportion(
         band_line=above + of_band * levels,
         adjusted_r2=adjusted_r2,
     )
+
+
+def straightness(
+    strengths: Sequence[float], in_bands: Sequence[tuple[Floats, Floats]]
+) -> Straightness:
+    """Fit lines over strengths to the quantity ``output_band_magnitudes`` of each of them."""
+    frequency_hz = in_bands[0][0]
+    y = np.stack([magnitude for _, magnitude in in_bands])
+    x = np.asarray(strengths, float).reshape(-1, 1, 1, 1)
+    return Straightness(frequency_hz=frequency_hz, adjusted_r2=straight_lines(x, y)[2])
 
 
 def superposition(parts: Sequence[Floats], joint: Floats) -> Superposition:

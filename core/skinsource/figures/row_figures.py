@@ -18,10 +18,10 @@ from skinsource.plot.levels import common_range
 from skinsource.plot.maps import Bar, draw_map
 from skinsource.plot.paper import COLOURS, style
 from skinsource.plot.rows import Row, common_size, draw_rows, say_scale
-from skinsource.plot.signals import averaged
 from skinsource.resampling import finer
 from skinsource.sampling import NEAR
 from skinsource.scenes import OpenedScene
+from skinsource.spectra import MEAN_OF_BINS, mean_of_bins
 
 _ROW_MM, _AXIS_MM = 11.0, 12.0
 _LEFT_MM, _RIGHT_MM = 34.0, 8.0
@@ -29,7 +29,6 @@ _FRAMES_MM = 54.0
 _RED_BLUE_BLACK = (COLOURS[1], COLOURS[0], COLOURS[2])
 # How long after the pulse the paper shows it: at 52.0, 52.75, 53.5, 54.25 and 55.0 ms.
 _INSTANTS_S = (0.0, 0.00075, 0.0015, 0.00225, 0.003)
-_MEAN_OF_BINS = 10
 
 
 def pulse_traces(opened: OpenedScene) -> Drawn:
@@ -89,7 +88,7 @@ def axis_spectra(opened: OpenedScene) -> Drawn:
 
 def smoothed_axis_spectra(opened: OpenedScene) -> Drawn:
     """The same, each the mean over ten bins."""
-    return _spectra(opened, _MEAN_OF_BINS)
+    return _spectra(opened, MEAN_OF_BINS)
 
 
 def own_traces(opened: OpenedScene) -> Drawn:
@@ -130,14 +129,14 @@ def _traces(opened: OpenedScene, colours: Sequence[str], *, own_scale: bool) -> 
     return Drawn(sheet=sheet, tables={"": table})
 
 
-def _spectra(opened: OpenedScene, mean_of_bins: int) -> Drawn:
+def _spectra(opened: OpenedScene, n_bins: int) -> Drawn:
     outputs, axes = opened.view.outputs, axes_of_sensors(opened.design)
     by_axis, frequency_hz = [], np.zeros(0)
     for axis in axes:
         view = replace(opened.view, axes=axis)
         spectra = evaluate(opened.design, "selected_spectra", view=view)["selected_spectra"]
         frequency_hz, magnitude = spectra
-        by_axis.append(averaged(magnitude, mean_of_bins))
+        by_axis.append(mean_of_bins(magnitude, n_bins))
     low_hz, high_hz = facts_of(opened.design.limb).band_hz or (0.0, np.inf)
     within = (frequency_hz >= low_hz) & (frequency_hz <= high_hz)
     of_outputs = np.stack(by_axis, axis=1)[..., within]
@@ -148,7 +147,8 @@ def _spectra(opened: OpenedScene, mean_of_bins: int) -> Drawn:
     sheet, ax = _rows_sheet(opened, rows, axes, COLOURS, from_zero=True)
     with style():
         ax.set_xlabel("Frequency (Hz)")
-        say_scale(ax, "magnitude; each row relative to its largest")
+        mean = f", mean of {n_bins} bins" if n_bins > 1 else ""
+        say_scale(ax, f"magnitude{mean}; each row relative to its largest")
     header = ["frequency_hz", *(f"output_{n}_{axis}_m_per_s2" for n in outputs for axis in axes)]
     columns = of_outputs.reshape(-1, of_outputs.shape[-1])
     table = Table(header=header, rows=np.vstack((frequency_hz[within], columns)).T)

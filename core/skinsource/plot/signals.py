@@ -16,6 +16,7 @@ from skinsource.plot.paper import DIM, SYNTHETIC, axes_of, style
 from skinsource.plot.rows import Row, common_size, draw_rows, say_scale
 from skinsource.quoting import quoted
 from skinsource.resampling import finer
+from skinsource.spectra import mean_of_bins as moving_mean
 from skinsource.view import View
 
 _WIDTH_MM, _ROW_MM, _AROUND_MM = 130.0, 13.0, 26.0
@@ -120,24 +121,16 @@ def spectra(
     frequency = found[0][0]
     low_hz, high_hz = facts_of(designs[0].limb).band_hz or (0.0, np.inf)
     within = (frequency >= low_hz) & (frequency <= high_hz)
-    curves = [averaged(magnitude, mean_of_bins)[:, within] for _, magnitude in found]
+    curves = [moving_mean(magnitude, mean_of_bins)[:, within] for _, magnitude in found]
     rows = _rows(frequency[within], curves, looked.outputs, normalised)
     on, alone = axes_of(ax, _WIDTH_MM, _ROW_MM * len(rows) + _AROUND_MM)
     with style():
         draw_rows(on, rows, labels=labels, title=title, from_zero=True, legend_apart=True)
         on.set_xlabel("Frequency (Hz)")
-        say_scale(on, _scale_words(rows, normalised, looked))
+        words = _scale_words(rows, normalised, looked)
+        say_scale(on, f"{words}; mean of {mean_of_bins} bins" if mean_of_bins > 1 else words)
         _finish(on, designs, alone)
     return on.figure
-
-
-def averaged(values: Floats, n: int) -> Floats:
-    """Moving mean over ``n`` neighbours, along the last axis; fewer at the ends."""
-    if n <= 1:
-        return values
-    kernel = np.ones(n)
-    weight = np.convolve(np.ones(values.shape[-1]), kernel, "same")
-    return np.stack([np.convolve(one, kernel, "same") / weight for one in values])
 
 
 def _designs(shown: Design | Sequence[Design], labels: Sequence[str]) -> list[Design]:

@@ -4,14 +4,12 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike
 
+from skinsource.analysis.bands import band_magnitudes
 from skinsource.arguments import finite_array, positive_number
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
 from skinsource.limb import BAND_HZ, Band
 from skinsource.validation.agreement import pearson
-
-#: Width of the bins in which outputs are held against inputs (SkinSource, 2024, Section V).
-BIN_HZ = 2.0
 
 
 def linear_fit(
@@ -56,26 +54,8 @@ def linear_fit(
             f"levels has shape {x.shape}, responses {data.shape}; expected three or more different "
             "levels and (n_levels, n_channels, n_times)"
         )
-    middles, y = band_magnitudes(data, rate, band_hz)
+    middles, y = band_magnitudes(scipy.fft.rfft(data), data.shape[-1], rate, band_hz)
     return middles, straight_lines(x[:, None, None], y)[2]
-
-
-def band_magnitudes(
-    responses: Floats, sample_rate_hz: float, band_hz: Band | None = BAND_HZ
-) -> tuple[Floats, Floats]:
-    """Middles of bins of 2 Hz, and the magnitude in each, (..., n_bins), of (..., n_times).
-
-    It is the root of the mean square, over the bin, of the transform divided by its samples.
-    """
-    n_times = responses.shape[-1]
-    power = np.square(np.abs(scipy.fft.rfft(responses, axis=-1) / n_times))
-    frequency_hz = np.arange(power.shape[-1]) * (sample_rate_hz / n_times)
-    low_hz, high_hz = band_hz or (0.0, np.inf)
-    inside = (frequency_hz >= low_hz) & (frequency_hz < high_hz)
-    bins = np.floor((frequency_hz[inside] - low_hz) / BIN_HZ).astype(int)
-    numbers, first, counts = np.unique(bins, return_index=True, return_counts=True)
-    summed = np.add.reduceat(power[..., inside], first, axis=-1)
-    return low_hz + (numbers + 0.5) * BIN_HZ, np.sqrt(summed / counts)
 
 
 def superposition_correlation(separate: ArrayLike, joint: ArrayLike) -> Floats:

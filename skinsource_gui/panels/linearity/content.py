@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from skinsource.analysis.bands import BIN_HZ
 from skinsource.arrays import Floats
-from skinsource.checking import Proportion, Superposition
+from skinsource.checking import Proportion, Straightness, Superposition
 from skinsource.resampling import finer
-from skinsource.validation.linearity import BIN_HZ
 from skinsource_gui.panels.linearity.curve import Curve, Diagram
 from skinsource_gui.panels.linearity.strength import StrengthUnit
 from skinsource_gui.widgets.figure.axes import Axis
@@ -42,26 +42,45 @@ def diagrams_of_proportion(
     unit: StrengthUnit,
     *,
     bands: bool = False,
+    every: Floats | None = None,
 ) -> tuple[Diagram, ...]:
     """Divided responses over each other, output over input, and how straight that is.
 
     ``rows`` are the channels that are drawn over time, one for each output; ``unit`` is that of
-    the strengths; ``bands``: outputs are those in some bands.
+    the strengths; ``bands``: outputs are those in some bands; ``every``: adjusted R² of all
+    outputs, (n_outputs, n_bins), which is drawn in place of that of ``rows``.
     """
     growth = _growth_in_bands if bands else _growth
-    straight = tuple(
-        Curve(x=found.frequency_hz, y=found.adjusted_r2[row], rank=rank, width_px=0.0)
-        for rank, row in enumerate(rows)
-    )
     highest = float(found.frequency_hz[-1]) if found.frequency_hz.size else 1.0
+    title = "Adjusted R²" if every is None else "Adjusted R², all outputs"
     return (
         _overlay(found, rows, time_s, zoom, unit),
         growth(found, rows, unit),
         Diagram(
             x=Axis(shown=(0.0, 1.05 * highest), title="Frequency (Hz)"),
-            y=Axis(shown=(0.0, 1.1), title="Adjusted R²"),
-            curves=straight,
+            y=Axis(shown=(0.0, 1.1), title=title, short="Adjusted R²"),
+            curves=_straight(found, rows) if every is None else _worst_and_median(found, every),
         ),
+    )
+
+
+def _straight(found: Proportion, rows: tuple[int, ...]) -> tuple[Curve, ...]:
+    return tuple(
+        Curve(x=found.frequency_hz, y=found.adjusted_r2[row], rank=rank, width_px=0.0)
+        for rank, row in enumerate(rows)
+    )
+
+
+def _worst_and_median(found: Proportion, every: Floats) -> tuple[Curve, ...]:
+    """Dots and a line through bands in which some output is heard."""
+    heard = np.isfinite(every).any(axis=0)
+    if not heard.any():
+        return ()
+    x, known = found.frequency_hz[heard], every[:, heard]
+    median, worst = np.nanmedian(known, axis=0), np.nanmin(known, axis=0)
+    return (
+        Curve(x=x, y=median, rank=None, width_px=_WIDEST_PX, pale=_PALE, label="median"),
+        Curve(x=x, y=worst, rank=None, width_px=_NARROWEST_PX, label="worst"),
     )
 
 
@@ -172,13 +191,14 @@ def part_words(shown_s: tuple[float, float], time_s: Floats) -> str:
     return f"over time the loudest part, {first} to {last} ms: zoom Traces for another"
 
 
-def proportion_words(found: Proportion) -> str:
+def proportion_words(found: Proportion, every: Straightness | None = None) -> str:
     """What was found, in a sentence."""
     words = f"{len(found.strengths)} strengths, divided by them: {_apart_words(found.apart)}"
-    known = found.adjusted_r2[np.isfinite(found.adjusted_r2)]
-    # A short response may have no frequency in the band of its limb.
-    straight = f" · adjusted R² in bands of 2 Hz {known.min():.6f} at least" if known.size else ""
-    return f"{words}{straight}"
+    r2 = (found if every is None else every).adjusted_r2
+    known, whose = r2[np.isfinite(r2)], "" if every is None else f" of all {len(r2)} outputs"
+    if not known.size:  # A short response may have no frequency in the band of its limb.
+        return words
+    return f"{words} · adjusted R²{whose} in bands of 2 Hz {known.min():.6f} at least"
 
 
 def superposition_words(found: Superposition) -> str:

@@ -19,12 +19,12 @@ _LEAST_OF_CURVES = 0.3
 def x_with_room_for_labels(axes: Axes, curves: tuple[Curve, ...], metrics: QFontMetricsF) -> Axis:
     """The x axis, on until the longest label fits between the ends of curves and the frame."""
     labelled = [curve for curve in curves if curve.label]
-    if not labelled or not axes.x.log:
+    if not labelled:
         return axes.x
     needed_px = max(metrics.horizontalAdvance(one.label) for one in labelled) + 4.0 * DOT_PX
     part = max(1.0 - needed_px / max(axes.frame.width(), 1.0), _LEAST_OF_CURVES)
     low, last = axes.x.shown[0], max(float(one.x[-1]) for one in labelled)
-    high = low * (last / low) ** (1.0 / part)
+    high = low * (last / low) ** (1.0 / part) if axes.x.log else low + (last - low) / part
     return replace(axes.x, shown=(low, float(high)))
 
 

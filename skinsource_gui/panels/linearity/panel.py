@@ -12,8 +12,10 @@ from skinsource.arrays import Floats
 from skinsource.chain import amplitude_unit
 from skinsource.checking import (
     Proportion,
+    Straightness,
     Superposition,
     proportion,
+    straightness,
     superposition,
 )
 from skinsource.comparing import Snapshot
@@ -33,7 +35,12 @@ from skinsource_gui.panels.linearity.content import (
 )
 from skinsource_gui.panels.linearity.diagram import DiagramsPicture
 from skinsource_gui.panels.linearity.held import Held, held_of
-from skinsource_gui.panels.linearity.settings import BANDS, VELOCITY, LinearitySettings
+from skinsource_gui.panels.linearity.settings import (
+    BANDS,
+    EVERY_OUTPUT,
+    VELOCITY,
+    LinearitySettings,
+)
 from skinsource_gui.panels.linearity.strength import of_amplitudes, of_velocities
 from skinsource_gui.panels.linearity.table import tab_separated
 from skinsource_gui.theme import Theme
@@ -49,6 +56,7 @@ _NEEDS = frozenset(
         "shown_outputs",
     }
 )
+_EVERY = "output_band_magnitudes"
 NEITHER = (
     "Store one stimulus at three strengths or more, or inputs alone and all of them together, "
     "with Ctrl+1 to Ctrl+4: here is seen whether outputs grow in step, and add up"
@@ -75,6 +83,7 @@ class LinearityPanel(FigurePanel):
         self._outputs: tuple[int, ...] = ()
         self._axes: tuple[str, ...] = ()
         self.found: Proportion | Superposition | None = None
+        self.every: Straightness | None = None
         self.about = WordsLabel("linearity_about")
         self.about.setToolTip(
             "Snapshots as they were stored. Over time the part is drawn to which Traces is zoomed, "
@@ -82,6 +91,7 @@ class LinearityPanel(FigurePanel):
         )
         self.velocity = self._switch(VELOCITY, lambda on: self._change(velocity=on))
         self.bands = self._switch(BANDS, lambda on: self._change(bands=on))
+        self.every_output = self._switch(EVERY_OUTPUT, lambda on: self._change(every_output=on))
         self.choices.addStretch(1)
         self.copy = self.add_copy(self.table)
         self.heads.addWidget(self.about)
@@ -93,7 +103,9 @@ class LinearityPanel(FigurePanel):
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
-        return _NEEDS if self._view.outputs else frozenset()
+        if not self._view.outputs:
+            return frozenset()
+        return _NEEDS | {_EVERY} if self._settings.every_output else _NEEDS
 
     def snapshots_drawn(self, snapshots: Sequence[Snapshot]) -> Sequence[Snapshot]:
         held = held_of([Compared(snapshot=one) for one in snapshots])
@@ -103,6 +115,7 @@ class LinearityPanel(FigurePanel):
         self._view, self._settings = view, settings_of(view, self.name, LinearitySettings)
         self.velocity.setChecked(self._settings.velocity)
         self.bands.setChecked(self._settings.bands)
+        self.every_output.setChecked(self._settings.every_output)
         if not view.outputs:
             self.say_instead(self.no_outputs)
         elif self.figure.message == self.no_outputs:
@@ -111,7 +124,10 @@ class LinearityPanel(FigurePanel):
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
         held = held_of(compared)
         problem = next((one.problem for one in held.compared if one.problem), "")
-        found = [one.values for one in held.compared if one.values is not None]
+        wanted = self.needs_of_snapshots
+        known = [one.values for one in held.compared if one.values is not None]
+        # A switch may need more than what was found before it: that is on its way.
+        found = [one for one in known if wanted <= one.keys()]
         if not held.is_linear:
             self.say_instead(NEITHER)
         elif problem:
@@ -123,7 +139,7 @@ class LinearityPanel(FigurePanel):
                 self.show_stale(True)
         else:
             settings, looked = self._settings, self._view
-            switched = settings.velocity, settings.bands, held.words
+            switched = settings.velocity, settings.bands, settings.every_output, held.words
             how = looked.time_range_s, looked.delay_removed, *switched
             if not self._is_drawn((*how, *(one["axis_traces"] for one in found))):
                 self._show(held, found)
@@ -137,19 +153,20 @@ class LinearityPanel(FigurePanel):
         self.about.show_theme(theme)
 
     def say_instead(self, message: str) -> None:
-        self._drawn, self.found = (), None
+        self._drawn, self.found, self.every = (), None, None
         self.show_stale(False)
         super().say_instead(message)
         self.about.say("")
-        self.velocity.hide()
-        self.bands.hide()
+        for switch in (self.velocity, self.bands, self.every_output):
+            switch.hide()
 
     def table(self) -> str:
         """The numbers, with tabs between the columns."""
         if self.found is None:
             return ""
         unit, bands = self._unit, self._settings.bands
-        return tab_separated(self.found, self._outputs, self._axes, unit, bands=bands)
+        every = self.every
+        return tab_separated(self.found, self._outputs, self._axes, unit, bands=bands, every=every)
 
     def _is_drawn(self, wanted: tuple[Any, ...]) -> bool:
         same = len(wanted) == len(self._drawn) and all(
@@ -203,10 +220,18 @@ class LinearityPanel(FigurePanel):
             self._unit = of_amplitudes(amplitude_unit(design.scaling, design.actuated))
             if fastest and self._settings.velocity:
                 self._unit = of_velocities(fastest / strengths[0])
-            bands = self._settings.bands
-            drawing = diagrams_of_proportion(shown, rows, time_s, zoom, self._unit, bands=bands)
+            self.every = _straightness(strengths, results) if self._settings.every_output else None
+            drawing = diagrams_of_proportion(
+                shown,
+                rows,
+                time_s,
+                zoom,
+                self._unit,
+                bands=self._settings.bands,
+                every=None if self.every is None else self.every.adjusted_r2[:, axes.index(along)],
+            )
             self.picture.show_diagrams(drawing, self._outputs)
-            self.show_found(proportion_words(shown))
+            self.show_found(proportion_words(shown, self.every))
         elif whole is not None:
             self.velocity.hide()
             parts = [one for k, one in enumerate(channels) if k != whole]
@@ -215,6 +240,7 @@ class LinearityPanel(FigurePanel):
             self.picture.show_diagrams(drawing, self._outputs)
             self.show_found(superposition_words(added))
         self.bands.setVisible(bool(strengths))
+        self.every_output.setVisible(bool(strengths))
         self._drawn = drawn
         self.copy.offer(True)
         said = [f"Along {along}: linear by construction", held.words]
@@ -229,3 +255,11 @@ class LinearityPanel(FigurePanel):
         """
         found: Floats = results["response_time_s"]
         return found + delay_s * (int(results["delay_removed"]) - int(self._view.delay_removed))
+
+
+def _straightness(
+    strengths: Sequence[float], results: Sequence[Mapping[str, Any]]
+) -> Straightness | None:
+    """How straight all outputs are; None: they are too long to be transformed at once."""
+    in_bands = [one[_EVERY] for one in results]
+    return None if any(one is None for one in in_bands) else straightness(strengths, in_bands)

@@ -15,6 +15,12 @@ BANDS = SwitchSpec(
     "the RMS over all",
 )
 
+EVERY_OUTPUT = SwitchSpec(
+    label="All outputs",
+    hint="Draw adjusted R² of the worst of all outputs and their median, and copy that of each, in "
+    "place of the selected ones",
+)
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LinearitySettings:
@@ -26,10 +32,13 @@ class LinearitySettings:
         Whether strengths are velocities of the probe, where these are known.
     bands
         Whether outputs are those in bands.
+    every_output
+        Whether it is told of all outputs, not of the selected ones, how straight they are.
     """
 
     velocity: bool = fields.switch(False, VELOCITY)
     bands: bool = fields.switch(False, BANDS)
+    every_output: bool = fields.switch(False, EVERY_OUTPUT)
 
     def __post_init__(self) -> None:
         fields.check(self)

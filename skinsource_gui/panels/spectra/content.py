@@ -11,6 +11,7 @@ from skinsource.decibels import decibels
 from skinsource.limb import Band
 from skinsource.loudest_window import HOLD_WINDOW_S, LOUDEST_WINDOW_S, Span
 from skinsource.own_limbs import facts_of
+from skinsource.spectra import MEAN_OF_BINS, mean_of_bins
 from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.widgets.plot.curves import LEVEL_WORDS, Curves, output_names
 from skinsource_gui.widgets.plot.provenance import heading_of, lines_later
@@ -39,6 +40,7 @@ _RECTIFIED = (
     "rectified",
 )
 _RELATIVE_LEVEL_WORDS = "dB re its peak"
+_AVERAGED = f"mean of {MEAN_OF_BINS} bins"
 
 
 def quantity_of(settings: SpectraSettings, span: Span) -> str:
@@ -54,7 +56,12 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
     axes = tuple(limb.axes) if each_axis else ()
     # (n_outputs, n_curves of each, n_bins)
     drawn = magnitude if each_axis else magnitude[:, None]
-    first, seen = [f"spectrum: {_SCALINGS[span][-3]}"], None
+    if settings.averaged:
+        drawn = mean_of_bins(drawn, MEAN_OF_BINS)
+    first, seen = (
+        [f"spectrum: {_SCALINGS[span][-3]}{_averaged_words(settings, frequency_hz)}"],
+        None,
+    )
     peaks: tuple[float, ...] = ()
     if settings.relative:
         within = _inside(frequency_hz, limb.band_hz)
@@ -74,7 +81,7 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
         kind=_kind(settings),
         span=seen,
         level_words=_RELATIVE_LEVEL_WORDS if settings.relative else LEVEL_WORDS,
-        scaling=_SCALINGS[span],
+        scaling=_scaling(settings, span),
         columns=_columns(results["outputs"], axes) if columns else (),
         about=lines_later(results, *first, each_axis=each_axis),
         heading=heading_of(results, each_axis=each_axis),
@@ -86,6 +93,20 @@ def notes_of(results: Mapping[str, Any], settings: SpectraSettings) -> tuple[str
     """What should be known of the curves, longest first."""
     rectified = results["method"] == "mag" and len(results["axes"]) > 1
     return _RECTIFIED if rectified and settings.layout != "axes" else ()
+
+
+def _scaling(settings: SpectraSettings, span: Span) -> tuple[str, ...]:
+    """What heights mean, longest first."""
+    if not settings.averaged:
+        return _SCALINGS[span]
+    return tuple(f"{words}, {_AVERAGED}" for words in _SCALINGS[span])
+
+
+def _averaged_words(settings: SpectraSettings, frequency_hz: Floats) -> str:
+    """Over which frequencies a mean is, where each magnitude is one."""
+    if not settings.averaged or frequency_hz.size < 2:
+        return ""
+    return f", {_AVERAGED}, {MEAN_OF_BINS * float(frequency_hz[1] - frequency_hz[0]):.3g} Hz"
 
 
 def _kind(settings: SpectraSettings) -> Kind:

@@ -13,13 +13,15 @@ from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.panels.spectra.content import curves_of, notes_of, quantity_of
-from skinsource_gui.panels.spectra.settings import AXES_HINT, RELATIVE, SpectraSettings
+from skinsource_gui.panels.spectra.settings import AVERAGED, AXES_HINT, RELATIVE, SpectraSettings
 from skinsource_gui.signal_panel import SignalPanel
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.provenance import NEEDS
 from skinsource_gui.widgets.plot.ranges import Range
 
 _LOWEST_HZ = 10.0
+# Settings that change the frequency axis alone: curves stay.
+_OF_AXIS: dict[str, Any] = {"log_frequency": False, "frequency_range_hz": None}
 
 
 class SpectraPanel(SignalPanel):
@@ -52,6 +54,10 @@ class SpectraPanel(SignalPanel):
         self._relative = self._plot.toolbar.add_switch(
             "relative", RELATIVE.label, RELATIVE.hint, self._choose_relative
         )
+        # Few want it, and seven switches have room on wide screens alone.
+        self._averaged = self._plot.add_switch_in_menu(
+            "averaged", AVERAGED.label, AVERAGED.hint, self._choose_averaged
+        )
         self._plot.toolbar.layout_chosen.connect(self._choose_layout)
         self._plot.zoom_requested.connect(self._zoom)
 
@@ -64,15 +70,12 @@ class SpectraPanel(SignalPanel):
     def show_state(self, design: Design, view: View) -> None:
         settings = settings_of(view, self.name, SpectraSettings)
         before = self._settings
-        scaled_anew = (settings.log_magnitude, settings.relative, settings.layout) != (
-            before.log_magnitude,
-            before.relative,
-            before.layout,
-        )
+        scaled_anew = replace(settings, **_OF_AXIS) != replace(before, **_OF_AXIS)
         self._view, self._settings = view, settings
         self._log_frequency.setChecked(settings.log_frequency)
         self._log_magnitude.setChecked(settings.log_magnitude)
         self._relative.setChecked(settings.relative)
+        self._plot.toolbar.show_passing(self._averaged, settings.averaged)
         self._plot.toolbar.show_state(
             layout=settings.layout, zoomed=settings.frequency_range_hz is not None
         )
@@ -131,6 +134,9 @@ class SpectraPanel(SignalPanel):
 
     def _choose_relative(self, relative: bool) -> None:
         self._change(relative=relative)
+
+    def _choose_averaged(self, averaged: bool) -> None:
+        self._change(averaged=averaged)
 
     def _zoom(self, shown: tuple[float, float] | None) -> None:
         self._change(frequency_range_hz=shown)

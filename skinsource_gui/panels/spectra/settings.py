@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from skinsource import fields
 from skinsource.fields import ChoiceSpec, Range, RangeSpec, SwitchSpec
+from skinsource.spectra import MEAN_OF_BINS
 
 LAYOUT = ChoiceSpec(
     label="Layout",
@@ -17,6 +18,11 @@ RELATIVE = SwitchSpec(
     label="Each to its peak",
     hint="Draw each output relative to its largest magnitude in the measured band: shapes are seen "
     "where all others would be flat",
+)
+AVERAGED = SwitchSpec(
+    label=f"Mean of {MEAN_OF_BINS} bins",
+    hint=f"Draw the mean of {MEAN_OF_BINS} neighbouring frequencies: the course of noise is seen "
+    "where single ones jump up and down",
 )
 FREQUENCY_RANGE = RangeSpec(label="Zoom", unit="Hz")
 
@@ -34,6 +40,8 @@ class SpectraSettings:
         Logarithmic axes.
     relative
         Whether each output is drawn relative to its own peak.
+    averaged
+        Whether each magnitude is the mean over some bins around it.
     frequency_range_hz
         Zoom; ``None``: everything.
     """
@@ -42,6 +50,7 @@ class SpectraSettings:
     log_frequency: bool = fields.switch(False, LOG_FREQUENCY)
     log_magnitude: bool = fields.switch(True, LOG_MAGNITUDE)
     relative: bool = fields.switch(False, RELATIVE)
+    averaged: bool = fields.switch(False, AVERAGED)
     frequency_range_hz: Range | None = fields.interval(None, FREQUENCY_RANGE)
 
     def __post_init__(self) -> None:

@@ -93,6 +93,11 @@ class PlotToolbar(QWidget):
         self._last_before_switches = button
         return button
 
+    def show_passing(self, button: QToolButton, on: bool) -> None:
+        """Show a switch where it is on, to be switched off; elsewhere it takes no room."""
+        button.setChecked(on)
+        self._show(button, on)
+
     def let_fold(self, may_fold: bool) -> None:
         """Whether there is room for a second row: a plot that is low needs it more."""
         if may_fold != self._may_fold:
@@ -109,9 +114,14 @@ class PlotToolbar(QWidget):
     def show_state(self, *, layout: str, zoomed: bool) -> None:
         """Show which layout there is, and whether a zoom can be left."""
         self._layout_buttons[layout].setChecked(True)
-        if not zoomed and self._everything.hasFocus():
-            self._layout_buttons[layout].setFocus(Qt.FocusReason.OtherFocusReason)
-        self._everything.setVisible(zoomed)
+        self._show(self._everything, zoomed)
+
+    def _show(self, button: QToolButton, shown: bool) -> None:
+        """Show or hide a button; the keyboard stays in the row."""
+        chosen = self._layouts.checkedButton()
+        if not shown and button.hasFocus() and chosen is not None:
+            chosen.setFocus(Qt.FocusReason.OtherFocusReason)
+        button.setVisible(shown)
 
     def _fit(self) -> None:
         """Write smaller where there is too little room: cut words say less than small ones."""

@@ -1,9 +1,10 @@
 """Signals of the selected outputs: their plot, legend, switches and menu."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from PySide6.QtCore import QPoint, Signal
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QToolButton, QVBoxLayout, QWidget
 
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.lateness import Lateness
@@ -71,6 +72,7 @@ class SignalView(QWidget):
         column.addWidget(self.plot, 1)
         self.exports = SignalExports(self.plot, accessible_name, self)
         self._words = Words()
+        self._in_menu: list[QToolButton] = []
         self._lateness = lateness or Lateness(self)
         self._lateness.changed.connect(self._mark_stale)
         self.plot.navigation.zoom_requested.connect(self.zoom_requested)
@@ -79,6 +81,15 @@ class SignalView(QWidget):
         self.plot.menu_wanted.connect(self._open_menu)
         self._in_sight = HeightInSight(self)
         self._in_sight.changed.connect(self._share_height)
+
+    def add_switch_in_menu(
+        self, name: str, text: str, hint: str, toggled: Callable[[bool], None]
+    ) -> QToolButton:
+        """Return a new switch of the menu, which stands in the toolbar too while it is on."""
+        button = self.toolbar.add_switch(name, text, hint, toggled)
+        self.toolbar.show_passing(button, False)
+        self._in_menu.append(button)
+        return button
 
     def set_theme(self, theme: Theme) -> None:
         """Take over colours."""
@@ -131,7 +142,7 @@ class SignalView(QWidget):
     def _open_menu(self, at: QPoint) -> None:
         if self.plot.curves is not None:
             fresh = not self._lateness.late
-            open_menu(self, at, self._show_everything, self.exports, fresh=fresh)
+            open_menu(self, at, self._show_everything, self.exports, self._in_menu, fresh=fresh)
 
     def _read(self) -> None:
         self.legend.say(reading(self.plot))

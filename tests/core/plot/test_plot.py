@@ -272,3 +272,10 @@ def test_what_is_mostly_noise_is_hatched_within_the_outline_on_axes_that_are_dra
     # One disc: output 61 has no place on the back.
     place = limb.map.output_positions[29] * limb.hand_length_mm / limb.map.hand_length_px
     np.testing.assert_allclose(hatched.get_path().get_extents().get_points().mean(axis=0), place)
+
+
+def test_spectra_say_of_how_many_bins_they_are_the_mean():
+    said = [one.get_text() for one in ss.plot.spectra(DESIGN, outputs=(30,)).axes[0].texts]
+    assert not any("bins" in one for one in said)
+    figure = ss.plot.spectra(DESIGN, outputs=(30,), mean_of_bins=10)
+    assert any("mean of 10 bins" in one.get_text() for one in figure.axes[0].texts)

@@ -27,6 +27,8 @@ OWN_SPECTRA = {
         "frequency_range_hz": (25.0, 600.0),
     }
 }
+#: The same, each magnitude the mean over ten bins: of noise.
+OWN_MEAN_SPECTRA = {"spectra": {**OWN_SPECTRA["spectra"], "averaged": True}}
 #: Maps of all designs of a scene at once: of scenes that compare people, places or frequencies.
 BESIDE = {"side_by_side": {"of": "snapshots"}}
 #: The same, each relative to its own loudest output.

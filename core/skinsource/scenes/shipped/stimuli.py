@@ -4,8 +4,8 @@ from skinsource.scenes.paper_scene import Scene
 from skinsource.scenes.shipped.making import (
     BESIDE,
     MOVING,
+    OWN_MEAN_SPECTRA,
     OWN_ROWS,
-    OWN_SPECTRA,
     MadeScene,
     at,
     made,
@@ -83,14 +83,14 @@ _NOISE_SPECTRA = made(
         name="2D",
         title="Noise, as spectra",
         sentence="Of the same noise the skin passes on low frequencies more than high ones.",
-        inferred=(*_OWN_NOISE, "in the figure the mean over ten bins"),
+        inferred=_OWN_NOISE,
         panels=("skin", "spectra"),
     ),
     played(2, *at([5], _NOISE)),
     turned="amplitude",
     axes="x",
     outputs=_NOISE_OUTPUTS,
-    panels=OWN_SPECTRA,
+    panels=OWN_MEAN_SPECTRA,
 )
 
 _TAPS = made(

@@ -1,0 +1,89 @@
+"""How straight all outputs are, not only the selected ones: drawn, said and copied."""
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.evaluation import evaluate
+from skinsource.figures.check_figures import lines_of
+from skinsource.panel_settings import settings_of
+from skinsource_gui.panels.linearity.content import diagrams_of_proportion
+from skinsource_gui.panels.linearity.settings import LinearitySettings
+from skinsource_gui.panels.linearity.strength import of_amplitudes
+from tests.gui.linearity.test_linearity_content import ROWS, TIME_S, bent
+from tests.gui.linearity.test_linearity_panel import OUTPUTS, STRENGTHS, settled, show
+from tests.gui.linearity.test_strengths_and_bands import switch
+
+__all__ = ["show"]
+
+
+def test_adjusted_r2_is_told_of_all_outputs(show, qtbot):
+    window, panel = show(STRENGTHS)
+    assert [one.rank for one in panel.picture.diagrams[2].curves] == [0, 1]
+    switch(window, panel, qtbot, "every_output")
+    qtbot.waitUntil(lambda: panel.every is not None, timeout=30_000)
+    assert settings_of(window.document.view, "linearity", LinearitySettings).every_output
+    assert panel.every.adjusted_r2.shape[:2] == (72, 1)
+    straight = panel.picture.diagrams[2]
+    assert [one.label for one in straight.curves] == ["median", "worst"]
+    assert straight.y.title == "Adjusted R², all outputs"
+    assert "of all 72 outputs" in panel.words.text
+    head, *rows = (line.split("\t") for line in panel.table().splitlines())
+    assert head == ["frequency_hz", *(f"adjusted_r2_{k}_z" for k in range(1, 73))]
+    assert len(rows) == panel.every.frequency_hz.size
+    panel.grab()
+    switch(window, panel, qtbot, "every_output")
+    qtbot.waitUntil(lambda: panel.every is None)
+    assert [one.rank for one in panel.picture.diagrams[2].curves] == [0, 1]
+
+
+def test_selected_outputs_are_as_straight_among_all_as_alone(show, qtbot):
+    window, panel = show(STRENGTHS)
+    switch(window, panel, qtbot, "every_output")
+    qtbot.waitUntil(lambda: panel.every is not None, timeout=30_000)
+    for row, output in enumerate(OUTPUTS):
+        alone = panel.found.adjusted_r2[row]
+        assert panel.every.adjusted_r2[output - 1, 0] == pytest.approx(alone, abs=1e-12)
+
+
+def test_the_worst_of_all_outputs_is_drawn_below_their_median():
+    found = bent()
+    n_bins = found.frequency_hz.size
+    every = np.stack([np.full(n_bins, one) for one in (1.0, 0.98, 0.5)])
+    every[:, 0] = np.nan
+    *_, straight = diagrams_of_proportion(
+        found, ROWS, TIME_S, None, of_amplitudes("V"), every=every
+    )
+    median, worst = straight.curves
+    assert median.y == pytest.approx(0.98)
+    assert worst.y == pytest.approx(0.5)
+    # Where nothing is heard there is no line that could be straight.
+    assert worst.x == pytest.approx(found.frequency_hz[1:])
+    silent = np.full((3, n_bins), np.nan)
+    *_, straight = diagrams_of_proportion(
+        found, ROWS, TIME_S, None, of_amplitudes("V"), every=silent
+    )
+    assert straight.curves == ()
+
+
+def test_what_is_too_long_to_be_transformed_at_once_has_no_bands_of_all_outputs():
+    long = ss.Design(
+        limb="synthetic-1",
+        inputs=(ss.track(8, ss.waveforms.Tone(frequency_hz=100.0, duration_s=600.0)),),
+    )
+    assert evaluate(long, "output_band_magnitudes")["output_band_magnitudes"] is None
+
+
+def test_the_scene_of_straightness_tells_all_outputs_of_its_figure(window, qtbot):
+    window.scenes.open("5E")
+    panel = window.panel("linearity")
+    qtbot.waitUntil(lambda: panel.every is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: settled(window, panel))
+    assert panel.every_output.isChecked()
+    rows = [line.split("\t") for line in panel.table().splitlines()[1:]]
+    fits = lines_of(ss.scenes.open_scene("5E"))
+    numbers = np.array([[float(one) for one in row] for row in rows])[: fits.frequency_hz.size]
+    assert numbers[:, 0] == pytest.approx(fits.frequency_hz)
+    of_outputs = numbers[:, 1:].T
+    assert of_outputs == pytest.approx(fits.adjusted_r2, abs=1e-9)
+    assert "selected" not in window.document.design.notes
