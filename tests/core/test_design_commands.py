@@ -142,3 +142,16 @@ def test_both_commands_need_no_qt(saved, tmp_path):
         command = [sys.executable, "-c", script, *map(str, words)]
         done = subprocess.run(command, check=False, capture_output=True, text=True, timeout=60)
         assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_show_tells_the_conditions_that_are_not_kept_as_captions_do(saved, tmp_path, capsys):
+    assert main(["show", str(saved)]) == 0
+    told = [one for one in capsys.readouterr().out.splitlines() if one.startswith("CAUTION")]
+    assert told == ["CAUTION   Responses are computed from a model, not measured."]
+    fast = ss.track(7, ss.waveforms.Tone(frequency_hz=50.0), amplitude=20.0)
+    path = tmp_path / "fast.skinsource"
+    ss.save_design(path, ss.Design(limb="synthetic-1", inputs=(fast,)), ss.View())
+    assert main(["show", str(path)]) == 0
+    out = capsys.readouterr().out
+    assert "\nCAUTION   The probe moves at up to " in out
+    assert " mm/s; above 40 mm/s the skin no longer answers in proportion.\n" in out

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from skinsource.arrays import Floats
 from skinsource.chain import amplitude_unit
 from skinsource.choice_words import SCALINGS, level_words, limb_word, signal_words, word_of
 from skinsource.clips import Clip
@@ -18,6 +19,7 @@ from skinsource.files import make_folder
 from skinsource.locations import input_words, output_words
 from skinsource.own_limbs import facts_of
 from skinsource.quoting import escaped
+from skinsource.validity.judged import Judged, in_short
 from skinsource.view import View, view_on
 
 
@@ -26,7 +28,8 @@ def add_to(subparsers: Any) -> None:
     show = subparsers.add_parser(
         "show",
         help="show what is in a design file, and its levels",
-        description="Shows what is in a design file, and the level at each output as a table.",
+        description="Shows what is in a design file, conditions of the measurement that it does "
+        "not keep, and the level at each output as a table.",
     )
     render = subparsers.add_parser(
         "render",
@@ -50,12 +53,14 @@ def add_to(subparsers: Any) -> None:
 def _show(arguments: argparse.Namespace) -> int:
     content = open_design(arguments.design)
     design, view = content.design, content.view
-    note = evaluate(design, "limb_data")["limb_data"].note
+    found = evaluate(design, "limb_data", "validity", "output_levels_db", view=view)
+    note, judged = found["limb_data"].note, Judged(label="", findings=found["validity"])
     lines = [
         *_about_design(design),
         *([f"NOTE      {note}"] if note else []),
+        *(f"CAUTION   {words}" for words in in_short([judged])),
         *_about_inputs(design),
-        *_levels(design, view),
+        *_levels(design, view, found["output_levels_db"]),
     ]
     sys.stdout.write("\n".join(lines) + "\n")
     return 0
@@ -118,8 +123,7 @@ def _about_clip(clip: Clip) -> str:
     return f"{clip.waveform}{gain}{effects}{', muted' if clip.muted else ''}"
 
 
-def _levels(design: Design, view: View) -> list[str]:
-    levels_db = evaluate(design, "output_levels_db", view=view)["output_levels_db"]
+def _levels(design: Design, view: View, levels_db: Floats) -> list[str]:
     lines = [
         f"levels    {level_words(view.span)}; {signal_words(view.axes, view.method)}",
         "  output  dB re 1 m/s²  place",

@@ -3,8 +3,7 @@
 from skinsource.choice_words import SCALINGS, limb_word, word_of
 from skinsource.evaluation import evaluate
 from skinsource.scenes import OpenedScene
-from skinsource.validity import Findings
-from skinsource.validity.finding import words_of
+from skinsource.validity.judged import Judged, in_full
 
 
 def setup_words(opened: OpenedScene) -> str:
@@ -15,26 +14,21 @@ def setup_words(opened: OpenedScene) -> str:
     )
 
 
-def left_words(opened: OpenedScene) -> str:
-    """Which conditions of the measurement are not kept; "" where all are."""
-    found = [one for _, findings in _findings(opened) for one in findings]
+def left_words(opened: OpenedScene, *, maps: bool) -> str:
+    """Which conditions of the measurement are not kept; "" where all are.
+
+    ``maps``: whether the figure shows some.  What lies between outputs matters to nothing else.
+    """
+    found = [one for judged in _judged(opened, maps=maps) for one in judged.findings or ()]
     # That a limb is synthetic is said by itself, and larger.
     left = dict.fromkeys(one.name for one in found if one.state == "left" and one.name != "limb")
     words = "Conditions of the measurement that are not kept (see the table)"
     return f"{words}: {', '.join(left)}." if left else ""
 
 
-def condition_lines(opened: OpenedScene) -> list[str]:
+def condition_lines(opened: OpenedScene, *, maps: bool) -> tuple[str, ...]:
     """A line for each condition that a design does not keep, with the designs that do not."""
-    by_line: dict[str, list[str]] = {}
-    for label, findings in _findings(opened):
-        for line in words_of(findings):
-            by_line.setdefault(line, []).append(label)
-    every = len(opened.conditions)
-    return [
-        line if len(labels) == every else f"{', '.join(labels)}: {line}"
-        for line, labels in by_line.items()
-    ]
+    return in_full(_judged(opened, maps=maps))
 
 
 def limbs_of(opened: OpenedScene) -> tuple[str, ...]:
@@ -42,8 +36,12 @@ def limbs_of(opened: OpenedScene) -> tuple[str, ...]:
     return tuple(dict.fromkeys(one.design.limb for one in opened.conditions))
 
 
-def _findings(opened: OpenedScene) -> list[tuple[str, Findings]]:
-    return [
-        (one.label, evaluate(one.design, "validity", view=opened.view)["validity"])
+def _judged(opened: OpenedScene, *, maps: bool) -> list[Judged]:
+    found = [
+        Judged(
+            label=one.label,
+            findings=evaluate(one.design, "validity", view=opened.view)["validity"],
+        )
         for one in opened.conditions
     ]
+    return found if maps else [one.without_maps() for one in found]

@@ -47,7 +47,7 @@ def maps_figure(
 ) -> Drawn:
     """Maps beside each other with one colour bar, and the level of each output as a table."""
     noisy = any(one.noisy for one in levels)
-    sheet = Sheet(opened, _HEIGHT_MM, f"{HATCHED}." if noisy else "")
+    sheet = Sheet(opened, _HEIGHT_MM, f"{HATCHED}." if noisy else "", maps=True)
     room_mm = min(WIDTH_MM - _BAR_ROOM_MM - 6.0, 50.0 * len(levels))
     left_mm = (WIDTH_MM - _BAR_ROOM_MM - room_mm) / 2.0
     with style():

@@ -30,7 +30,7 @@ def tone_frames(opened: OpenedScene) -> Drawn:
     along_z = normal_of(opened.design, field)
     normal = along_z[:, instants].T
     limit = _SHARE_OF_PEAK * float(np.abs(along_z).max())
-    sheet = Sheet(opened, 84.0)
+    sheet = Sheet(opened, 84.0, maps=True)
     with style():
         image: Any = None
         places = sheet.row_of_axes(_N_FRAMES, 4.0, 2.0, 146.0, 76.0)
@@ -52,7 +52,7 @@ def train_windows(opened: OpenedScene) -> Drawn:
     window_s = opened.view.window_s
     found = windowed_levels(opened.design, opened.view, count=None, window_s=window_s)
     n = found.windows.count
-    sheet = Sheet(opened, 132.0, f"{HATCHED}." if any(found.noisy) else "")
+    sheet = Sheet(opened, 132.0, f"{HATCHED}." if any(found.noisy) else "", maps=True)
     left_mm, width_mm = 22.0, WIDTH_MM - 44.0
     with style():
         train = sheet.axes(left_mm, 113.0, width_mm, 16.0)

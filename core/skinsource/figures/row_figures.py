@@ -43,7 +43,7 @@ def pulse_traces(opened: OpenedScene) -> Drawn:
         for number, one in zip(outputs, drawn, strict=True)
     ]
     height_mm = 9.0 * len(rows)
-    sheet = Sheet(opened, height_mm + _FRAMES_MM + 20.0)
+    sheet = Sheet(opened, height_mm + _FRAMES_MM + 20.0, maps=True)
     instants = _instants(opened)
     magnitudes = frames(opened.design, instants)
     levels = [with_values(opened.design, decibels(one)) for one in magnitudes]

@@ -43,15 +43,22 @@ class Sheet:
         Of the drawing alone.
     note
         What more is to be said of the drawing; "": nothing.
+    maps
+        Whether it shows some: conditions of the measurement that are about maps are told.
 
     Attributes
     ----------
     figure
         Of matplotlib.
+    maps
+        As given.
     """
 
-    def __init__(self, opened: OpenedScene, height_mm: float, note: str = "") -> None:
-        lines = _foot(opened, note)
+    def __init__(
+        self, opened: OpenedScene, height_mm: float, note: str = "", *, maps: bool = False
+    ) -> None:
+        self.maps = maps
+        lines = _foot(opened, note, left_words(opened, maps=maps))
         self._foot_mm = _LINE_MM * len(lines) + 2 * _FOOT_EDGE_MM
         self._height_mm = height_mm + _HEAD_MM + self._foot_mm
         self.figure = new_figure(WIDTH_MM, self._height_mm)
@@ -120,13 +127,13 @@ class Drawn:
         return self.sheet.figure
 
 
-def _foot(opened: OpenedScene, note: str) -> list[tuple[str, str]]:
-    """Lines below a drawing, each with its colour."""
+def _foot(opened: OpenedScene, note: str, left: str) -> list[tuple[str, str]]:
+    """Lines below a drawing, each with its colour; ``left``: what is not kept."""
     known = opened.scene
     said = [(known.sentence, INK), (f"After {known.source}.", DIM)]
     if known.inferred:
         said.append((f"Inferred: {'; '.join(known.inferred)}.", DIM))
-    said += [(words, DIM) for words in (setup_words(opened), left_words(opened), note) if words]
+    said += [(words, DIM) for words in (setup_words(opened), left, note) if words]
     if opened.chosen:
         said.append((opened.chosen, INK))
     if opened.synthetic:

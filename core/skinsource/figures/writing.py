@@ -85,8 +85,11 @@ def draw_figure(opened: OpenedScene) -> Drawn:
     return FIGURES[opened.scene.name](opened)
 
 
-def about(opened: OpenedScene) -> list[str]:
-    """Comment lines of a table: what it is, where it is from, what it was computed on."""
+def about(opened: OpenedScene, *, maps: bool) -> list[str]:
+    """Comment lines of a table: what it is, where it is from, what it was computed on.
+
+    ``maps``: whether its figure shows some.
+    """
     known = opened.scene
     lines = [f"SkinSource studio: {known.heading}", known.sentence, f"after {known.source}"]
     lines += [f"inferred: {words}" for words in known.inferred]
@@ -97,7 +100,7 @@ def about(opened: OpenedScene) -> list[str]:
     limbs = (f"{limb_word(one).title} ({one})" for one in limbs_of(opened))
     lines.append(f"limb: {', '.join(limbs)}")
     lines.append(f"scaling: {word_of(SCALINGS, opened.design.scaling).both}")
-    lines += condition_lines(opened)
+    lines += condition_lines(opened, maps=maps)
     lines.append(f"computed by: skinsource {__version__}, numpy {np.__version__}")
     return lines
 
@@ -111,6 +114,7 @@ def _write(folder: Path, opened: OpenedScene, drawn: Drawn, stop: Stop) -> list[
     for suffix, table in drawn.tables.items():
         path = folder / f"{name}{suffix}.csv"
         with output_file(path, stop) as file:
-            CsvTable(file, about(opened), table.header, stop).add(table.rows)
+            lines = about(opened, maps=drawn.sheet.maps)
+            CsvTable(file, lines, table.header, stop).add(table.rows)
         written.append(path)
     return written
