@@ -107,13 +107,14 @@ class StimulusActions(QObject):
         )
         self._jobs.add(path, work, written=lambda result: result.files[0])
 
-    def _may_write(self, path: Path, written: Iterable[tuple[Path, Path]]) -> bool:
+    def _may_write(self, path: Path, written: Iterable[tuple[Path, ...]]) -> bool:
         """Whether nothing is lost beside ``path``, which the dialog asked about, or may be."""
         # Who lets a file go lets its sidecar go.
         agreed = is_there(path)
-        there = [
-            file if is_there(file) else sidecar
-            for file, sidecar in written
-            if not (agreed and file == path) and (is_there(file) or is_there(sidecar))
-        ]
+        firsts = (
+            next(filter(is_there, files), None)
+            for files in written
+            if not (agreed and files[0] == path)
+        )
+        there = [one for one in firsts if one is not None]
         return not there or may_replace(self._window, there)

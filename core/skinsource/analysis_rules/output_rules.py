@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from skinsource.analysis.bands import band_magnitudes
+from skinsource.analysis.bands import band_rms
 from skinsource.analysis.main_axes import MainAxes, main_axes
 from skinsource.analysis.settings import SpectrogramSettings
 from skinsource.analysis.spectrogram import Spectrogram, spectrogram
@@ -91,23 +91,23 @@ def output_spectrogram(
     return spectrogram(row, sample_rate_hz, spectrogram_window_s, stop)
 
 
-def output_band_magnitudes(
+def output_band_rms(
     vibration: Vibration,
     axis_numbers: tuple[int, ...],
     limb_data: Limb,
     sample_rate_hz: float,
     stop: Stop,
 ) -> tuple[Floats, Floats] | None:
-    """Bands of 2 Hz, and the magnitude of all outputs in each, (n_outputs, n_axes, n_bins).
+    """Bands of 2 Hz, and the RMS of all outputs in each, (n_outputs, n_axes, n_bins).
 
-    Middles of the bands in Hz, magnitudes in m/s², as `band_magnitudes` of the outputs' traces;
+    Middles of the bands in Hz, RMS in m/s², as `band_rms` of the outputs' traces;
     None of what is too long to be transformed at once.
     """
     if vibration.streamed is not None:
         return None
     outputs = tuple(range(1, limb_data.n_outputs + 1))
     transforms = vibration.transforms(outputs, axis_numbers, stop)
-    return band_magnitudes(transforms, vibration.n_times, sample_rate_hz, limb_data.band_hz)
+    return band_rms(transforms, vibration.n_times, sample_rate_hz, limb_data.band_hz)
 
 
 def output_main_axes(axis_traces: Floats, axis_numbers: tuple[int, ...]) -> MainAxes | None:
@@ -121,6 +121,6 @@ RULES = (
     spectrogram_output,
     spectrogram_window_s,
     output_spectrogram,
-    output_band_magnitudes,
+    output_band_rms,
     output_main_axes,
 )

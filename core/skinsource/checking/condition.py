@@ -1,5 +1,6 @@
 """One design, checked: whether it is linear, and how well it agrees with its recording."""
 
+import math
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
@@ -199,7 +200,7 @@ def _checks(
 ) -> tuple[float, float]:
     """Smallest adjusted R² over levels, and smallest r between the sum of inputs and all."""
     if not field.any():
-        return float("nan"), float("nan")
+        return math.nan, math.nan
     at_levels = [
         _values(louder(design, k), view, stop, "axis_traces")["axis_traces"] for k in _LEVELS
     ]
@@ -207,7 +208,7 @@ def _checks(
     fit = linear_fit(_LEVELS, channels, rate, facts_of(design.limb).band_hz)[1]
     heard = audible_inputs(design.inputs)
     if len(heard) < 2:
-        return float(np.nanmin(fit)), float("nan")
+        return _least(fit), math.nan
     parts = []
     for one in heard:
         alone = tuple(replace(each, muted=each.id != one.id, solo=False) for each in design.inputs)
@@ -216,7 +217,13 @@ def _checks(
         whole[..., : trace.shape[-1]] = trace[..., : field.shape[-1]]
         parts.append(whole.reshape(-1, field.shape[-1]))
     r = superposition_correlation(np.stack(parts), field.reshape(-1, field.shape[-1]))
-    return float(np.nanmin(fit)), float(np.nanmin(r))
+    return _least(fit), _least(r)
+
+
+def _least(values: Floats) -> float:
+    """The smallest of those that are known; NaN where none is, as of a response without a bin."""
+    known = values[np.isfinite(values)]
+    return float(known.min()) if known.size else math.nan
 
 
 def _main_frequency(field: Floats, rate: float) -> float:

@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 import scipy
 
-from skinsource.analysis.bands import band_magnitudes
+from skinsource.analysis.bands import band_rms
 from skinsource.arrays import Floats
 from skinsource.comparing.snapshot import alike, louder
 from skinsource.design import Design, Input, audible_inputs
@@ -38,7 +38,7 @@ class Proportion:
     frequency_hz : (n_bins,)
         Middles of bands of 2 Hz.
     band_rms, band_line : (n_strengths, n_channels, n_bins)
-        Of the spectrum of the output there, and the straight line through them.
+        Of what the responses hold there, and the straight line through them.
     adjusted_r2 : (n_channels, n_bins)
         Of these lines; NaN: nothing is heard.
     """
@@ -138,9 +138,9 @@ def proportion(
     rms = np.sqrt(np.mean(np.square(y), axis=-1))
     slope, offset, _ = straight_lines(x[:, None], rms)
     transforms = scipy.fft.rfft(y)
-    frequency_hz, band_rms = band_magnitudes(transforms, y.shape[-1], sample_rate_hz, band_hz)
+    frequency_hz, in_bands = band_rms(transforms, y.shape[-1], sample_rate_hz, band_hz)
     levels = x[:, None, None]
-    of_band, above, adjusted_r2 = straight_lines(levels, band_rms)
+    of_band, above, adjusted_r2 = straight_lines(levels, in_bands)
     return Proportion(
         strengths=x,
         divided=divided,
@@ -148,7 +148,7 @@ def proportion(
         rms=rms,
         line=offset + slope * x[:, None],
         frequency_hz=frequency_hz,
-        band_rms=band_rms,
+        band_rms=in_bands,
         band_line=above + of_band * levels,
         adjusted_r2=adjusted_r2,
     )
@@ -157,9 +157,9 @@ def proportion(
 def straightness(
     strengths: Sequence[float], in_bands: Sequence[tuple[Floats, Floats]]
 ) -> Straightness:
-    """Fit lines over strengths to the quantity ``output_band_magnitudes`` of each of them."""
+    """Fit lines over strengths to the quantity ``output_band_rms`` of each of them."""
     frequency_hz = in_bands[0][0]
-    y = np.stack([magnitude for _, magnitude in in_bands])
+    y = np.stack([rms for _, rms in in_bands])
     x = np.asarray(strengths, float).reshape(-1, 1, 1, 1)
     return Straightness(frequency_hz=frequency_hz, adjusted_r2=straight_lines(x, y)[2])
 

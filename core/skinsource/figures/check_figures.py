@@ -5,7 +5,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import scipy
 
+from skinsource.analysis.bands import BIN_HZ, band_rms
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
 from skinsource.evaluation import evaluate
@@ -21,7 +23,6 @@ from skinsource.validation.agreement import pearson
 from skinsource.validation.linearity import straight_lines
 from skinsource.waveforms import Chirp
 
-_BAND_HZ = 2.0
 _SHOWN_BANDS_HZ = (50.0, 100.0, 200.0, 400.0)
 # Where an error is exactly 0 it is drawn here.
 _SMALLEST = 1e-17
@@ -80,9 +81,9 @@ class Fits:
     frequency_hz : (n_bands,)
         Middles of the bands.
     played : (n_levels, n_bands)
-        Magnitude of the input.
+        RMS of the input there.
     felt : (n_levels, n_channels, n_bands)
-        Magnitudes of the outputs.
+        Those of the outputs.
     slope, offset, adjusted_r2 : (n_channels, n_bands)
         Of the lines.
     """
@@ -109,11 +110,11 @@ def swept_hz(opened: OpenedScene) -> Band:
     limb, swept = opened.design.limb, (clip.waveform.start_hz, clip.waveform.end_hz)
     known = facts_of(limb).band_hz or (0.0, np.inf)
     low_hz, high_hz = max(known[0], min(swept)), min(known[1], max(swept))
-    if high_hz - low_hz < _BAND_HZ:
+    if high_hz - low_hz < BIN_HZ:
         raise InvalidInputError(
             f"the sweep of this scene goes from {min(swept):g} to {max(swept):g} Hz, and the limb "
             f"{quoted(limb)} was measured from {known[0]:g} to {known[1]:g} Hz, expected "
-            f"{_BAND_HZ:g} Hz or more in common. Choose another limb."
+            f"{BIN_HZ:g} Hz or more in common. Choose another limb."
         )
     return low_hz, high_hz
 
@@ -127,11 +128,11 @@ def lines_of(opened: OpenedScene) -> Fits:
         (waveform,) = found["input_waveforms"]
         _, field = field_of(one.design)
         drive = waveform * one.design.inputs[0].amplitude
-        n_fft, rate_hz = field.shape[-1], found["sample_rate_hz"]
-        frequency_hz, of_drive = banded(drive[None], n_fft, rate_hz, swept)
-        _, of_field = banded(normal_of(one.design, field), n_fft, rate_hz, swept)
-        played.append(of_drive[0])
-        felt.append(of_field)
+        n_times = field.shape[-1]
+        how = n_times, found["sample_rate_hz"], swept
+        frequency_hz, of_drive = band_rms(scipy.fft.rfft(drive, n_times), *how)
+        played.append(of_drive)
+        felt.append(band_rms(scipy.fft.rfft(normal_of(one.design, field)), *how)[1])
     x, y = np.stack(played), np.stack(felt)
     slope, offset, adjusted_r2 = straight_lines(x[:, None], y)
     return Fits(
@@ -142,18 +143,6 @@ def lines_of(opened: OpenedScene) -> Fits:
         offset=offset,
         adjusted_r2=adjusted_r2,
     )
-
-
-def banded(
-    signals: Floats, n_fft: int, sample_rate_hz: float, band_hz: Band
-) -> tuple[Floats, Floats]:
-    """Middles of bands of 2 Hz, and the RMS of the spectrum in each, (n_signals, n_bands)."""
-    spectrum = np.abs(np.fft.rfft(signals, n_fft)) / n_fft
-    frequency = np.arange(spectrum.shape[-1]) * sample_rate_hz / n_fft
-    edges = np.arange(band_hz[0], band_hz[1] + 1e-9, _BAND_HZ)
-    first = np.searchsorted(frequency, edges)
-    energy = np.add.reduceat(spectrum**2, first, axis=-1)[:, :-1]
-    return (edges[:-1] + edges[1:]) / 2.0, np.sqrt(energy / np.diff(first))
 
 
 def output_over_input(opened: OpenedScene) -> Drawn:

@@ -176,9 +176,10 @@ def _write_file(
         confirmed=confirmed,
     )
     # What is entered last is moved first: whoever finds the file finds the words about it.
-    beside = {**ready.format.beside(path, facts), sidecar_path(path): content}
-    for place, words in beside.items():
-        stack.enter_context(replacing(place)).write_bytes(words)
+    other = ready.format.beside(path)
+    if other is not None:
+        stack.enter_context(replacing(other)).write_bytes(ready.format.words_beside(facts))
+    stack.enter_context(replacing(sidecar_path(path))).write_bytes(content)
 
 
 def _write_folder(

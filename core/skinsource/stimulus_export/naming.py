@@ -20,10 +20,15 @@ def sidecar_path(path: Path) -> Path:
 
 def written_files(
     path: Path, format: StimulusFormat, marks: Iterable[str]
-) -> tuple[tuple[Path, Path], ...]:
-    """Each file that an export to ``path`` writes, and its sidecar.
+) -> tuple[tuple[Path, ...], ...]:
+    """Each file that an export to ``path`` writes, its sidecar, and what else belongs to it.
 
     ``marks`` are those of `skinsource.stimulus_export.Overview`.
     """
     files = (marked(path, format, mark) for mark in marks)
-    return tuple((one, sidecar_path(one)) for one in files)
+    return tuple((one, sidecar_path(one), *_beside(one, format)) for one in files)
+
+
+def _beside(path: Path, format: StimulusFormat) -> tuple[Path, ...]:
+    other = format.beside(path)
+    return () if other is None else (other,)

@@ -40,14 +40,18 @@ def write_bids(outgoing: Outgoing, path: Path) -> Facts:
     }
 
 
-def _description(path: Path, facts: Facts) -> Mapping[Path, bytes]:
-    """What BIDS asks for, where it looks for it; nothing where ``path`` has no name of BIDS."""
+def _place_of_description(path: Path) -> Path | None:
+    """Where BIDS looks for what it asks for; nowhere where ``path`` has no name of BIDS."""
     if not path.name.endswith(_ENDING):
-        return {}
+        return None
+    return path.with_name(f"{path.name.removesuffix(_ENDING)}.json")
+
+
+def _description(facts: Facts) -> bytes:
+    """What BIDS asks for."""
     keys = ("SamplingFrequency", "StartTime", "Columns", *facts["Columns"])
     content = json.dumps({key: facts[key] for key in keys}, ensure_ascii=False, indent=2)
-    place = path.with_name(f"{path.name.removesuffix(_ENDING)}.json")
-    return {place: f"{content}\n".encode()}
+    return f"{content}\n".encode()
 
 
 def _bytes_of(n_channels: int, n_times: int, _: Mapping[str, str]) -> int:
@@ -63,5 +67,6 @@ BIDS = StimulusFormat(
     bytes_of=_bytes_of,
     rate_hz=None,
     to_device=False,
-    beside=_description,
+    beside=_place_of_description,
+    words_beside=_description,
 )

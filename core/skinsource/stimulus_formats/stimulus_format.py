@@ -34,9 +34,13 @@ def no_response(_: Design) -> int:
     return 0
 
 
-def nothing_beside(_path: Path, _facts: Facts) -> Mapping[Path, bytes]:
+def nothing_beside(_: Path) -> None:
     """No other file belongs to it."""
-    return {}
+
+
+def no_words(_: Facts) -> bytes:
+    """Nothing is in the other file, as there is none."""
+    return b""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -127,8 +131,8 @@ class StimulusFormat:
         Whether full scale is all that a device can play: what lies beyond would be cut off.
     rounds
         Whether whole numbers are written, with such choices, so that dither can be asked for.
-    beside
-        Small files that belong to it besides the sidecar, and what is in them.
+    beside, words_beside
+        Where another small file belongs to it besides the sidecar, None: none does; what is in it.
     loses
         What of the drive is not in the file, in a sentence, for such choices; "": nothing.
     """
@@ -148,7 +152,8 @@ class StimulusFormat:
     folder: bool = False
     to_device: bool = True
     rounds: Callable[[Mapping[str, str]], bool] = no_whole_numbers
-    beside: Callable[[Path, Facts], Mapping[Path, bytes]] = nothing_beside
+    beside: Callable[[Path], Path | None] = nothing_beside
+    words_beside: Callable[[Facts], bytes] = no_words
     loses: Callable[[Mapping[str, str]], str] = nothing_lost
 
     def chosen(self, choices: Mapping[str, str]) -> dict[str, str]:

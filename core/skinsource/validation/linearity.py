@@ -4,7 +4,7 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike
 
-from skinsource.analysis.bands import band_magnitudes
+from skinsource.analysis.bands import band_rms
 from skinsource.arguments import finite_array, positive_number
 from skinsource.arrays import Floats
 from skinsource.errors import InvalidInputError
@@ -20,8 +20,8 @@ def linear_fit(
 ) -> tuple[Floats, Floats]:
     """Return how well output is in proportion to input, by frequency.
 
-    In each bin of 2 Hz within the measured band the magnitude of the output, its root of the mean
-    square over the bin, is fitted with a straight line over the level of the input.
+    In each bin of 2 Hz within the measured band the RMS of the output, see `band_rms`, is fitted
+    with a straight line over the level of the input.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ def linear_fit(
             f"levels has shape {x.shape}, responses {data.shape}; expected three or more different "
             "levels and (n_levels, n_channels, n_times)"
         )
-    middles, y = band_magnitudes(scipy.fft.rfft(data), data.shape[-1], rate, band_hz)
+    middles, y = band_rms(scipy.fft.rfft(data), data.shape[-1], rate, band_hz)
     return middles, straight_lines(x[:, None, None], y)[2]
 
 
@@ -95,5 +95,7 @@ def straight_lines(x: Floats, y: Floats) -> tuple[Floats, Floats, Floats]:
     slope = np.sum(away * rest, axis=0) / np.sum(away**2, axis=0)
     left = np.sum(np.square(rest - slope * away), axis=0)
     total = np.sum(np.square(rest), axis=0)
-    share = np.divide(left, total, out=np.full(total.shape, np.nan), where=total > 0.0)
+    # The mean of equal levels may be rounded: what is left of them then is no change.
+    rounding = n * np.square(np.finfo(np.float64).eps * np.abs(y).max(axis=0))
+    share = np.divide(left, total, out=np.full(total.shape, np.nan), where=total > rounding)
     return slope, y.mean(axis=0) - slope * x.mean(axis=0), 1.0 - share * (n - 1) / (n - 2)

@@ -56,7 +56,7 @@ _NEEDS = frozenset(
         "shown_outputs",
     }
 )
-_EVERY = "output_band_magnitudes"
+_EVERY = "output_band_rms"
 NEITHER = (
     "Store one stimulus at three strengths or more, or inputs alone and all of them together, "
     "with Ctrl+1 to Ctrl+4: here is seen whether outputs grow in step, and add up"

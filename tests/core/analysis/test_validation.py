@@ -84,11 +84,11 @@ def test_outputs_in_proportion_are_a_straight_line_and_a_limiter_is_not():
     frequency_hz, fit = linear_fit(levels, straight, 1300.0)
     assert fit == pytest.approx(np.ones(fit.shape), abs=1e-9)
     assert frequency_hz[0] == 26.0
-    assert frequency_hz[-1] == 599.0 or frequency_hz[-1] == 600.0
+    assert frequency_hz[-1] == 598.0
     of_lab, _ = linear_fit(levels, straight, 1300.0, (40.0, 90.0))
     assert (of_lab[0], of_lab[-1]) == (41.0, 89.0)
     everywhere, _ = linear_fit(levels, straight, 1300.0, None)
-    assert (everywhere[0], everywhere[-1]) == (1.0, 651.0)
+    assert (everywhere[0], everywhere[-1]) == (1.0, 649.0)
     bent = np.tanh(2.0 * straight)
     _, fit = linear_fit(levels, bent, 1300.0)
     assert np.median(fit[0]) < 0.97

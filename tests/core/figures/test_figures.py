@@ -10,7 +10,7 @@ import skinsource as ss
 from skinsource.commands.command_line import main
 from skinsource.errors import InvalidInputError, StorageError
 from skinsource.figures import FIGURES, write_figures
-from skinsource.figures.check_figures import banded, lines_of
+from skinsource.figures.check_figures import lines_of
 from skinsource.figures.writing import draw_figure
 from skinsource.limb import BAND_HZ
 
@@ -84,17 +84,6 @@ def test_figure_2b_on_the_measured_limb_holds_the_known_levels(measured, tmp_pat
     np.testing.assert_allclose(rows[:, 1:].max(axis=0), [-7.3, -6.2, -6.2, -6.2], atol=0.0501)
     medians = np.median(rows[:42, 1:], axis=0)
     np.testing.assert_allclose(medians, [-20.5, -26.1, -36.1, -46.4], atol=0.0501)
-
-
-def test_a_band_holds_the_rms_of_its_bins():
-    rate_hz, n = 1300.0, 2600
-    time_s = np.arange(n) / rate_hz
-    tone = np.sin(2 * np.pi * 100.0 * time_s)
-    frequency, magnitude = banded(tone[None], n, rate_hz, BAND_HZ)
-    # Bins lie at 0, 0.5, 1, … Hz; the band from 99 to 101 Hz holds four of them, one of them 1/2.
-    assert frequency[np.argmax(magnitude[0])] == pytest.approx(100.0)
-    assert magnitude[0].max() == pytest.approx(np.sqrt(0.5**2 / 4))
-    assert np.sort(magnitude[0])[-2] < 1e-10
 
 
 def test_lines_are_those_of_least_squares():

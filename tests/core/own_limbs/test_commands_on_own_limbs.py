@@ -1,5 +1,6 @@
 """Commands on designs of a limb that lacks outputs which the usual view looks at."""
 
+import numpy as np
 import pytest
 
 import skinsource as ss
@@ -8,7 +9,8 @@ from skinsource.design import Design, track
 from skinsource.design_file import save_design
 from skinsource.errors import InvalidInputError
 from skinsource.view import View, view_on
-from skinsource.waveforms import Noise, Tone
+from skinsource.waveforms import Impulse, Noise, Tone
+from tests.core.own_limbs.compared import keep
 from tests.core.own_limbs.lab_bench import installed
 
 
@@ -40,3 +42,16 @@ def test_noise_that_a_slow_limb_cannot_play_is_said_as_of_tones():
         with pytest.raises(InvalidInputError, match=r"500 Hz \(half the sample rate of 1000 Hz\)"):
             waveform.samples(1000.0)
     assert ss.waveforms.Noise(high_hz=500.0).samples(1000.0).size == 200
+
+
+def test_a_response_without_a_frequency_in_the_band_is_checked_and_no_line_is_told(
+    user_data, tmp_path, capsys
+):
+    responses = np.random.default_rng(5).normal(size=(2, 3, 1, 6))
+    rate = {"sample_rate_hz": 48_000.0, "pre_trigger_delay_s": 0.0, "band_hz": (25.0, 600.0)}
+    keep("lab-short", responses, **rate)
+    path = tmp_path / "short.skinsource"
+    inputs = tuple(track(place, Impulse()) for place in (1, 2))
+    save_design(path, Design(limb="lab-short", inputs=inputs))
+    assert main(["check", str(path)]) == 0
+    assert "adjusted R² –; superposition: r 1" in capsys.readouterr().out

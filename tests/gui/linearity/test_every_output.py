@@ -71,7 +71,7 @@ def test_what_is_too_long_to_be_transformed_at_once_has_no_bands_of_all_outputs(
         limb="synthetic-1",
         inputs=(ss.track(8, ss.waveforms.Tone(frequency_hz=100.0, duration_s=600.0)),),
     )
-    assert evaluate(long, "output_band_magnitudes")["output_band_magnitudes"] is None
+    assert evaluate(long, "output_band_rms")["output_band_rms"] is None
 
 
 def test_the_scene_of_straightness_tells_all_outputs_of_its_figure(window, qtbot):

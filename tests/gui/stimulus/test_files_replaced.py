@@ -77,3 +77,14 @@ def test_one_file_per_input_asks_about_each_that_is_there(
         "2 files exist already: drive_input-1.wav, drive_input-3.wav. Replace them?"
     ]
     assert not (tmp_path / "drive_input-2.wav").exists()
+
+
+def test_what_a_standard_wants_beside_a_file_is_not_lost_unasked(
+    page, desk, qtbot, save_as, asked, tmp_path
+):
+    choose(page, qtbot, "format", "bids")
+    save_as("sub-1_stim.tsv.gz")
+    (tmp_path / "sub-1_stim.json").write_text("mine")
+    export(desk, page, qtbot)
+    assert asked[0] == ["sub-1_stim.json exists already. Replace it?"]
+    assert contents(tmp_path) == {"sub-1_stim.json": b"mine"}
