@@ -48,6 +48,15 @@ def test_the_worst_channel_counts():
     assert errors_of(REFERENCE, values).peak == pytest.approx(0.01 / 2.0)
 
 
+def test_any_sound_in_a_channel_without_a_response_is_an_error_beyond_measure():
+    mute = replace(REFERENCE, high=HIGH.copy(), peaks=REFERENCE.peaks.copy())
+    mute.high[1], mute.peaks[1] = 0.0, 0.0
+    assert errors_of(mute, mute.high).peak == errors_of(mute, mute.high).l2 == 0.0
+    wrong = mute.high.copy()
+    wrong[1, 0, 0] = 1e-20
+    assert errors_of(mute, wrong).peak > 1e200
+
+
 def test_sound_in_silence_is_told_apart():
     errors = changed(1, 2, 0, -1e-9)
     assert errors.silence == pytest.approx(1e-9 / 2.0)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from skinsource.catalogue import load_limb
+from skinsource.counting import counted
 from skinsource.limb import N_INPUTS, N_OUTPUTS, N_TAPS, SAMPLE_RATE_HZ, Axes, Limb
 from skinsource.method_comparison.made_up import made_up_limb
 from skinsource.own_limbs import facts_of
@@ -62,9 +63,9 @@ class ComparedLimb:
     def size(self) -> str:
         """Words for its shape and rate."""
         return (
-            f"{self.n_inputs} places × {self.n_outputs} outputs × {self.n_axes} "
-            f"{'axis' if self.n_axes == 1 else 'axes'} ({self.axes}) × {self.n_taps} samples, "
-            f"{self.sample_rate_hz:g} Hz"
+            f"{counted(self.n_inputs, 'place')} × {counted(self.n_outputs, 'output')} × "
+            f"{counted(self.n_axes, 'axis', 'axes')} ({self.axes}) × "
+            f"{counted(self.n_taps, 'sample')}, {self.sample_rate_hz:g} Hz"
         )
 
     def load(self) -> Limb:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import cache, partial
 from typing import Any
 
+from skinsource.counting import counted
 from skinsource.method_comparison.compared_limb import MADE_UP, ComparedLimb
 from skinsource.signals import sample_count
 
@@ -146,7 +147,7 @@ def _even(
     """A scene in which all inputs play equally long."""
     return ComparedScene(
         key=key,
-        title=f"{count} input{'' if count == 1 else 's'} × {duration_s:g} s",
+        title=f"{counted(count, 'input')} × {duration_s:g} s",
         players=_players(limb, count, duration_s),
         reference=key,
         limb=limb,

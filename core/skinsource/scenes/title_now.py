@@ -66,7 +66,9 @@ def _is_as_made(known: Scene, designs: tuple[Design, ...], design: Design) -> bo
 
 def _is_on(known: Design, design: Design) -> bool:
     """Whether it is on this limb, or on the synthetic one that stands in for it."""
-    return design.limb.partition("-")[2] == known.limb.partition("-")[2]
+    number = known.limb.partition("-")[2]
+    # A lab may give its own limb a number too.
+    return design.limb in PUBLISHED and design.limb.partition("-")[2] == number
 
 
 def _played(design: Design, *, moved: bool) -> Design:

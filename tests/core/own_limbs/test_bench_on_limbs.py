@@ -150,6 +150,12 @@ def test_between_the_bursts_is_silence_however_long_responses_are(n_taps):
     assert quiet.start - (loud.n_times + n_taps - 1) >= 1000
 
 
+def test_a_limb_of_one_place_and_output_is_told_in_words_of_one():
+    limb = sized(1, 1, 1, axes="z", sample_rate_hz=100.0)
+    assert limb.size == "1 place × 1 output × 1 axis (z) × 1 sample, 100 Hz"
+    assert scenes_on(limb)[0].title == "1 input × 0.5 s"
+
+
 def test_errors_are_measured_at_outputs_spread_over_the_limb():
     assert sized().visible_outputs == (1, 7, 13, 19, 25, 31)
     assert sized().checked_channels[:4] == (0, 1, 12, 13)
@@ -212,6 +218,16 @@ def test_settings_that_short_or_long_responses_leave_no_room_for_are_said(user_d
     scene = scene_of("S1", keep("short", taps[..., :20]))
     with pytest.raises(Unfit, match="responses of 20 samples have no 32 shapes"):
         engine_of("cached spectra").prepare(scene, Method(setting=Setting(rank=32)))
+    # As many shapes as samples there are.
+    assert engine_of("cached spectra").prepare(scene, Method(setting=Setting(rank=20))).rows.size
+
+
+def test_blocks_of_no_given_length_suit_long_responses(user_data):
+    taps = np.random.default_rng(2).standard_normal((1, 2, 1, 6000))
+    scene = scene_of("S1", keep("long", taps))
+    reference = exact_response(scene)
+    prepared = engine_of("overlap-add").prepare(scene, Method())
+    assert errors_of(reference, picked(reference, prepared.rows, prepared.run(0))).peak <= 1e-14
 
 
 def test_a_limb_that_is_removed_or_replaced_is_told(lab):

@@ -91,15 +91,39 @@ def test_what_is_left_out_of_tiny_taps_is_within_the_bound(user_data):
 
 
 def test_long_responses_are_summed_without_rounding(user_data):
-    """All of one sign, so that sums grow as large as they can."""
-    taps = np.random.default_rng(2).uniform(0.5, 1.0, (1, 1, 1, 9000))
+    """All of one sign and so many that their sum passes 2^53, unless they are summed in parts."""
+    n = 40_000
+    taps = np.random.default_rng(2).uniform(0.5, 1.0, (1, 1, 1, n))
     limb = keep("long", taps)
-    scene = replace(scene_of("S1", limb), players=(Player(location=1, seed=1, n_times=9000),))
-    reference, drive = exact_response(scene), made_up_drive(1, 9000)
-    window = int(np.abs(reference.starts - 9000).argmin())
+    scene = replace(scene_of("S1", limb), players=(Player(location=1, seed=1, n_times=n),))
+    reference, drive = exact_response(scene), made_up_drive(1, n)
+    window = int(np.abs(reference.starts - n).argmin())
     exact = exact_at(taps[0, 0, 0], drive, int(reference.samples[0, window, 0]))
     assert reference.high[0, window, 0] == float(exact)
     assert reference.low[0, window, 0] == float(exact - Fraction(float(exact)))
+
+
+@pytest.mark.parametrize(("rate_hz", "step"), [(5_120.0, 1), (5_130.0, 2), (20_000.0, 4)])
+def test_the_largest_of_at_most_512_samples_of_a_window_is_among_them(user_data, rate_hz, step):
+    taps = np.random.default_rng(6).normal(size=(1, 1, 1, 3))
+    limb = keep("fast", taps, sample_rate_hz=rate_hz)
+    n_times = round(0.35 * rate_hz)
+    scene = replace(scene_of("S1", limb), players=(Player(location=1, seed=1, n_times=n_times),))
+    reference, played = exact_response(scene), np.convolve(taps[0, 0, 0], made_up_drive(1, n_times))
+    for w, start in enumerate(reference.starts):
+        window = played[start : start + round(0.1 * rate_hz)]
+        largest = int(np.argmax(np.abs(window[::step]))) * step
+        assert reference.samples[0, w, 0] == start + largest
+        assert reference.peaks[0, w] >= np.abs(window[largest]) * (1.0 - 1e-12)
+
+
+def test_a_turned_input_leaves_out_as_much_as_another(user_data):
+    taps = np.array([1.0, 2.0**-110 / 7.0]).reshape(1, 1, 1, 2)
+    limb, bounds = keep("steep", taps), []
+    for amplitude in (1.0, -1.0):
+        player = Player(location=1, seed=1, n_times=40, amplitude=amplitude)
+        bounds.append(exact_response(replace(scene_of("S1", limb), players=(player,))).bound)
+    assert bounds[0] == bounds[1] > 2.0**-106
 
 
 def test_responses_that_are_no_numbers_have_no_exact_values(lab, monkeypatch):

@@ -32,8 +32,9 @@ def test_each_scene_that_plays_something_else_is_called_edited(name):
 def test_a_scene_on_another_limb_is_no_longer_called_by_the_limb_of_its_title():
     known = next(one for one in ss.scenes.all_scenes() if one.title.endswith(", limb 1"))
     design = opened(known.name, available=()).design
-    moved = replace(design, limb="synthetic-3")
-    assert title_of(moved) == f"Fig. {known.name}: {known.title.removesuffix(', limb 1')} · edited"
+    for limb in ("synthetic-3", "our-arm-1", "arm-1"):
+        moved = title_of(replace(design, limb=limb))
+        assert moved == f"Fig. {known.name}: {known.title.removesuffix(', limb 1')} · edited"
     chosen = opened(known.name, limb="synthetic-3").design
     assert title_of(chosen) == chosen.title
 
