@@ -91,7 +91,9 @@ def _lies_on_its_like(after: Design, before: Design) -> bool:
             if one.id in old:
                 there.setdefault(one.onset_s, []).append(one)
         new = (one for one in track.clips if one.id not in old)
-        if any(replace(one, id=like.id) == like for one in new for like in there.get(one.onset_s, ())):
+        if any(
+            replace(one, id=like.id) == like for one in new for like in there.get(one.onset_s, ())
+        ):
             return True
     return False
 

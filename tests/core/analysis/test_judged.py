@@ -1,10 +1,11 @@
 """What goes with a result wherever it is taken."""
 
+import numpy as np
 import pytest
 
 import skinsource as ss
 from skinsource.evaluation import evaluate
-from skinsource.validity import Finding
+from skinsource.validity import Finding, found_in_drives, found_in_setup
 from skinsource.validity.judged import Judged, in_full, in_short
 
 FAST = Finding(name="drive", state="left", sentence="Fast, and more.", in_short="Fast.")
@@ -41,6 +42,12 @@ def test_what_holds_for_several_is_said_once_with_who_they_are_and_for_all_witho
     assert in_short(several) == ("A, C: Made from other files.", "A, C: Fast.")
 
 
+def test_what_is_said_twice_of_one_design_is_said_once():
+    several = [Judged(label="A", findings=(FAST, FAST)), Judged(label="B", findings=(KEPT,))]
+    assert in_short(several) == ("A: Fast.",)
+    assert in_short(several[:1]) == ("Fast.",)
+
+
 def test_numbers_that_differ_between_designs_are_a_range():
     several = [Judged(label="A", findings=(MOST,)), Judged(label="B", findings=(HALF,))]
     assert in_short(several) == ("It is 50% to 90% outside.",)
@@ -73,6 +80,16 @@ def test_each_condition_that_is_not_kept_has_short_words_and_no_other(scaling):
     short = " ".join(in_short([Judged(label="A", findings=found)]))
     assert "{" not in short
     assert " of the energy lies above 300 Hz" in short
+
+
+@pytest.mark.parametrize("limit_hz", [300.0, None])
+@pytest.mark.parametrize("frequency_hz", [100.0, 400.0])
+def test_of_all_conditions_only_the_spacing_of_outputs_is_about_maps(frequency_hz, limit_hz):
+    drive = np.sin(2.0 * np.pi * frequency_hz * np.arange(1300) / 1300.0)
+    found = found_in_drives([(7, drive)], 1300.0, "probe", spatial_limit_hz=limit_hz)
+    assert [one.name for one in found if one.of_maps] == ["spacing"]
+    setup = found_in_setup(synthetic=True, scaling="upstream", places=[7, 8])
+    assert not any(one.of_maps for one in setup)
 
 
 def test_what_lies_between_outputs_is_told_of_maps_alone():

@@ -12,7 +12,6 @@ from skinsource.errors import InvalidInputError, StorageError
 from skinsource.figures import FIGURES, write_figures
 from skinsource.figures.check_figures import lines_of
 from skinsource.figures.writing import draw_figure
-from skinsource.limb import BAND_HZ
 
 
 def table(path):

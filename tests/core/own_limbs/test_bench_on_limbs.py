@@ -135,6 +135,7 @@ def test_all_places_play_once_and_exact_values_of_each_scene_are_made(n_inputs):
     places = next(scene.players for scene in scenes.values() if scene.n_inputs == most)
     assert sorted(player.location for player in places)[-n_inputs:] == list(range(1, n_inputs + 1))
     assert all(scene.key != "S7" or n_inputs > 1 for scene in scenes.values())
+    assert all((scene.changed or 0) < scene.n_inputs for scene in scenes.values())
 
 
 def test_without_a_limb_the_scenes_are_those_of_the_published_shape():
