@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from skinsource import edits
-from skinsource.design import Design
+from skinsource.design import Design, Input
 from skinsource.edits import Edit, Refusal
 from skinsource.edits.edit import place_words
 from skinsource.edits.inputs import usual_location
@@ -12,6 +12,9 @@ from skinsource.own_limbs import facts_of
 from skinsource.view import View
 from skinsource.waveforms import Recording
 from skinsource_gui.widgets.drop_place import DropPlace
+
+# The page stays open while its design is edited.
+_GONE = Refusal(sentence="That recording is no longer there; import it to another place.")
 
 
 def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[str, str], ...]:
@@ -52,6 +55,10 @@ def _tracks(view: View, place: DropPlace | None) -> set[int]:
     return dropped or set(view.selected_inputs[-1:])
 
 
+def _holds(one: Input, clip_id: int) -> bool:
+    return any(clip.id == clip_id for clip in one.clips)
+
+
 def _track(design: Design, id: int) -> tuple[str, str]:
     where = place_words(design.input(id).location, design.limb)
     return f"track {id}", f"A clip on input {design.index_of(id) + 1}, at {where}"
@@ -63,7 +70,9 @@ def placed(
     """The edit that puts ``recording`` where ``option`` says."""
     what, _, number = option.partition(" ")
     if what == "clip":
-        one = next(one for one in design.inputs if any(c.id == int(number) for c in one.clips))
+        one = next((one for one in design.inputs if _holds(one, int(number))), None)
+        if one is None:
+            return _GONE
         chosen = replace(view, selected_inputs=(one.id,), selected_clips=(int(number),))
         return edits.change_waveform(design, chosen, (one.id,), recording)
     if what == "track":

@@ -21,3 +21,18 @@ def test_a_recording_goes_in_place_of_what_stands_for_one_and_of_another_when_th
     assert (now.id, now.onset_s) == (clip.id, clip.onset_s)
     again = [name for name, _ in placing.options(document.design, document.view, None)]
     assert again[:2] == [f"track {one.id}", f"clip {clip.id}"]
+
+
+def test_a_recording_whose_place_went_while_its_page_was_open_is_refused(desk, page_at, sound):
+    document = desk.document
+    one = document.design.inputs[0]
+    document.apply(edits.change_kind(document.design, document.view, (one.id,), "Recording"), None)
+    clip = document.design.inputs[0].clips[0]
+    document.apply(edits.select_clips(document.design, document.view, (clip.id,)), None)
+    page, said = page_at(sound), []
+    document.refused.connect(said.append)
+    document.apply(edits.remove_clips(document.design, document.view, (clip.id,)), None)
+    without = document.design
+    page.accept()
+    assert said == ["That recording is no longer there; import it to another place."]
+    assert document.design == without
