@@ -206,8 +206,10 @@ class PictureDialog(QDialog):
         return done
 
     def _take(self, name: str, value: object, _gesture: int | None) -> None:
-        whole = int(value) if isinstance(value, float) else value
-        changes: dict[str, Any] = {name: whole}
+        spec = specs_of(self.options)[name]
+        if isinstance(value, float) and isinstance(spec, NumberSpec) and spec.whole:
+            value = int(value)
+        changes: dict[str, Any] = {name: value}
         layout = layout_of(str(value)) if name == "layout" else None
         if layout is not None:
             width, height = layout.size_px(self._usual, self._below)

@@ -14,7 +14,7 @@ from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.stage.map_layout import SeenPart
-from skinsource_gui.panels.skin.time import animation
+from skinsource_gui.panels.skin.time import animation, film_words
 from skinsource_gui.panels.skin.time import film_options as film_options_module
 from skinsource_gui.panels.skin.time.animation import export_animation
 from skinsource_gui.panels.skin.time.film_options import FilmOptions, film_options
@@ -139,6 +139,23 @@ def test_the_window_of_the_sliding_rms_is_asked_for_where_that_is_shown(form):
     assert not window.isVisible()
     choose(form, "quantity", "rms")
     assert window.isVisible()
+
+
+def test_the_window_of_the_sliding_rms_can_be_another_one(form):
+    choose(form, "quantity", "rms")
+    form.findChild(NumberField, "rms_window_s_field").edited.emit(0.075, None)
+    assert form.options.rms_window_s == 0.075
+
+
+def test_along_z_cannot_be_saved_of_a_limb_that_is_not_measured_so(monkeypatch):
+    flat = replace(film_words.facts_of("synthetic-1"), axes="xy")
+    monkeypatch.setattr(film_words, "facts_of", lambda name: flat)
+    view = shown("z")
+    options = film_options(DESIGN, view, SIZES)
+    remark = film_remark(DESIGN, view, options)
+    assert remark.refuses
+    assert remark.words.startswith("This limb was measured along x and y, and not along z: ")
+    assert not film_remark(DESIGN, view, replace(options, quantity="magnitude")).refuses
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@ from math import sqrt
 from skinsource.design import Design, audible_inputs
 from skinsource.errors import InvalidInputError
 from skinsource.limb import N_OUTPUTS
+from skinsource.limb.axes import words as axis_words
 from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of
 from skinsource.view import View
@@ -39,6 +40,10 @@ def film_remark(design: Design, view: View, options: FilmOptions) -> Remark:
     """How long it will be, how many frames and about how large; or why there is none."""
     shown = options.view_of(view)
     settings, limb = settings_of(shown, SKIN, SkinSettings), facts_of(design.limb)
+    if options.quantity == Z and Z not in limb.axes:
+        along = axis_words(limb.axes)
+        words = f"This limb was measured along {along}, and not along z: choose another quantity."
+        return Remark(words, refuses=True)
     try:
         frame_size(options)
         film = film_of(shown, settings, _end_s(design, view), options.frames_per_s, limb)
