@@ -49,6 +49,8 @@ class CopyButton(QToolButton):
         self.setEnabled(self._there and not late)
 
     def _copy(self) -> None:
+        # Who judges the present design lets its numbers be there first: they are taken then.
+        lines = self.lines()
         table = self._table()
-        below = [f"# {line}" for line in self.lines()] if table else []
-        QGuiApplication.clipboard().setText(table + "".join(f"{line}\n" for line in below))
+        below = [f"# {line}\n" for line in lines] if table else []
+        QGuiApplication.clipboard().setText(f"{table}{''.join(below)}")

@@ -223,3 +223,18 @@ def test_a_scene_that_was_changed_is_not_called_what_it_was(tones, settle):
     settle()
     assert heading._phrases[0] == f"{title} · 50 Hz · Tone at place 7"
     assert tones.windowTitle().startswith(f"{title} · 50 Hz[*]")
+
+
+def test_numbers_that_are_copied_are_those_that_are_judged(qtbot):
+    numbers = ["of the design before"]
+
+    def judge():
+        numbers[:] = ["of the present design"]
+        return ("What to know of it.",)
+
+    button = CopyButton("made_up", lambda: f"{numbers[0]}\n")
+    qtbot.addWidget(button)
+    button.lines = judge
+    button.click()
+    copied = QApplication.clipboard().text()
+    assert copied == "of the present design\n# What to know of it.\n"
