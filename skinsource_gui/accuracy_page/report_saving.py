@@ -1,15 +1,14 @@
 """Saving what a benchmark has written, where the user says."""
 
-from collections.abc import Sequence
 from pathlib import Path
 
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+from PySide6.QtWidgets import QFileDialog, QWidget
 
 from skinsource.errors import SkinSourceError
+from skinsource.files import is_there
 from skinsource_gui.accuracy_page.bench_run import BenchRun
 from skinsource_gui.state.preferences import Preferences
-
-_Answer = QMessageBox.StandardButton
+from skinsource_gui.widgets.asking import may_replace
 
 
 def ask_and_save(run: BenchRun, preferences: Preferences, window: QWidget) -> str:
@@ -20,8 +19,8 @@ def ask_and_save(run: BenchRun, preferences: Preferences, window: QWidget) -> st
         return ""
     folder = Path(chosen)
     names = [path.name for path in run.files]
-    there = [name for name in names if (folder / name).exists()]
-    if there and not _may_replace(there, window):
+    there = [folder / name for name in names if is_there(folder / name)]
+    if there and not may_replace(window, there):
         return ""
     try:
         run.save(folder)
@@ -29,14 +28,3 @@ def ask_and_save(run: BenchRun, preferences: Preferences, window: QWidget) -> st
         return str(error)
     preferences.folder = folder
     return f"Saved in {folder}: {', '.join(names)}."
-
-
-def _may_replace(names: Sequence[str], window: QWidget) -> bool:
-    answer = QMessageBox.question(
-        window,
-        "Replace the files?",
-        f"{', '.join(names)}: in that folder already. Replace?",
-        _Answer.Yes | _Answer.Cancel,
-        _Answer.Cancel,
-    )
-    return answer == _Answer.Yes

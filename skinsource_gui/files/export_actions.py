@@ -9,7 +9,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QMessageBox, QWidget
+from PySide6.QtWidgets import QWidget
 
 from skinsource import packing
 from skinsource.design import Design
@@ -24,13 +24,13 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.status.error_label import VISIBLE
+from skinsource_gui.widgets.asking import agreed
 from skinsource_gui.widgets.pictures.caption import caption_px
 from skinsource_gui.widgets.pictures.letters import letters_remark
 from skinsource_gui.widgets.pictures.picture_file import save_drawing
 from skinsource_gui.widgets.pictures.picture_options import PictureOptions, ask_picture_options
 from skinsource_gui.widgets.pictures.whole_picture import IN_USE, WholePicture
 
-_Answer = QMessageBox.StandardButton
 #: Asked for the name of a panel: its picture, with the present results.
 DrawerOf = Callable[[str], WholePicture]
 
@@ -181,16 +181,7 @@ class ExportActions(QObject):
     def _accepted(self, order: _Order, error: Exception) -> bool:
         if not isinstance(error, TooInaccurateError):
             return False
-        if self._is_accepted(order, error):
+        question = f"{order.path.name}: {error} Export it all the same?"
+        if agreed(self._window, "Inaccurate numbers", question):
             self._add(replace(order, largest_error=math.inf))
         return True
-
-    def _is_accepted(self, order: _Order, error: Exception) -> bool:
-        answer = QMessageBox.question(
-            self._window,
-            "Inaccurate numbers",
-            f"{order.path.name}: {error} Export it all the same?",
-            _Answer.Yes | _Answer.Cancel,
-            _Answer.Cancel,
-        )
-        return answer == _Answer.Yes

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, Signal
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+from PySide6.QtWidgets import QFileDialog, QWidget
 
 from skinsource.catalogue import available_limbs, default_limb
 from skinsource.design import Design
@@ -12,16 +12,15 @@ from skinsource.design_file import SUFFIX, open_design, save_design
 from skinsource.errors import SkinSourceError
 from skinsource.files import is_there, named
 from skinsource.view import View
-from skinsource_gui.files.asking import agreed, may_replace
 from skinsource_gui.files.file_on_disk import FileOnDisk
 from skinsource_gui.files.held_file import HeldFile, may_have_ended, who_has
 from skinsource_gui.files.recent_files import RecentFiles
 from skinsource_gui.files.snapshot_files import SnapshotFiles
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.widgets.asking import agreed, may_replace, saved_or_given_up
 
 _FILTER = f"SkinSource designs (*{SUFFIX})"
-_Answer = QMessageBox.StandardButton
 _READ_ONLY = "It is read-only here: saving asks for another name."
 _MAYBE_ENDED = "Nobody can say here whether that has ended. Replace the file, and have it here?"
 _CHANGED = "was changed by another program, or in another window, since it was opened here"
@@ -172,16 +171,8 @@ class FileActions(QObject):
         self.look_at_disk()
         if not self._document.modified:
             return True
-        answer = QMessageBox.question(
-            self._window,
-            "Unsaved design",
-            "The design has edits that are not saved. Save them?",
-            _Answer.Save | _Answer.Discard | _Answer.Cancel,
-            _Answer.Save,
-        )
-        if answer == _Answer.Save:
-            return self.save()
-        return answer == _Answer.Discard
+        question = "The design has edits that are not saved. Save them?"
+        return saved_or_given_up(self._window, "Unsaved design", question, self.save)
 
     def look_at_disk(self) -> None:
         """Tell, once, that another program has changed or deleted the open file."""

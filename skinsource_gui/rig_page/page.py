@@ -14,7 +14,6 @@ from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
     QListWidget,
-    QMessageBox,
     QPushButton,
     QScrollArea,
     QVBoxLayout,
@@ -38,13 +37,13 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing.sound_settings import SoundSettings
 from skinsource_gui.state.playing.sound_thread import SoundThread
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.asking import saved_or_given_up
 from skinsource_gui.widgets.page_button import page_button
 from skinsource_gui.widgets.rig_field import RESPONSE_FILES
 
 _KINDS = f"Rigs (*{SUFFIX});;All files (*)"
 _ENDS = (("open", "Open…"), ("save", "Save…"), ("close", "Close"))
 _NOTHING = "No channel yet: add one for each actuator."
-_Answer = QMessageBox.StandardButton
 
 
 class RigPage(QDialog):
@@ -245,17 +244,13 @@ class RigPage(QDialog):
 
     def _agreed(self) -> bool:
         """Whether changes may go: they are saved now, or the user gives them up."""
-        answer = QMessageBox.question(
-            self,
-            "Changes of the rig",
-            "The changes of the rig are not saved. Save them?",
-            _Answer.Save | _Answer.Discard | _Answer.Cancel,
-            _Answer.Save,
-        )
-        if answer == _Answer.Save:
+
+        def save() -> bool:
             self._save()
             return not self.draft.unsaved
-        return answer == _Answer.Discard
+
+        question = "The changes of the rig are not saved. Save them?"
+        return saved_or_given_up(self, "Changes of the rig", question, save)
 
 
 def _row(*buttons: tuple[str, str]) -> QHBoxLayout:

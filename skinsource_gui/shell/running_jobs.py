@@ -2,11 +2,10 @@
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QMessageBox, QWidget
+from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.state.job_runner import JobRunner
-
-_Answer = QMessageBox.StandardButton
+from skinsource_gui.widgets.asking import agreed
 
 
 class RunningJobs(QObject):
@@ -43,14 +42,8 @@ class RunningJobs(QObject):
         titles = "; ".join(job.title for job in self._runner.unfinished)
         if not titles or self._ended:
             return True
-        answer = QMessageBox.question(
-            self._window,
-            "Something is running",
-            f"Not finished yet: {titles}. Stop it and close? Nothing half done is left.",
-            _Answer.Yes | _Answer.Cancel,
-            _Answer.Cancel,
-        )
-        return answer == _Answer.Yes
+        question = f"Not finished yet: {titles}. Stop it and close? Nothing half done is left."
+        return agreed(self._window, "Something is running", question)
 
     def end(self) -> None:
         """Stop all for good; nothing unfinished is left."""

@@ -11,13 +11,13 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.design import Design
 from skinsource.files import is_there
-from skinsource_gui.files.asking import may_replace
 from skinsource_gui.files.export_jobs import ExportJobs
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.asking import may_replace
 
 
 class StimulusActions(QObject):

@@ -20,10 +20,11 @@ from skinsource_gui.panels.library.presets_model import PresetsModel
 from skinsource_gui.panels.library.search_row import SearchRow
 from skinsource_gui.panels.library.shelves import Shelves
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.asking import agreed
 
 _WIDE_PX, _HIGH_PX = 340, 440
 _NOTHING = "No preset is like that. Search for other words, or choose all tags."
-_Answer = QMessageBox.StandardButton
+_NO = QMessageBox.StandardButton.No
 
 
 class LibraryPanel(Panel):
@@ -162,15 +163,11 @@ class LibraryPanel(Panel):
         self._show_presets(self.shelves.rename(entry, name))
 
     def _delete(self, entry: Entry) -> None:
-        answer = QMessageBox.question(
-            self,
-            "Delete from the library",
+        question = (
             f"Delete “{entry.preset.name}” from your library? It cannot be taken back; designs in "
-            "which it was placed keep it.",
-            _Answer.Yes | _Answer.No,
-            _Answer.No,
+            "which it was placed keep it."
         )
-        if answer == _Answer.Yes:
+        if agreed(self, "Delete from the library", question, otherwise=_NO):
             self.shelves.delete(entry)
 
     def _open_menu(self, at: QPoint) -> None:
