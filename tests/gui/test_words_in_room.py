@@ -16,7 +16,7 @@ from skinsource_gui.panels.timeline.timeline_toolbar import TimelineToolbar
 from skinsource_gui.theme import THEMES, UNIT_PX, scaled
 from skinsource_gui.widgets.plot.plot_toolbar import PlotToolbar
 from skinsource_gui.widgets.plot.signal_view import SignalView
-from skinsource_gui.widgets.words_in_room import fitting_font, width_in
+from skinsource_gui.widgets.room.words_in_room import fitting_font, width_in
 
 
 @pytest.mark.parametrize("kind", [QToolButton, QPushButton])

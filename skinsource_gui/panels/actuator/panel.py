@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from skinsource import edits
 from skinsource.actuator_demand import ActuatorSettings, Demand, actuation_of, settings_through
@@ -31,6 +31,7 @@ from skinsource_gui.panels.actuator.figures_view import FiguresView
 from skinsource_gui.panels.actuator.prediction_switch import ThroughSwitch
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.plot.signal_view import SignalView
+from skinsource_gui.widgets.room.steady_area import SteadyArea
 
 _NO_STEP = "Too little is known of this actuator to move it"
 _PLOT_PX = 190
@@ -188,7 +189,7 @@ def _band_of(limb: str) -> Band:
     return followed_band(facts.band_hz, facts.sample_rate_hz)
 
 
-def _scrolled(*parts: QWidget) -> QScrollArea:
+def _scrolled(*parts: QWidget) -> SteadyArea:
     """Parts below each other."""
     inside = QWidget()
     column = QVBoxLayout(inside)
@@ -197,10 +198,9 @@ def _scrolled(*parts: QWidget) -> QScrollArea:
     for part in parts:
         column.addWidget(part)
     column.addStretch(1)
-    scroll = QScrollArea()
+    scroll = SteadyArea()
     scroll.setObjectName("actuator_scroll")
-    scroll.setWidgetResizable(True)
-    scroll.setFrameShape(QScrollArea.Shape.NoFrame)
+    scroll.setFrameShape(SteadyArea.Shape.NoFrame)
     scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     scroll.setWidget(inside)
     return scroll

@@ -6,7 +6,6 @@ from typing import ClassVar
 
 import numpy as np
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
     QLabel,
@@ -53,6 +52,7 @@ from skinsource_gui.widgets.map.level_look import level_look
 from skinsource_gui.widgets.map.scale_row import Scale, scale_of_levels
 from skinsource_gui.widgets.map.small_map import SmallMap, SmallMaps
 from skinsource_gui.widgets.room.button_row import ButtonRow
+from skinsource_gui.widgets.room.room_or_words import RoomOrWords
 
 _NEEDS = frozenset({"limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db"})
 # So wide that the map stands beside the cards, also in lines of words.
@@ -88,6 +88,7 @@ class ComparePanel(Panel):
         self._row = FoldingRow(self.cards, UNIT_PX // 4, left=True, parent=self)
         self.map = DifferenceMap(self)
         self._lay_out()
+        RoomOrWords(self).changed.connect(self._fold)
         for card in self.cards:
             card.wanted.connect(self._act)
         self.setFocusProxy(self.cards[1])
@@ -134,10 +135,9 @@ class ComparePanel(Panel):
             card.show_theme(theme)
         self.map.show_theme(theme)
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
+    def _fold(self) -> None:
         needed = max(_BESIDE_PX, _BESIDE_LINES * self.fontMetrics().height())
-        beside = event.size().width() >= needed
+        beside = self.width() >= needed
         way = QBoxLayout.Direction.LeftToRight if beside else QBoxLayout.Direction.TopToBottom
         self._halves.setDirection(way)
 

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QRect, Qt
 from PySide6.QtWidgets import QLabel
 
-from skinsource_gui.widgets.room_or_words import RoomOrWords
+from skinsource_gui.widgets.room.room_or_words import RoomOrWords
 
 _TWO_LINES = "A\nA"
 _ANY_HEIGHT_PX = 10_000

@@ -9,7 +9,7 @@ from skinsource.locations import PlaceWords, input_words
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.inputs.letter_button import mute_button, solo_button
 from skinsource_gui.widgets.inputs.swatch import Swatch
-from skinsource_gui.widgets.room_or_words import RoomOrWords
+from skinsource_gui.widgets.room.room_or_words import RoomOrWords
 from skinsource_gui.widgets.tooltips import show_tooltip
 
 

@@ -7,7 +7,6 @@ from typing import Any
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import (
     QLabel,
-    QScrollArea,
     QStackedLayout,
     QStyle,
     QVBoxLayout,
@@ -26,6 +25,7 @@ from skinsource_gui.panels.inspector.selection import Selection
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.widgets.empty_words import add_words, select_words
 from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
+from skinsource_gui.widgets.room.steady_area import SteadyArea
 
 # In letters of any size, px.
 _LEAST = QSize(204, 224)
@@ -143,9 +143,8 @@ class InspectorPanel(Panel):
         fields.addWidget(self._fields.grid)
         fields.addWidget(self._chain)
         fields.addStretch(1)
-        scroll = QScrollArea()
+        scroll = SteadyArea()
         scroll.setObjectName("inspector_fields")
-        scroll.setWidgetResizable(True)
         scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         scroll.setWidget(inside)

@@ -8,7 +8,6 @@ from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
     QLabel,
-    QScrollArea,
     QStyle,
     QVBoxLayout,
     QWidget,
@@ -23,6 +22,7 @@ from skinsource_gui.panels.playback.device_fields import DeviceFields
 from skinsource_gui.panels.playback.output_row import OutputRow
 from skinsource_gui.played import Played
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.widgets.room.steady_area import SteadyArea
 
 _NOT_LOOKED = "Press Space to play."
 _NO_INPUTS = "No place is in use: click one on the hand."
@@ -79,8 +79,7 @@ class PlaybackPanel(Panel):
         column.addLayout(self._table)
         column.addWidget(self.words)
         column.addStretch(1)
-        area = QScrollArea()
-        area.setWidgetResizable(True)
+        area = SteadyArea()
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setWidget(content)

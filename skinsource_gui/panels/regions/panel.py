@@ -8,7 +8,6 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
     QHBoxLayout,
-    QScrollArea,
     QSizePolicy,
     QVBoxLayout,
     QWidget,
@@ -33,6 +32,7 @@ from skinsource_gui.panels.regions.table import RegionTable
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.figure.words_label import WordsLabel
+from skinsource_gui.widgets.room.steady_area import SteadyArea
 
 _NEEDS = frozenset({"output_levels_db"})
 
@@ -139,7 +139,7 @@ class RegionsPanel(Panel):
         self._say_about()
         self._put_in_order()
 
-    def _scrolled(self) -> QScrollArea:
+    def _scrolled(self) -> SteadyArea:
         """The tables, which go below each other where they have no room side by side."""
         inside = QWidget()
         self._box = QBoxLayout(QBoxLayout.Direction.TopToBottom, inside)
@@ -148,10 +148,9 @@ class RegionsPanel(Panel):
         for table in self._tables:
             self._box.addWidget(table, 0, Qt.AlignmentFlag.AlignTop)
         self._box.addStretch(1)
-        area = QScrollArea()
+        area = SteadyArea()
         area.setObjectName("regions_scroll")
-        area.setWidgetResizable(True)
-        area.setFrameShape(QScrollArea.Shape.NoFrame)
+        area.setFrameShape(SteadyArea.Shape.NoFrame)
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         area.setWidget(inside)

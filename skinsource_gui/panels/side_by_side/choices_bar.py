@@ -22,7 +22,7 @@ from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.folding_row import FoldingRow
 from skinsource_gui.widgets.room.height_in_sight import HeightInSight
-from skinsource_gui.widgets.words_in_room import fonts_of
+from skinsource_gui.widgets.room.words_in_room import fonts_of
 
 # A panel that shows fewer lines of text has no room for many rows: so many choices stand in each.
 _LINES_WITH_ROOM, _BESIDE = 14, 2

@@ -4,8 +4,8 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
 from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.room_or_words import RoomOrWords
-from skinsource_gui.widgets.words_in_room import fitting_font, write_in
+from skinsource_gui.widgets.room.room_or_words import RoomOrWords
+from skinsource_gui.widgets.room.words_in_room import fitting_font, write_in
 
 _ZOOM = 1.5
 

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QAbstractButton,
     QDockWidget,
     QFrame,
-    QScrollArea,
     QStyleOptionDockWidget,
     QWidget,
 )
@@ -18,6 +17,7 @@ from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.shell.docks.dock_icons import close_icon, float_icon
 from skinsource_gui.theme import theme_of
+from skinsource_gui.widgets.room.steady_area import SteadyArea
 
 _BUTTONS = {
     "qt_dockwidget_closebutton": (
@@ -58,11 +58,10 @@ class Dock(QDockWidget):
         self._panels = panels
         self._tabbed = self._behind = False
         self.setObjectName(name)
-        self._area = area = QScrollArea()
+        self._area = area = SteadyArea()
         area.setObjectName(f"{name}_area")
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        area.setWidgetResizable(True)
         self.setWidget(area)
         _draw_buttons(self)
         self.topLevelChanged.connect(self._follow)

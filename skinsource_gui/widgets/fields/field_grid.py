@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QGridLayout, QWidget
 
 from skinsource_gui.theme import UNIT_PX, letter_scale
 from skinsource_gui.widgets.fields.edited_cell import LabelledCell
-from skinsource_gui.widgets.room_or_words import RoomOrWords
+from skinsource_gui.widgets.room.room_or_words import RoomOrWords
 
 #: From this width on, two fields stand side by side, in letters of the usual size.
 WIDE_PX = 440

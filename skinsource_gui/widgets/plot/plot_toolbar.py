@@ -13,8 +13,8 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource_gui.theme import UNIT_PX
-from skinsource_gui.widgets.room_or_words import RoomOrWords
-from skinsource_gui.widgets.words_in_room import (
+from skinsource_gui.widgets.room.room_or_words import RoomOrWords
+from skinsource_gui.widgets.room.words_in_room import (
     fitting_font,
     readable_of,
     smallest_of,

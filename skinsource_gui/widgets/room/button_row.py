@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from PySide6.QtWidgets import QAbstractButton, QHBoxLayout, QSizePolicy, QWidget
 
 from skinsource_gui.theme import UNIT_PX
-from skinsource_gui.widgets.room_or_words import RoomOrWords
-from skinsource_gui.widgets.words_in_room import fitting_font, smallest_of, width_in, write_in
+from skinsource_gui.widgets.room.room_or_words import RoomOrWords
+from skinsource_gui.widgets.room.words_in_room import fitting_font, smallest_of, width_in, write_in
 
 
 class ButtonRow(QWidget):
