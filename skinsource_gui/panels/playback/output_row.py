@@ -2,11 +2,11 @@
 
 from functools import partial
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, QSize, Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from skinsource.fields import NumberSpec
-from skinsource.locations import input_words
+from skinsource.locations import PlaceWords, input_words
 from skinsource.playing.output import MOST_OUTPUTS
 from skinsource_gui.played import Played
 from skinsource_gui.theme import Theme, tabular
@@ -40,12 +40,7 @@ class OutputRow(QObject):
         super().__init__()
         words = input_words(place, limb)
         self.place = place
-        self.title = FittingLabel()
-        self.title.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        self.title.show_phrases((f"{place} · {words.name}", f"{place} · {words.short_name}"))
-        self.title.setToolTip(words.name)
-        # A long name gives way to what is pressed and typed; its number stays.
-        self.title.setMinimumWidth(self.title.fontMetrics().horizontalAdvance(f"{place} · …") + 4)
+        self.title = _Title(place, words)
         spec = NumberSpec(
             label=f"Output of place {place}", minimum=1, maximum=MOST_OUTPUTS, whole=True
         )
@@ -57,21 +52,11 @@ class OutputRow(QObject):
         self.output.edited.connect(self._choose)
         self.meter = LevelMeter()
         self.meter.setFixedHeight(_METER_PX)
-        self.meter.setMinimumWidth(_LEAST_METER_PX)
         self.level = QLabel()
         self.level.setFont(tabular(self.level.font()))
         self.level.setObjectName(f"level_of_{place}")
         self.level.hide()
-        # Kept while nothing is heard: rows would widen, and cut what is beside them.
-        room_px = self.level.fontMetrics().horizontalAdvance(_WIDEST_LEVEL)
-        # Below each other: beside its words there would be no room for the bar in a narrow panel.
-        self.loudness = QWidget()
-        self.loudness.setMinimumWidth(max(room_px, _LEAST_METER_PX))
-        below = QVBoxLayout(self.loudness)
-        below.setContentsMargins(0, 0, 0, 0)
-        below.setSpacing(2)
-        below.addWidget(self.meter)
-        below.addWidget(self.level)
+        self.loudness = _Loudness(self.meter, self.level)
         self.tone = QToolButton()
         self.tone.setText("Test tone")
         self.tone.setObjectName(f"tone_of_{place}")
@@ -131,3 +116,36 @@ class OutputRow(QObject):
 
     def _ask_tone(self) -> None:
         self.tone_wanted.emit(round(self.output.value_si))
+
+
+class _Title(FittingLabel):
+    """A place and its name, which gives way to what is pressed and typed; the number stays."""
+
+    def __init__(self, place: int, words: PlaceWords) -> None:
+        super().__init__()
+        self._least = f"{place} · …"
+        self.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        self.show_phrases((f"{place} · {words.name}", f"{place} · {words.short_name}"))
+        self.setToolTip(words.name)
+
+    def minimumSizeHint(self) -> QSize:
+        least = self.fontMetrics().horizontalAdvance(self._least) + 4
+        return QSize(least, super().minimumSizeHint().height())
+
+
+class _Loudness(QWidget):
+    """A bar, and its level below: beside it there would be no room in a narrow panel."""
+
+    def __init__(self, meter: LevelMeter, level: QLabel) -> None:
+        super().__init__()
+        self._level = level
+        below = QVBoxLayout(self)
+        below.setContentsMargins(0, 0, 0, 0)
+        below.setSpacing(2)
+        below.addWidget(meter)
+        below.addWidget(level)
+
+    def minimumSizeHint(self) -> QSize:
+        # Kept while nothing is heard: rows would widen, and cut what is beside them.
+        room_px = self._level.fontMetrics().horizontalAdvance(_WIDEST_LEVEL)
+        return QSize(max(room_px, _LEAST_METER_PX), super().minimumSizeHint().height())

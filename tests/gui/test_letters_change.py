@@ -1,0 +1,52 @@
+"""Letters become larger while a panel is open, and nothing else changes."""
+
+import pytest
+from PySide6.QtGui import QFont
+from PySide6.QtWidgets import QBoxLayout, QGridLayout, QWidget
+
+from skinsource_gui.panels.compare.panel import ComparePanel
+from skinsource_gui.panels.playback.output_row import OutputRow
+from skinsource_gui.widgets.fitting_label import FittingLabel
+
+
+def enlarge(widget, scale=2.5):
+    font = QFont(widget.font())
+    font.setPointSizeF(scale * font.pointSizeF())
+    widget.setFont(font)
+
+
+@pytest.fixture
+def host(qtbot):
+    found = QWidget()
+    qtbot.addWidget(found)
+    return found
+
+
+def test_a_label_says_less_in_the_same_room(host):
+    label = FittingLabel(host)
+    label.show_phrases(("2 inputs · up to date", "2 inputs"))
+    label.resize(label.sizeHint())
+    host.show()
+    assert label.text() == "2 inputs · up to date"
+    enlarge(host, 1.6)
+    assert label.text() == "2 inputs"
+
+
+def test_the_row_of_an_output_keeps_room_for_its_number_and_the_longest_level(host):
+    row = OutputRow(QGridLayout(host), 0, 7, 1, "synthetic-1")
+    host.show()
+    enlarge(host)
+    for part, words in ((row.title, "7 · …"), (row.loudness, "\u2212100.0 dBFS")):
+        inside = row.level if part is row.loudness else part
+        assert part.minimumSizeHint().width() >= inside.fontMetrics().horizontalAdvance(words)
+
+
+def test_the_difference_goes_below_the_cards_where_it_has_no_room_beside_them(qtbot):
+    panel = ComparePanel()
+    qtbot.addWidget(panel)
+    panel.resize(700, 600)
+    panel.show()
+    ways = QBoxLayout.Direction
+    assert panel._halves.direction() == ways.LeftToRight
+    enlarge(panel)
+    assert panel._halves.direction() == ways.TopToBottom
