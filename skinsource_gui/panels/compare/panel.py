@@ -5,12 +5,11 @@ from dataclasses import replace
 from typing import ClassVar
 
 import numpy as np
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QSize
 from PySide6.QtWidgets import (
     QBoxLayout,
     QLabel,
     QSizePolicy,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -53,6 +52,7 @@ from skinsource_gui.widgets.map.scale_row import Scale, scale_of_levels
 from skinsource_gui.widgets.map.small_map import SmallMap, SmallMaps
 from skinsource_gui.widgets.room.button_row import ButtonRow
 from skinsource_gui.widgets.room.room_or_words import RoomOrWords
+from skinsource_gui.widgets.tool_button import tool_button
 
 _NEEDS = frozenset({"limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db"})
 # So wide that the map stands beside the cards, also in lines of words.
@@ -70,15 +70,27 @@ class ComparePanel(Panel):
         self._design: Design | None = None
         self._view = View()
         self._maps = SmallMaps()
-        self.match = self._button("match_levels_button", "Match levels")
-        self.match.setCheckable(True)
-        self.match.setToolTip("Show snapshots as loud as each other at their loudest output")
+        self.match = tool_button(
+            self,
+            "match_levels_button",
+            "Match levels",
+            "Show snapshots as loud as each other at their loudest output",
+            checkable=True,
+        )
         self.match.clicked.connect(self._match)
-        self.toggle = self._button("toggle_snapshots_button", "Compare (X)")
-        self.toggle.setToolTip("Show the other one of the last two that were shown")
+        self.toggle = tool_button(
+            self,
+            "toggle_snapshots_button",
+            "Compare (X)",
+            "Show the other one of the last two that were shown",
+        )
         self.toggle.clicked.connect(self._toggle)
-        self.file = self._button("take_snapshot_button", "File…")
-        self.file.setToolTip("Keep the design of a file as a snapshot, to compare this one with it")
+        self.file = tool_button(
+            self,
+            "take_snapshot_button",
+            "File…",
+            "Keep the design of a file as a snapshot, to compare this one with it",
+        )
         self.file.clicked.connect(lambda: self.action_wanted.emit("take_snapshot"))
         self.words = QLabel()
         self.words.setObjectName("matching_words")
@@ -154,13 +166,6 @@ class ComparePanel(Panel):
         self._halves.setSpacing(UNIT_PX // 2)
         self._halves.addLayout(upper)
         self._halves.addWidget(self.map, 1)
-
-    def _button(self, name: str, words: str) -> QToolButton:
-        button = QToolButton(self)
-        button.setObjectName(name)
-        button.setText(words)
-        button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        return button
 
     def _present(self, compared: Sequence[Compared]) -> Compared | None:
         """What is in the window."""

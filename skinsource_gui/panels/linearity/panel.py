@@ -5,7 +5,6 @@ from dataclasses import replace
 from typing import Any, ClassVar
 
 import numpy as np
-from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QToolButton, QWidget
 
 from skinsource.arrays import Floats
@@ -45,6 +44,7 @@ from skinsource_gui.panels.linearity.strength import of_amplitudes, of_velocitie
 from skinsource_gui.panels.linearity.table import tab_separated
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.figure.words_label import WordsLabel
+from skinsource_gui.widgets.tool_button import tool_button
 
 _NEEDS = frozenset(
     {
@@ -178,12 +178,8 @@ class LinearityPanel(FigurePanel):
 
     def _switch(self, spec: SwitchSpec, chosen: Callable[[bool], None]) -> QToolButton:
         """A switch above the diagrams, of strengths alone."""
-        switch = QToolButton()
-        switch.setObjectName(f"linearity_{spec.label.split()[-1].replace('/', '_')}")
-        switch.setText(spec.label)
-        switch.setToolTip(spec.hint)
-        switch.setCheckable(True)
-        switch.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        name = f"linearity_{spec.label.split()[-1].replace('/', '_')}"
+        switch = tool_button(None, name, spec.label, spec.hint, checkable=True)
         switch.clicked.connect(chosen)
         switch.hide()
         self.choices.addWidget(switch)

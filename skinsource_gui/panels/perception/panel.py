@@ -10,7 +10,6 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import (
     QFileDialog,
     QLabel,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -40,6 +39,7 @@ from skinsource_gui.widgets.beside_or_below import BesideOrBelow
 from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.empty_words import output_words
 from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.tool_button import tool_button
 
 _OWN_LIMITS = (
     "Thresholds are those of your table, the same at every output; sensors and force are not "
@@ -70,9 +70,9 @@ class PerceptionPanel(Panel):
         self.area.setMaximumWidth(96)
         self.area_label = QLabel("Moving area")
         self.area_label.setBuddy(self.area)
-        self.own = _button(self, "perception_own", "Own thresholds…")
-        self.model = _button(self, "perception_model", "Use the model")
-        self.model.setToolTip("Use the thresholds of the model again")
+        self.own = tool_button(self, "perception_own", "Own thresholds…")
+        hint = "Use the thresholds of the model again"
+        self.model = tool_button(self, "perception_model", "Use the model", hint)
         self.copy = CopyButton(self.name, self._numbers, self)
         self.table = LevelTable()
         self.message, self.contact, self.limits = QLabel(), QLabel(), QLabel(LIMITS)
@@ -223,14 +223,6 @@ class PerceptionPanel(Panel):
         settings = replace(self._settings, **changes)
         if settings != self._settings:
             self.view_changed.emit(with_settings(self._view, self.name, settings))
-
-
-def _button(parent: QWidget, name: str, words: str) -> QToolButton:
-    button = QToolButton(parent)
-    button.setObjectName(name)
-    button.setText(words)
-    button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-    return button
 
 
 def _limits(settings: PerceptionSettings, found: Sensation | None, matched: str) -> str:

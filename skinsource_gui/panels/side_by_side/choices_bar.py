@@ -3,9 +3,9 @@
 from dataclasses import replace
 from typing import Any
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import QEvent, Signal
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from skinsource.design import Design
 from skinsource.panel_settings import settings_of, with_settings
@@ -23,6 +23,7 @@ from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.folding_row import FoldingRow
 from skinsource_gui.widgets.room.height_in_sight import HeightInSight
 from skinsource_gui.widgets.room.words_in_room import fonts_of
+from skinsource_gui.widgets.tool_button import tool_button
 
 # A panel that shows fewer lines of text has no room for many rows: so many choices stand in each.
 _LINES_WITH_ROOM, _BESIDE = 14, 2
@@ -56,20 +57,15 @@ class ChoicesBar(QWidget):
         self.shown.setObjectName("side_by_side_shown")
         self.of.chosen.connect(lambda of, _: self._change(of=of))
         self.shown.chosen.connect(lambda what, _: self._change(shown=what))
-        self.own_maximum = QToolButton(self)
-        self.own_maximum.setObjectName("side_by_side_own_maximum")
-        self.own_maximum.setText(OWN_MAXIMUM.label)
-        self.own_maximum.setToolTip(OWN_MAXIMUM.hint)
-        self.own_maximum.setCheckable(True)
-        self.own_maximum.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        own = OWN_MAXIMUM
+        self.own_maximum = tool_button(
+            self, "side_by_side_own_maximum", own.label, own.hint, checkable=True
+        )
         self.own_maximum.clicked.connect(lambda on: self._change(own_maximum=on))
         self.limbs = LimbsButton(self)
         self.limbs.limbs_chosen.connect(lambda limbs: self._change(limbs=" ".join(limbs)))
-        self.file = QToolButton(self)
-        self.file.setObjectName("side_by_side_file")
-        self.file.setText("From file…")
-        self.file.setToolTip("Keep the design of a file as a snapshot, and show it here")
-        self.file.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        hint = "Keep the design of a file as a snapshot, and show it here"
+        self.file = tool_button(self, "side_by_side_file", "From file…", hint)
         self.file.clicked.connect(self.file_wanted)
         self._parts = self.of, self.shown, self.own_maximum, self.limbs, self.file
         self._row = FoldingRow(self._parts, UNIT_PX // 2)

@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QFont, QPainter
 from skinsource_gui.panels.side_by_side.content import Cell, Content
 from skinsource_gui.panels.side_by_side.headings import bold, paint_heading, places_for
 from skinsource_gui.panels.side_by_side.layout import CellPlace, Places
+from skinsource_gui.panels.side_by_side.seen_maps import SeenMaps
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.figure.shrunk import shrunk
 from skinsource_gui.widgets.map.colour_maps import colour_table
@@ -19,6 +20,46 @@ from skinsource_gui.widgets.map.small_map import (
 )
 
 _CENTRE = Qt.AlignmentFlag.AlignCenter
+_PALE, _BAND_ALPHA = 0.5, 0.15
+
+
+def paint_view(
+    painter: QPainter,
+    seen: SeenMaps,
+    theme: Theme,
+    pointed_at: int | None,
+    *,
+    outdated: bool,
+    band: QRectF | None,
+) -> None:
+    """Draw what a widget shows; the painter's font is that of all words.
+
+    Parameters
+    ----------
+    painter, seen, theme, pointed_at
+        As for `paint_content`.
+    outdated
+        Whether it belongs to an older design.
+    band
+        What is dragged around outputs, if anything.
+    """
+    content, places = seen.content, seen.places
+    if outdated:
+        painter.setPen(QColor(theme.dim))
+        painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, "Computing…")
+    if any(cell.synthetic for cell in content.cells):
+        painter.setPen(QColor(theme.warning))
+        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        painter.drawText(places.head, right, "SYNTHETIC")
+    painter.setOpacity(_PALE if outdated else 1.0)
+    paint_content(painter, content, places, theme, pointed_at)
+    painter.setOpacity(1.0)
+    if band is not None:
+        fill = QColor(theme.accent)
+        painter.setPen(fill)
+        fill.setAlphaF(_BAND_ALPHA)
+        painter.setBrush(fill)
+        painter.drawRect(band)
 
 
 def paint_content(

@@ -3,20 +3,19 @@
 from math import ceil
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
-from skinsource.arrays import Floats
 from skinsource_gui.panels.side_by_side.content import Content
 from skinsource_gui.panels.side_by_side.headings import places_for
-from skinsource_gui.panels.side_by_side.layout import Places, least_height
-from skinsource_gui.panels.side_by_side.painter import paint_content
+from skinsource_gui.panels.side_by_side.layout import least_height
+from skinsource_gui.panels.side_by_side.painter import paint_view
+from skinsource_gui.panels.side_by_side.seen_maps import SeenMaps
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
 from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
 from skinsource_gui.widgets.key_tables.key_table import meant
-from skinsource_gui.widgets.map.small_map import small_frame
 from skinsource_gui.widgets.outputs.picker import OutputPicker
 
 # Those keys of the skin map that are about outputs.
@@ -64,9 +63,10 @@ class MapsView(QWidget):
         return self.picker.pointed_at(focused=self.hasFocus())
 
     @property
-    def places(self) -> Places:
-        """Where everything is."""
-        return places_for(QRectF(self.rect()), self.content, tabular(self.font()))
+    def seen(self) -> SeenMaps:
+        """What is shown, and where."""
+        places = places_for(QRectF(self.rect()), self.content, tabular(self.font()))
+        return SeenMaps(content=self.content, places=places)
 
     def minimumSizeHint(self) -> QSize:
         return QSize(200, ceil(least_height(self.fontMetrics().height())))
@@ -87,17 +87,6 @@ class MapsView(QWidget):
         self._theme = theme
         self.update()
 
-    def points_of(self, index: int) -> Floats:
-        """Where the outputs are drawn in one of the maps, (n_outputs, 2); NaN: they are not."""
-        cells = self.content.cells
-        small = cells[index].small if index < len(cells) else None
-        if small is None or self.content.message:
-            return np.full((1, 2), np.nan)
-        limb_map = small.limb_map
-        return small_frame(limb_map, self.places.cells[index].map).to_screen(
-            limb_map.output_positions
-        )
-
     def event(self, event: QEvent) -> bool:
         return kept_from_shortcuts(event, self._wants) or super().event(event)
 
@@ -113,25 +102,26 @@ class MapsView(QWidget):
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(QRectF(self.rect()).adjusted(8, 8, -8, -8), flags, content.message)
         else:
-            self._paint_maps(painter)
+            late, band = self._outdated, self.picker.mouse.band
+            paint_view(painter, self.seen, theme, self.output, outdated=late, band=band)
         if self.hasFocus():
             paint_focus_frame(painter, QRectF(self.rect()), theme)
         painter.end()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
-            self._at = self._map_at(event.position())
+            self._at = self.seen.map_at(event.position(), self._at)
         self.picker.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if not event.buttons():
-            self._at = self._map_at(event.position())
-        self.picker.mouse.move(event.position(), self.points_of(self._at))
+            self._at = self.seen.map_at(event.position(), self._at)
+        self.picker.mouse.move(event.position(), self.seen.points_of(self._at))
         self._tell()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
-            self.picker.release(event, self.points_of(self._at))
+            self.picker.release(event, self.seen.points_of(self._at))
             self.update()
 
     def leaveEvent(self, event: QEvent) -> None:
@@ -140,7 +130,7 @@ class MapsView(QWidget):
         self._tell()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        points = self.points_of(self._at)
+        points = self.seen.points_of(self._at)
         unplaced = tuple(int(k) + 1 for k in np.flatnonzero(np.isnan(points[:, 0])))
         middle = QRectF(self.rect()).center()
         if len(unplaced) == len(points) or meant("skin", event) not in _KEYS:
@@ -156,30 +146,6 @@ class MapsView(QWidget):
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
         self._tell()
-
-    def _paint_maps(self, painter: QPainter) -> None:
-        theme, places = self._theme, self.places
-        if self._outdated:
-            painter.setPen(QColor(theme.dim))
-            painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, "Computing…")
-        if any(cell.synthetic for cell in self.content.cells):
-            painter.setPen(QColor(theme.warning))
-            right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-            painter.drawText(places.head, right, "SYNTHETIC")
-        painter.setOpacity(0.5 if self._outdated else 1.0)
-        paint_content(painter, self.content, places, theme, self.output)
-        painter.setOpacity(1.0)
-        if self.picker.mouse.band is not None:
-            fill = QColor(theme.accent)
-            painter.setPen(fill)
-            fill.setAlphaF(0.15)
-            painter.setBrush(fill)
-            painter.drawRect(self.picker.mouse.band)
-
-    def _map_at(self, point: QPointF) -> int:
-        """The map under a point; where there is none the one before."""
-        cells = enumerate(self.places.cells)
-        return next((k for k, place in cells if place.whole.contains(point)), self._at)
 
     def _tell(self) -> None:
         self.pointed_at.emit(self.output)

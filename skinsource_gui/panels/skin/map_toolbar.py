@@ -1,6 +1,6 @@
 """Buttons of the map."""
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QSize, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QToolButton, QWidget
 
@@ -10,6 +10,7 @@ from skinsource_gui.panels.skin.stage.map_layout import HAND
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.key_tables.key_table import key_text
 from skinsource_gui.widgets.pan_zoom import WHOLE
+from skinsource_gui.widgets.tool_button import tool_button
 
 # As narrow as they are, all buttons fit into the narrowest panel.
 _ICON_BUTTON_PX = 33
@@ -92,13 +93,8 @@ class MapToolbar(QWidget):
             part.setVisible(roomy)
 
     def _button(self, name: str, text: str, hint: str, checkable: bool = True) -> QToolButton:
-        button = QToolButton(self)
-        button.setObjectName(name)
-        button.setText(text)
-        button.setToolTip(hint)
-        button.setCheckable(checkable)
+        button = tool_button(self, name, text, hint, checkable=checkable)
         button.setIconSize(QSize(16, 16))
-        button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         return button
 
     def _choose_interpolated(self) -> None:

@@ -62,7 +62,7 @@ def test_lamps_are_explained_and_mended_with_one_click(window, qtbot):
     loud = document.design.with_input(0, amplitude=60.0)
     document.apply(Edit(label="Louder", design=loud, view=document.view))
     qtbot.waitUntil(lambda: state_of(window, "drive") == "left", timeout=30_000)
-    place = next(p for one, p in validity.lamps._places() if one.name == "drive")
+    place = next(p for one, p in validity.lamps.places if one.name == "drive")
     QTest.mouseClick(validity.lamps, Qt.MouseButton.LeftButton, pos=place.center().toPoint())
     card = window.findChild(ValidityCard)
     assert "mm/s" in card.findChild(QLabel, "validity_drive").text()
@@ -124,11 +124,11 @@ def test_hidden_lamps_cost_nothing_and_the_map_hatches_noise(window, qtbot, sett
 
 def said(lamps):
     """Names of the lamps that have words."""
-    return [one.name for one, place in lamps._places() if place.width() > 9]
+    return [one.name for one, place in lamps.places if place.width() > 9]
 
 
 def test_lamps_have_words_as_there_is_room_and_the_worst_one_always(lamps):
-    assert [one.name for one in lamps.lamps] == ["band", "drive", "noise"]
+    assert [one.name for one in lamps.row.lamps] == ["band", "drive", "noise"]
     assert lamps.accessibleDescription() == "band: caution; drive: unknown; SNR: kept"
     assert lamps.accessibleName() == "Validity of the prediction: 1 caution"
     wide, narrow = lamps.sizeHint(), lamps.minimumSizeHint()
@@ -136,7 +136,7 @@ def test_lamps_have_words_as_there_is_room_and_the_worst_one_always(lamps):
     for width in range(wide.width(), narrow.width() - 1, -1):
         lamps.resize(width, wide.height())
         rows.append(said(lamps))
-        assert all(place.right() <= width for _, place in lamps._places())
+        assert all(place.right() <= width for _, place in lamps.places)
     assert [one for one, _ in groupby(rows)] == [
         ["band", "drive", "noise"],
         ["band", "drive"],
@@ -155,7 +155,7 @@ def test_lamps_answer_the_keyboard_and_each_place(lamps, qtbot):
     chosen = []
     lamps.chosen.connect(lambda name, place: chosen.append(name))
     QTest.keyClick(lamps, Qt.Key.Key_Return)
-    for _, place in lamps._places():
+    for _, place in lamps.places:
         QTest.mouseClick(lamps, Qt.MouseButton.LeftButton, pos=place.center().toPoint())
     assert chosen == ["band", "band", "drive", "noise"]
 
