@@ -29,16 +29,18 @@ def test_a_label_says_less_in_the_same_room(host):
     host.show()
     label.resize(label.sizeHint())
     assert label.text() == "2 inputs · up to date"
-    enlarge(host, 1.6)
+    enlarge(label, 1.6)
     assert label.text() == "2 inputs"
 
 
 def test_the_row_of_an_output_keeps_room_for_its_number_and_the_longest_level(host):
     row = OutputRow(QGridLayout(host), 0, 7, 1, "synthetic-1")
     host.show()
-    enlarge(host)
-    for part, words in ((row.title, "7 · …"), (row.loudness, "\u2212100.0 dBFS")):
-        inside = row.level if part is row.loudness else part
+    for part, inside, words in (
+        (row.title, row.title, "7 · …"),
+        (row.loudness, row.level, "\u2212100.0 dBFS"),
+    ):
+        enlarge(inside)
         assert part.minimumSizeHint().width() >= inside.fontMetrics().horizontalAdvance(words)
 
 
