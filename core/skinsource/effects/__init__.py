@@ -14,7 +14,7 @@ from skinsource.effects.rectify import Rectify
 from skinsource.effects.repeat import Repeat
 from skinsource.effects.reverse import Reverse
 from skinsource.effects.soft_clip import SoftClip
-from skinsource.effects.stretch import Stretch
+from skinsource.effects.stretch import Stretch, stretched_by
 from skinsource.effects.trim import Trim
 
 #: Every effect, in the order in which a user meets them.
@@ -55,4 +55,5 @@ __all__ = [
     "placed",
     "played",
     "played_s",
+    "stretched_by",
 ]

@@ -1,11 +1,12 @@
 """Longer or shorter."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
 from skinsource import fields
 from skinsource.arrays import Floats
-from skinsource.effects.effect import ON, own_duration_s
+from skinsource.effects.effect import ON, Effect, own_duration_s
 from skinsource.effects.overlap import stretched_in_time
 from skinsource.effects.places import own_times, refuse_too_long, silent_outside
 from skinsource.fields import ChoiceSpec, NumberSpec
@@ -111,3 +112,14 @@ class Stretch:
             places = times_s * (sample_rate_hz / factor)
             found = values_between(samples, places, min(1.0, factor))
         return silent_outside(found, sample_rate_hz, shift_s, max(length_s, n / sample_rate_hz))
+
+
+def stretched_by(effects: Sequence[Effect], duration_s: float) -> float:
+    """By what frequencies of something so long are divided by its effects; 1: they stay."""
+    factor = 1.0
+    for effect in effects:
+        if effect.on:
+            if isinstance(effect, Stretch) and effect.pitch == "moves":
+                factor *= effect.factor_of(duration_s)
+            duration_s = effect.length(duration_s)
+    return factor

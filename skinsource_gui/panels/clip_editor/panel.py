@@ -29,7 +29,7 @@ from skinsource_gui.panels.clip_editor.tools.tool import Tool
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.empty_words import clip_words
 from skinsource_gui.widgets.inputs.clip_waveforms import waveforms_of
-from skinsource_gui.widgets.inputs.input_words import duration_text, figure_text
+from skinsource_gui.widgets.inputs.input_words import clip_text, duration_text
 from skinsource_gui.widgets.key_tables.key_table import meant
 
 _NO_GLIDE = Refusal(sentence="The clip does not play a glide; choose that waveform first.")
@@ -213,5 +213,5 @@ def _words(clip: Clip, design: Design) -> str:
     """Where a clip plays, and what."""
     place = input_words(design.track_of(clip.id).location, design.limb)
     label = f"{clip.label} · " if clip.label else ""
-    figure = f"{figure_text(clip.waveform)} · {duration_text(clip.duration_s)}"
+    figure = f"{clip_text(clip)} · {duration_text(clip.duration_s)}"
     return f"{label}{place.number} {place.short_name} · {figure}"

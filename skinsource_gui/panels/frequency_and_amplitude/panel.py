@@ -25,7 +25,7 @@ from skinsource_gui.widgets.empty_words import add_words, select_words
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.folding_row import FoldingRow
-from skinsource_gui.widgets.inputs.input_words import EMPTY
+from skinsource_gui.widgets.inputs.input_words import EMPTY, stretched_text
 
 _FREQUENCY, _ONSET = "frequency_hz", "onset_s"
 
@@ -106,7 +106,9 @@ class FrequencyAndAmplitudePanel(Panel):
 
     def _show_input(self, design: Design, view: View, one: Input, control: str) -> None:
         clip = clip_of(one, view)
-        playing = EMPTY.capitalize() if clip is None else clip.waveform.title
+        playing = EMPTY.capitalize()
+        if clip is not None:
+            playing = f"{clip.waveform.title}{stretched_text(clip)}"
         played = f"{playing} at place {one.location}"
         title = scenes.title_of(design) if design.title else ""
         self._words.show_phrases(*((f"{title} · {played}", title) if title else ()), played)

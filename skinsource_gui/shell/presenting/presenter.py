@@ -12,13 +12,13 @@ from skinsource.errors import SkinSourceError
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.shell.docks import PRESENTATION, Arrangements, DockLayout
+from skinsource_gui.shell.presenting.chosen_colours import ChosenColours
 from skinsource_gui.shell.presenting.notes_window import NotesWindow
 from skinsource_gui.shell.presenting.presenting_keys import PresentingKeys, unless_dragging
 from skinsource_gui.shell.presenting.scene_list import Step, steps_of_folder, steps_of_paper
 from skinsource_gui.shell.presenting.whole_scene import WholeScene
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.widgets.map.level_look import coloured_like
 
 #: What clickers send, beside the keys of the table of actions.
 _NEXT, _PREVIOUS, _COVER, _LEAVE = ("PgDown",), ("PgUp",), ("B", "."), ("Esc",)
@@ -87,6 +87,7 @@ class Presenter(QObject):
         # not kept.  None: there is work in it that is asked about.
         self._whole: WholeScene | None = None
         self._opening = False
+        self._colours = ChosenColours(document.view)
         self._notes: NotesWindow | None = None
         self._keys: list[QShortcut] = []
         self._taken: PresentingKeys | None = None
@@ -238,7 +239,7 @@ class Presenter(QObject):
         left = "" if self._whole is None else self._whole.left(self._document)
         self._at, self._opening = number, True
         # What was chosen in front of an audience stays, unless a file says something else.
-        view = shown.view if shown.of_file else coloured_like(shown.view, self._document.view)
+        view = self._colours.on(shown.view, self._document.view, of_file=shown.of_file)
         self._document.start_over(shown.design, view, None, scene=step.title)
         self._files.leave_file()
         self._opening, self._panels = False, shown.panels
@@ -252,6 +253,7 @@ class Presenter(QObject):
         # With another design the history is empty; with a step of it, it is not.
         if not self._opening and self._document.undo_stack.count() == 0:
             self._whole, self._steps, self._at, self._panels = None, (), -1, ()
+            self._colours.forget(self._document.view)
 
     def _show_notes(self) -> None:
         if self._notes is None:

@@ -23,7 +23,8 @@ class Shown:
         Arrangement of the window that shows it, and the panels that are brought in sight there;
         empty: the window stays as it is.
     of_file
-        Whether it was saved: then it has the colours that it was saved with.
+        Whether it was saved: then it has colours that it was saved with, or that were chosen in
+        this show, but none of the file before.
     """
 
     design: Design

@@ -1,6 +1,7 @@
 """An input in a few words."""
 
 from skinsource.clips import Clip
+from skinsource.effects import stretched_by
 from skinsource.fields import (
     ListSpec,
     NumberSpec,
@@ -48,6 +49,17 @@ def figure_text(waveform: Waveform) -> str:
                 return f"{waveform.title} {number}"
             return f"{waveform.title}, {spec.label.lower()} {number}"
     return waveform.title
+
+
+def clip_text(clip: Clip) -> str:
+    """The same of a clip, and what its effects do to these frequencies: ``", stretched ×2"``."""
+    return f"{figure_text(clip.waveform)}{stretched_text(clip)}"
+
+
+def stretched_text(clip: Clip) -> str:
+    """Behind the words on a waveform: that the clip plays it slower, or faster; else ""."""
+    factor = stretched_by(clip.effects, clip.waveform.duration_s)
+    return "" if factor == 1.0 else f", stretched ×{factor:.3g}"
 
 
 def told_text(waveform: Waveform) -> str:

@@ -59,7 +59,12 @@ def level_look(view: View) -> LevelLook:
 
 def coloured_like(view: View, other: View) -> View:
     """Return ``view`` with the colours of ``other``, unless it has chosen some itself."""
-    look, colours = level_look(view), level_look(other).colours
+    return in_colours(view, level_look(other).colours)
+
+
+def in_colours(view: View, colours: str) -> View:
+    """Return ``view`` in these colours, unless it has chosen some itself."""
+    look = level_look(view)
     if look.colours != USUAL_LOOK.colours or look.colours == colours:
         return view
     return with_settings(view, _PANEL, replace(look, colours=colours))

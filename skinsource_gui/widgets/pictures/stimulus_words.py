@@ -7,7 +7,7 @@ from skinsource.chain import amplitude_unit
 from skinsource.clips import Clip
 from skinsource.counting import counted
 from skinsource.design import Design, Input, audible_inputs
-from skinsource.effects import Effect, Envelope
+from skinsource.effects import Effect, Envelope, Stretch
 from skinsource.effects.envelope import UNCHANGED
 from skinsource_gui.widgets.inputs.input_words import duration_text, told_text
 
@@ -100,15 +100,28 @@ def _clip_words(clip: Clip) -> str:
     parts = told_text(clip.waveform), duration_text(clip.duration_s)
     onset = f"at {clip.onset_s * 1e3:g} ms" if clip.onset_s else ""
     gain = f"gain {clip.gain:g}" if clip.gain != 1.0 else ""
-    effects = [_effect_words(one) for one in clip.effects if one.on and _changes(one)]
+    effects = _effects_words(clip)
     through = f"through {', '.join(effects)}" if effects else ""
     return " ".join(part for part in (", ".join(parts), onset, gain, through) if part)
 
 
-def _effect_words(effect: Effect) -> str:
-    """What a clip goes through: ``"fade"``, ``"an envelope of 12 points"``."""
+def _effects_words(clip: Clip) -> list[str]:
+    """What a clip goes through, each in words, in their order."""
+    said, lasts_s = [], clip.waveform.duration_s
+    for one in clip.effects:
+        if one.on and _changes(one):
+            said.append(_effect_words(one, lasts_s))
+        lasts_s = one.length(lasts_s) if one.on else lasts_s
+    return said
+
+
+def _effect_words(effect: Effect, lasts_s: float) -> str:
+    """``"fade"``, ``"an envelope of 12 points"``, ``"stretch ×2"`` of what lasts so long."""
     if isinstance(effect, Envelope):
         return f"an envelope {_points(effect.points)}"
+    if isinstance(effect, Stretch):
+        kept = " that keeps frequencies" if effect.pitch == "stays" else ""
+        return f"stretch ×{effect.factor_of(lasts_s):.3g}{kept}"
     return effect.title.lower()
 
 

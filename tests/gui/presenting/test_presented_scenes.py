@@ -259,8 +259,28 @@ def test_a_scene_of_the_gallery_has_the_colours_that_were_chosen(make_window, de
 def test_files_that_are_stepped_through_keep_their_own_colours(studio, folder, design):
     magma = use_colours("magma", design, View()).view
     save_design(folder / "3 both.skinsource", design, magma)
-    studio.do("use_cividis_colours")
     studio.do("next_scene")
     assert colours(studio) == "magma"
     studio.do("previous_scene")
+    assert colours(studio) == "viridis"
+
+
+def test_colours_chosen_in_a_show_of_files_stay_where_a_file_has_chosen_none(
+    studio, folder, design
+):
+    magma = use_colours("magma", design, View()).view
+    save_design(folder / "3 both.skinsource", design, magma)
+    studio.do("use_cividis_colours")
+    seen = []
+    for step in ("previous_scene", "next_scene", "next_scene", "previous_scene"):
+        studio.do(step)
+        seen.append(colours(studio))
+    assert seen == ["cividis", "cividis", "magma", "cividis"]
+    studio.do("use_viridis_colours")
+    studio.do("previous_scene")
+    assert colours(studio) == "viridis"
+    # Another show begins with what it is opened on.
+    studio.do("use_cividis_colours")
+    studio.files.open(folder / "1 tap.skinsource")
+    studio.do("next_scene")
     assert colours(studio) == "viridis"

@@ -6,9 +6,9 @@ from skinsource.clips import Clip
 from skinsource.design import Input
 from skinsource_gui.widgets.inputs.input_words import (
     EMPTY,
+    clip_text,
     clips_text,
     duration_text,
-    figure_text,
 )
 
 
@@ -49,12 +49,12 @@ class RowState:
             return EMPTY
         others = clips_text(len(self.shown.clips))
         lasts = duration_text(self.clip.duration_s)
-        return f"{figure_text(self.clip.waveform)} · {lasts}{others}"
+        return f"{clip_text(self.clip)} · {lasts}{others}"
 
     @property
     def title(self) -> str:
         """What the input plays."""
-        return EMPTY if self.clip is None else figure_text(self.clip.waveform)
+        return EMPTY if self.clip is None else clip_text(self.clip)
 
     @property
     def words(self) -> tuple[int, int, bool, str]:
