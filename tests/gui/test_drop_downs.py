@@ -4,7 +4,7 @@ from collections import Counter
 
 import pytest
 from PySide6.QtCore import QRect, Qt
-from PySide6.QtGui import QColor
+from PySide6.QtGui import QColor, QFontInfo, QFontMetrics
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractSlider,
@@ -126,3 +126,19 @@ def test_every_list_that_drops_down_shows_its_arrow_and_cuts_no_entry_off(window
     assert view.viewport().width() >= view.sizeHintForColumn(0)
     tags.hidePopup()
     page.reject()
+
+
+def test_words_are_written_smaller_before_they_are_cut(qtbot):
+    field = ChoiceField(SPEC)
+    qtbot.addWidget(field)
+    field.choose("m")
+    whole_px = field.fontMetrics().horizontalAdvance("Medium")
+    font, words = field.words_in(whole_px)
+    assert (font, words) == (field.font(), "Medium")
+    font, words = field.words_in(round(0.8 * whole_px))
+    assert words == "Medium"
+    assert QFontInfo(font).pixelSize() < QFontInfo(field.font()).pixelSize()
+    assert QFontMetrics(font).horizontalAdvance("Medium") <= round(0.8 * whole_px)
+    smallest, cut = field.words_in(whole_px // 2)
+    assert cut.endswith("…")
+    assert QFontInfo(smallest).pixelSize() >= round(0.7 * QFontInfo(field.font()).pixelSize()) - 1

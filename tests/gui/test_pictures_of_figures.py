@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from PySide6.QtGui import QColor
+from PySide6.QtGui import QColor, QFontMetricsF
 from PySide6.QtWidgets import QAbstractButton, QComboBox
 
 import skinsource as ss
@@ -78,6 +78,7 @@ def test_a_picture_of_linearity_has_its_heads_as_words_and_no_buttons(show, tmp_
 
 def test_after_its_picture_a_figure_reads_what_it_read(make_window, qtbot):
     _, panel = in_front(make_window, qtbot, "transfer")
+    qtbot.waitUntil(lambda: panel.figure.axes is not None)
     frame = panel.figure.axes.frame
     panel.figure.move_cursor(frame.center())
     read, seen = panel.words.text, panel.grab().toImage()
@@ -86,3 +87,15 @@ def test_after_its_picture_a_figure_reads_what_it_read(make_window, qtbot):
     assert panel.grab().toImage() == seen
     panel.figure.read_again()
     assert panel.words.text == read
+
+
+def test_a_picture_of_transfer_functions_tells_which_output_is_which(make_window, qtbot, tmp_path):
+    window, panel = in_front(make_window, qtbot, "transfer")
+    path = tmp_path / "a.svg"
+    save_drawing(path, window.pictures.picture_of("transfer").draw, *SLIDE_PX)
+    words = texts_of(path)
+    for one in ("Outputs", "20", "26"):
+        assert one in words
+    # Below the line of its legend, not over it.
+    qtbot.waitUntil(lambda: panel.picture.axes is not None)
+    assert panel.picture.axes.frame.top() > QFontMetricsF(panel.picture.font()).height()

@@ -99,9 +99,7 @@ def test_an_inspector_that_is_told_the_same_again_does_nothing(qtbot, events_of)
 def test_words_on_a_clip_are_made_once_for_each_design(qtbot, monkeypatch):
     bench, made = Bench(qtbot, Tone(100.0, 0.0, 0.2)), []
     figure = editor_panel.clip_text
-    monkeypatch.setattr(
-        editor_panel, "clip_text", lambda clip: made.append(1) or figure(clip)
-    )
+    monkeypatch.setattr(editor_panel, "clip_text", lambda clip: made.append(1) or figure(clip))
     bench.show()
     assert made == []
     bench.design = replace(bench.design, inputs=bench.design.inputs)

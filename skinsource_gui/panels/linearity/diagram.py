@@ -11,11 +11,11 @@ from skinsource_gui.panels.linearity.end_labels import (
     write_labels,
     x_with_room_for_labels,
 )
-from skinsource_gui.panels.linearity.legend import draw_legend
 from skinsource_gui.theme import UNIT_PX, Theme, scaled
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.figure.axes import Axes, fitted_axes
 from skinsource_gui.widgets.figure.figure import Figure
+from skinsource_gui.widgets.figure.output_legend import draw_legend
 
 # Where a diagram is narrower than so many lines its letters are smaller, down to a part and to px.
 _LINES_WIDE, _LEAST_PART, _LEAST_PX = 10.0, 0.5, 11.0

@@ -13,6 +13,7 @@ from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.figure.axes import Axes, Axis, fitted_axes
 from skinsource_gui.widgets.figure.figure import Figure
+from skinsource_gui.widgets.figure.output_legend import draw_legend
 from skinsource_gui.widgets.plot.ranges import LEVEL_SPAN_DB, HeldRange
 
 # Bars of many outputs share this part of the height: the curves are seen beside them.
@@ -66,7 +67,11 @@ class TransferPicture(Figure):
             y = Axis(
                 shown=(self._top_db - LEVEL_SPAN_DB, self._top_db), title=f"dB re {shown.unit}"
             )
-        self.axes = axes = fitted_axes(room, x, y, QFontMetricsF(painter.font()))
+        metrics = QFontMetricsF(painter.font())
+        head = QRectF(room.left(), room.top(), room.width(), metrics.height())
+        inner = head.adjusted(UNIT_PX, 0, -UNIT_PX, 0)
+        draw_legend(painter, inner, shown.outputs, self.theme, broken=True)
+        self.axes = axes = fitted_axes(room.adjusted(0, head.height(), 0, 0), x, y, metrics)
         self._shade(painter, axes)
         axes.paint(painter, self.theme)
         painter.save()

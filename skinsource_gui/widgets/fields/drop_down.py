@@ -1,7 +1,7 @@
 """A list that drops down, as it looks everywhere."""
 
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QPainter, QPaintEvent, QPalette, QPen, QWheelEvent
+from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPaintEvent, QPalette, QPen, QWheelEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QStyle,
@@ -9,6 +9,8 @@ from PySide6.QtWidgets import (
     QStylePainter,
     QWidget,
 )
+
+from skinsource_gui.widgets.room.words_in_room import readable_in
 
 # Between a picture and its words.
 _BESIDE_PX = 4
@@ -38,19 +40,26 @@ class DropDown(QComboBox):
         self.view().setMinimumWidth(self.view().sizeHintForColumn(0) + 24)
         super().showPopup()
 
+    def words_in(self, room_px: int) -> tuple[QFont, str]:
+        """The words for the choice as they are written in so much room, and in which letters.
+
+        Smaller ones before words are cut, and those not in the middle of a letter, as Qt does.
+        """
+        font = readable_in(self.shown_text, self.font(), room_px)
+        cut = QFontMetrics(font).elidedText(self.shown_text, Qt.TextElideMode.ElideRight, room_px)
+        return font, cut
+
     def paintEvent(self, event: QPaintEvent) -> None:
         option = QStyleOptionComboBox()
         self.initStyleOption(option)
         painter = QStylePainter(self)
         painter.drawComplexControl(QStyle.ComplexControl.CC_ComboBox, option)
-        # Qt cuts what is too long in the middle of a letter.
         room = self.style().subControlRect(
             QStyle.ComplexControl.CC_ComboBox, option, QStyle.SubControl.SC_ComboBoxEditField, self
         )
         picture_px = 0 if option.currentIcon.isNull() else option.iconSize.width() + _BESIDE_PX
-        option.currentText = self.fontMetrics().elidedText(
-            self.shown_text, Qt.TextElideMode.ElideRight, room.width() - picture_px
-        )
+        font, option.currentText = self.words_in(room.width() - picture_px)
+        painter.setFont(font)
         painter.drawControl(QStyle.ControlElement.CE_ComboBoxLabel, option)
         # The theme's style sheet takes away the arrow of the style.
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

@@ -11,6 +11,8 @@ from skinsource_gui.theme import scaled
 # How much smaller words may be; and large ones, while they are no smaller than so many px.
 _SCALES = (1.0, 0.9, 0.8, 0.7, 0.6)
 _SCALES_OF_LARGE, _LEAST_PX = (0.55, 0.5, 0.45, 0.4), 12
+# Words that can be cut instead are no smaller than this.
+_WORTH_READING = 0.7
 # Below this they are hard to read: where they can, some go into a row below instead.
 _READABLE = 0.8
 
@@ -41,6 +43,16 @@ def _words_px(button: QAbstractButton, metrics: QFontMetrics) -> int:
     if isinstance(button, QToolButton):
         words_px += 2 * metrics.horizontalAdvance(" ")
     return words_px
+
+
+def readable_in(words: str, font: QFont, room_px: float) -> QFont:
+    """The largest font in which words have room of those that are not too small to be read.
+
+    For words that may be cut, if they have to be: in the smallest of these.
+    """
+    fonts = [scaled(font, scale) for scale in _SCALES if scale >= _WORTH_READING]
+    fit = (one for one in fonts if QFontMetrics(one).horizontalAdvance(words) <= room_px)
+    return next(fit, fonts[-1])
 
 
 def smallest_of(font: QFont) -> QFont:

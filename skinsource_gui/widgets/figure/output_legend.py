@@ -1,7 +1,7 @@
-"""Which colour is which output: a line above the diagrams."""
+"""Which colour is which output: a line above a figure."""
 
 from PySide6.QtCore import QLineF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtGui import QColor, QPainter
 
 from skinsource_gui.theme import Theme
 
@@ -20,15 +20,26 @@ def legend_words(outputs: tuple[int, ...], room_px: float, painter: QPainter) ->
     return numbers[:1]
 
 
-def draw_legend(painter: QPainter, room: QRectF, outputs: tuple[int, ...], theme: Theme) -> None:
-    """Numbers of outputs, each behind a stroke of its colour, in one line."""
+def draw_legend(
+    painter: QPainter,
+    room: QRectF,
+    outputs: tuple[int, ...],
+    theme: Theme,
+    *,
+    broken: bool = False,
+) -> None:
+    """Numbers of outputs, each behind a stroke of its colour, in one line.
+
+    ``broken``: lines of the figure are, where colours begin again, and so are these strokes.
+    """
     metrics, at = painter.fontMetrics(), room.left()
     words = legend_words(outputs, room.width(), painter)
     ranks = dict(zip(map(str, outputs), range(len(outputs)), strict=True))
     for word in words:
         if word in ranks:
-            colour = QColor(theme.output_colour(ranks[word]))
-            pen = QPen(colour, _STROKE_PX, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap)
+            rank = ranks[word] if broken else ranks[word] % len(theme.outputs)
+            pen = theme.output_pen(rank, _STROKE_PX)
+            pen.setCapStyle(Qt.PenCapStyle.FlatCap)
             painter.setPen(pen)
             painter.drawLine(QLineF(at, room.center().y(), at + _WIDE_PX, room.center().y()))
             at += _WIDE_PX + _GAP_PX
