@@ -1,37 +1,58 @@
 """The bar on the skin map that says how long some millimetres are."""
 
+from dataclasses import dataclass
+
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
-from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
+from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPainterPath, QPen
 
 from skinsource_gui.panels.skin.stage.map_layout import WORDS_LINES, MapLayout
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.map.length_bar import bar_length_mm
 
 
-def paint_length_bar(
-    painter: QPainter, layout: MapLayout, px_per_mm: float, skin: QPainterPath, theme: Theme
-) -> None:
-    """Draw the bar into a corner, the lower left one unless skin lies there.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LengthBar:
+    """Where the bar stands, with what stands over it, and how long it is, px."""
+
+    card: QRectF
+    words: str
+    long_px: float
+    line_px: float
+    unit: float
+
+
+def length_bar(
+    layout: MapLayout, px_per_mm: float, skin: QPainterPath, metrics: QFontMetrics
+) -> LengthBar:
+    """The bar in a corner, the lower left one unless skin lies there.
 
     Parameters
     ----------
-    painter
-        Its font is that of labels.
     layout
         Where the map lies.
     px_per_mm
-        Outline pixels in a millimetre; 0: that is not known, and nothing is drawn.
+        Outline pixels in a millimetre; 0: that is not known, and the bar is empty.
     skin
         The outline on the screen.
+    metrics
+        Of the font of labels.
     """
     on_screen = px_per_mm * layout.frame.scale
     if on_screen <= 0.0:
-        return
+        return LengthBar(card=QRectF(), words="", long_px=0.0, line_px=0.0, unit=0.0)
     length_mm = bar_length_mm(on_screen, layout.room.width())
-    line, unit = painter.fontMetrics().height(), layout.unit
+    line, unit = metrics.height(), layout.unit
     words = f"{length_mm} mm"
-    width = max(length_mm * on_screen, painter.fontMetrics().horizontalAdvance(words))
+    width = max(length_mm * on_screen, metrics.horizontalAdvance(words))
     card = bar_card(layout, QSizeF(width + 8 * unit, 1.5 * line + 3 * unit), line, skin)
+    return LengthBar(card=card, words=words, long_px=length_mm * on_screen, line_px=line, unit=unit)
+
+
+def paint_length_bar(painter: QPainter, bar: LengthBar, theme: Theme) -> None:
+    """Draw the bar; the painter's font is that of labels."""
+    card, line, unit = bar.card, bar.line_px, bar.unit
+    if card.isEmpty():
+        return
     left, bottom = card.left() + 4 * unit, card.bottom() - 3 * unit
     ground = QColor(theme.base)
     ground.setAlphaF(0.88)
@@ -39,10 +60,10 @@ def paint_length_bar(
     pen = QPen(QColor(theme.text), 2 * unit)
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)
     painter.setPen(pen)
-    painter.drawLine(QLineF(left, bottom, left + length_mm * on_screen, bottom))
+    painter.drawLine(QLineF(left, bottom, left + bar.long_px, bottom))
     painter.setPen(QColor(theme.text))
-    beside = QRectF(left, bottom - 1.4 * line, width, 1.2 * line)
-    painter.drawText(beside, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, words)
+    beside = QRectF(left, bottom - 1.4 * line, card.width() - 8 * unit, 1.2 * line)
+    painter.drawText(beside, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, bar.words)
 
 
 def bar_card(layout: MapLayout, size: QSizeF, line: float, skin: QPainterPath) -> QRectF:

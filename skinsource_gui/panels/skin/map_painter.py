@@ -16,7 +16,7 @@ from PySide6.QtGui import (
 
 from skinsource.limb import LimbMap
 from skinsource_gui.panels.skin.inputs.marks import paint_marks
-from skinsource_gui.panels.skin.length_bar import paint_length_bar
+from skinsource_gui.panels.skin.length_bar import length_bar, paint_length_bar
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.noise_hatch import paint_hatch
 from skinsource_gui.panels.skin.output_labels import (
@@ -59,7 +59,7 @@ class MapPainter:
         self._outline.closeSubpath()
         self._kept = kept
         self._layout: MapLayout | None = None
-        self._screen_outline = QPainterPath()
+        self._screen_outline, self._bar_card = QPainterPath(), QRectF()
         self._forget_pictures()
 
     def _forget_pictures(self) -> None:
@@ -85,8 +85,11 @@ class MapPainter:
             self._paint_hatch(painter, content, layout)
         if content.inputs:
             self._paint_inputs(painter, content, layout, theme)
+        metrics = painter.fontMetrics()
+        bar = length_bar(layout, content.px_per_mm, self._screen_outline, metrics)
+        self._bar_card = bar.card
         self._paint_selection(painter, content, layout, theme)
-        paint_length_bar(painter, layout, content.px_per_mm, self._screen_outline, theme)
+        paint_length_bar(painter, bar, theme)
 
     def _paint_ground(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
@@ -148,10 +151,10 @@ class MapPainter:
         def paint(on_image: QPainter) -> None:
             _paint_rings(on_image, content, layout, theme)
             radius = ring_radius(0, content, layout)
-            paint_labels(on_image, content.outputs, layout, radius, theme)
+            paint_labels(on_image, content.outputs, layout, radius, theme, self._bar_card)
 
         on_field = content.shown_field is not None
-        key = (theme.name, content.outputs, on_field)
+        key = (theme.name, content.outputs, on_field, self._bar_card.getRect())
         self._selection.paint(painter, layout.room, key, paint)
 
     def _paint_discs(

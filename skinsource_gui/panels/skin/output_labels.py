@@ -47,7 +47,11 @@ class OutputLabel:
 
 
 def output_labels(
-    numbers: Iterable[int], layout: MapLayout, radius: float, metrics: QFontMetricsF
+    numbers: Iterable[int],
+    layout: MapLayout,
+    radius: float,
+    metrics: QFontMetricsF,
+    taken: QRectF,
 ) -> tuple[OutputLabel, ...]:
     """Labels of dorsal outputs, each beside its ring, and where that is taken at some distance.
 
@@ -64,6 +68,8 @@ def output_labels(
         Of the rings, px.
     metrics
         Of the font of the labels.
+    taken
+        Where none may lie, as on the cards.
     """
     wanted = tuple(numbers)
     rings = [square(QPointF(*layout.points[number - 1]), radius) for number in wanted]
@@ -72,19 +78,24 @@ def output_labels(
     # Words stand above the map.
     room = layout.room.adjusted(0, WORDS_LINES * metrics.height(), 0, 0)
     for number in wanted:
-        taken = [label.area.adjusted(-gap, -gap, gap, gap) for label in placed]
-        taken += [layout.palmar_card, layout.triad_card]
+        hidden = [label.area.adjusted(-gap, -gap, gap, gap) for label in placed]
+        hidden += [layout.palmar_card, layout.triad_card, taken]
         free = [
             label
             for label in _candidates(number, layout, radius, metrics)
-            if room.contains(label.area) and not any(map(label.area.intersects, taken + rings))
+            if room.contains(label.area) and not any(map(label.area.intersects, hidden + rings))
         ]
         placed += free[:1]
     return tuple(placed)
 
 
 def paint_labels(
-    painter: QPainter, outputs: tuple[int, ...], layout: MapLayout, radius: float, theme: Theme
+    painter: QPainter,
+    outputs: tuple[int, ...],
+    layout: MapLayout,
+    radius: float,
+    theme: Theme,
+    taken: QRectF,
 ) -> None:
     """Draw numbers beside the rings of dorsal outputs; palmar ones carry theirs anyway."""
     drawn = dorsal_outputs(layout.points, layout.unplaced)
@@ -92,7 +103,7 @@ def paint_labels(
     if is_crowded(len(outputs), layout):
         return
     painter.setBrush(QColor(theme.base))
-    for label in output_labels(dorsal, layout, radius, QFontMetricsF(painter.font())):
+    for label in output_labels(dorsal, layout, radius, QFontMetricsF(painter.font()), taken):
         painter.setPen(theme.output_pen(outputs.index(label.number), 1.0))
         if label.far:
             centre = QPointF(*layout.points[label.number - 1])

@@ -265,7 +265,7 @@ def test_numbers_of_outputs_lie_beside_the_words_above_the_map(window):
     words = QRectF(0, 0, 2000, 1.7 * metrics.height())
     for size in ((266, 576), (420, 640), (900, 500)):
         view.resize(*size)
-        labels = output_labels(range(1, 61), view.stage.layout, 4.5, metrics)
+        labels = output_labels(range(1, 61), view.stage.layout, 4.5, metrics, QRectF())
         assert len(labels) > 10
         assert not any(label.area.intersects(words) for label in labels)
 

@@ -4,6 +4,7 @@ from PySide6.QtGui import QFontMetricsF
 from PySide6.QtTest import QTest
 
 from skinsource.limb import VOLAR_OUTPUTS
+from skinsource_gui.panels.skin import map_painter
 from skinsource_gui.panels.skin.map_painter import ring_radius, small_font
 from skinsource_gui.panels.skin.output_labels import output_labels, square
 from skinsource_gui.widgets.outputs.picking import output_beyond
@@ -120,7 +121,7 @@ def test_many_labels_do_not_pile_up_however_large_the_text(window, size, text):
     font.setPointSizeF(font.pointSizeF() * text)
     layout, radius = window.panel.map.stage.layout, 4.5
     for outputs, least in ((tuple(range(20, 38)), 0.75), (tuple(range(1, 61)), 0.4)):
-        labels = output_labels(outputs, layout, radius, QFontMetricsF(font))
+        labels = output_labels(outputs, layout, radius, QFontMetricsF(font), QRectF())
         rings = [square(window.panel.map.stage.place_of(number), radius) for number in outputs]
         for label in labels:
             others = [one.area for one in labels if one is not label]
@@ -135,9 +136,35 @@ def test_labels_of_neighbours_cover_neither_each_other_nor_a_ring(window, size, 
     layout = window.panel.map.stage.layout
     metrics = QFontMetricsF(small_font(window.panel.map.font()))
     radius = ring_radius(54, window.panel.map.content, layout)
-    labels = output_labels(outputs, layout, radius, metrics)
+    labels = output_labels(outputs, layout, radius, metrics, QRectF())
     rings = [square(window.panel.map.stage.place_of(number), radius) for number in outputs]
     assert [label.number for label in labels] == list(outputs)
     for label in labels:
         others = [one.area for one in labels if one is not label]
         assert not any(map(label.area.intersects, others + rings)), label
+
+
+@pytest.mark.parametrize("text", [1.0, 1.5, 2.5])
+def test_no_number_lies_under_the_bar_of_millimetres(window, text):
+    view, outputs = window.panel.map, tuple(range(67, 73))
+    layout, font = view.stage.layout, small_font(view.font())
+    font.setPointSizeF(font.pointSizeF() * text)
+    radius = ring_radius(54, view.content, layout)
+    free = output_labels(outputs, layout, radius, QFontMetricsF(font), QRectF())
+    # Where a bar takes the place of a number, that goes elsewhere.
+    for label in free:
+        bar = label.area.adjusted(-20, -4, 0, 4)
+        labels = output_labels(outputs, layout, radius, QFontMetricsF(font), bar)
+        assert not any(one.area.intersects(bar) for one in labels)
+
+
+def test_numbers_are_painted_beside_the_bar_of_millimetres(window, monkeypatch):
+    known = []
+    monkeypatch.setattr(
+        map_painter, "paint_labels", lambda *given: known.append(given[-1]), raising=True
+    )
+    click(window, 72)
+    window.panel.map.grab()
+    assert known
+    assert not known[-1].isEmpty()
+    assert known[-1].bottom() < window.panel.map.stage.layout.room.bottom()
