@@ -6,7 +6,12 @@ from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QStyleOptionViewItem, QTableWidget, QTableWidgetItem
 
 from skinsource_gui.panels.regions.table import RegionTable
-from skinsource_gui.widgets.name_column import SHORT_NAME, NameDelegate, dress_table
+from skinsource_gui.widgets.name_column import (
+    SHORT_NAME,
+    NameDelegate,
+    dress_table,
+    give_names_the_rest,
+)
 
 
 @pytest.fixture
@@ -51,3 +56,40 @@ def test_rows_of_regions_are_as_high_as_their_names(qtbot):
             assert table.rowHeight(row) > QFontMetrics(item.font()).height() + 2
             assert table.rowHeight(row) > rows.sectionSizeFromContents(row).height()
         assert table.model().headerData(0, Qt.Orientation.Vertical) == "Digit I"
+
+
+@pytest.fixture
+def figures(qtbot):
+    """A table of names and of one number each, as wide as it is made."""
+    table = QTableWidget(2, 2)
+    qtbot.addWidget(table)
+    dress_table(table)
+    give_names_the_rest(table)
+    for row, name in enumerate(("8  hand V", "12  IV middle ulnar")):
+        table.setItem(row, 0, QTableWidgetItem(name))
+        table.setItem(row, 1, QTableWidgetItem("0.123"))
+    table.resize(900, 200)
+    table.show()
+    qtbot.waitExposed(table)
+    return table
+
+
+def test_numbers_stand_beside_the_names_however_wide_a_table_is(figures, qtbot):
+    header, longest = figures.horizontalHeader(), "12  IV middle ulnar"
+    needed = figures.fontMetrics().horizontalAdvance(longest)
+    qtbot.waitUntil(lambda: needed < header.sectionSize(0) < needed + 40)
+    figures.item(0, 0).setText("29  a name that is a good deal longer than the others")
+    more = figures.fontMetrics().horizontalAdvance(figures.item(0, 0).text())
+    qtbot.waitUntil(lambda: more < header.sectionSize(0) < more + 40)
+
+
+def test_where_there_is_little_room_names_take_what_numbers_leave(figures, qtbot):
+    header = figures.horizontalHeader()
+    figures.resize(160, 200)
+    qtbot.waitUntil(lambda: header.length() == figures.viewport().width())
+    assert header.sectionSize(0) == figures.viewport().width() - header.sectionSize(1)
+    # What is filled anew, as often as one likes, is so too.
+    for _ in range(3):
+        give_names_the_rest(figures)
+    figures.resize(900, 200)
+    qtbot.waitUntil(lambda: header.length() < 400)
