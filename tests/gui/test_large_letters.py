@@ -93,3 +93,17 @@ def test_legend_and_side_give_way_where_they_have_no_room(window, settle, tmp_pa
         assert "pad" in words
     finally:
         window.appearance.reset_text()
+
+
+def test_the_bar_of_colours_is_as_narrow_as_before_once_letters_are_small_again(
+    window, settle, qtbot
+):
+    bar = window.panel("skin").colour_bar
+    usual = bar.width()
+    window.appearance._scale_text(LARGEST_TEXT)
+    settle()
+    qtbot.waitUntil(lambda: bar.width() > usual)
+    window.appearance.reset_text()
+    window.appearance.fit_room(1.0)
+    settle()
+    qtbot.waitUntil(lambda: bar.width() == usual)

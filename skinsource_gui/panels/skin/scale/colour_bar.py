@@ -84,10 +84,13 @@ class ColourBar(QWidget):
         least = sum(part.minimumSizeHint().height() for part in parts)
         return QSize(self.width(), least + UNIT_PX)
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
+    def event(self, event: QEvent) -> bool:
+        done = super().event(event)
+        # Letters of the strip may change after those of the bar.
+        wanted = event.type() in (QEvent.Type.FontChange, QEvent.Type.LayoutRequest)
+        if wanted and self.width() != self._width():
             self.setFixedWidth(self._width())
+        return done
 
     def choose(self, range_db: Range | None) -> None:
         """Show a range, or the automatic one."""
