@@ -1,5 +1,6 @@
 """Designs that are held against each other: strengths in proportion, and inputs that add up."""
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -54,6 +55,7 @@ def test_what_is_not_heard_keeps_neither_strengths_nor_a_joint_design(about):
             replace(played(8, amplitude=3.0), limb="synthetic-2"),
         ],
         [played(8, amplitude=0.0), played(8, amplitude=2.0), played(8, amplitude=3.0)],
+        [played(8, amplitude=-k) for k in (1.0, 2.0, 3.0)],
         [played(8), played(), played(8, amplitude=3.0)],
         [played(8, 13), played(8, amplitude=2.0), played(8, amplitude=3.0)],
         [played(8), played(8, 13, amplitude=2.0), played(8, amplitude=3.0)],
@@ -61,6 +63,14 @@ def test_what_is_not_heard_keeps_neither_strengths_nor_a_joint_design(about):
 )
 def test_others_have_none(designs):
     assert strengths_of(designs) == ()
+
+
+def test_what_is_heard_counts_whether_others_are_muted_or_it_alone_is_solo():
+    both = played(8, 13)
+    solo, muted = both.with_input(0, solo=True), both.with_input(1, muted=True)
+    assert joint_of([solo, played(13), both]) == joint_of([muted, played(13), both]) == 2
+    louder = [solo.with_input(0, amplitude=k) for k in (1.0, 2.0)]
+    assert strengths_of([*louder, played(8, amplitude=3.0)]) == (1.0, 2.0, 3.0)
 
 
 @pytest.mark.parametrize("order", [(0, 1, 2), (2, 0, 1), (1, 2, 0)])
@@ -109,6 +119,10 @@ def test_a_response_that_saturates_is_told():
     assert np.abs(found.line - found.rms).max() > 0.005
     through = np.polynomial.Polynomial.fit(x, found.rms[:, 0], 1)
     np.testing.assert_allclose(found.line[:, 0], through(x))
+    band = found.band_rms[:, 0, 40]
+    through = np.polynomial.Polynomial.fit(x, band, 1)
+    np.testing.assert_allclose(found.band_line[:, 0, 40], through(x))
+    assert abs(through(0.0)) > 0.05 * band.max()
 
 
 def test_what_inputs_cause_together_is_held_against_their_sum():
@@ -123,6 +137,15 @@ def test_what_inputs_cause_together_is_held_against_their_sum():
     bent = superposition([first, second], np.tanh(joint))
     assert bent.apart > 0.1
     assert (bent.correlation < 0.99).all()
+
+
+def test_differences_are_a_part_of_the_peak_of_either_sign():
+    down = np.array([[0.0, -4.0, 1.0]])
+    other = np.array([[0.0, -4.0, 1.5]])
+    assert superposition([down], other).apart == pytest.approx(0.5 / 4.0)
+    found = proportion([1.0, 2.0, 4.0], down * [[[1.0]], [[2.0]], [[4.2]]], RATE_HZ, None)
+    assert found.apart == pytest.approx(0.05 * 4.0 / (1.05 * 4.0))
+    assert math.isnan(superposition([0.0 * down], 0.0 * down).apart)
 
 
 def test_the_prediction_adds_up():

@@ -165,11 +165,14 @@ def straightness(
 
 
 def superposition(parts: Sequence[Floats], joint: Floats) -> Superposition:
-    """Hold the sum of responses, (n_channels, n_times) each, against the one to all together."""
+    """Hold the sum of responses, (n_channels, n_times) each, against the one to all together.
+
+    None is longer than that one.
+    """
     found = np.zeros((len(parts), *joint.shape))
     for whole, part in zip(found, parts, strict=True):
         # A part may end sooner: it is silent after that.
-        whole[:, : part.shape[-1]] = part[:, : joint.shape[-1]]
+        whole[:, : part.shape[-1]] = part
     separate = found.sum(axis=0)
     return Superposition(
         separate=separate,

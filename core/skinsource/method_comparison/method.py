@@ -17,7 +17,7 @@ Real = NDArray[np.floating]
 Precision = Literal["float64", "float32"]
 
 #: What an engine may hold at once.
-LARGEST_BYTES = 2 * 2**30
+LARGEST_BYTES = 2e9
 _DB_PER_FACTOR_TEN = 20.0
 
 
@@ -140,8 +140,7 @@ def require_bytes(needed: float) -> None:
     """Raise `Unfit` where an engine would hold more than `LARGEST_BYTES` at once."""
     if needed > LARGEST_BYTES:
         raise Unfit(
-            f"would hold {needed / 2**30:.1f} GB at once; the limit is "
-            f"{LARGEST_BYTES / 2**30:.0f} GB"
+            f"would hold {needed / 1e9:.1f} GB at once; the limit is {LARGEST_BYTES / 1e9:.0f} GB"
         )
 
 

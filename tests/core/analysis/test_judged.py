@@ -1,11 +1,13 @@
 """What goes with a result wherever it is taken."""
 
+import re
+
 import numpy as np
 import pytest
 
 import skinsource as ss
 from skinsource.evaluation import evaluate
-from skinsource.validity import Finding, found_in_drives, found_in_setup
+from skinsource.validity import Finding, found_in_drives, found_in_outputs, found_in_setup
 from skinsource.validity.judged import Judged, in_full, in_short
 
 FAST = Finding(name="drive", state="left", sentence="Fast, and more.", in_short="Fast.")
@@ -80,6 +82,24 @@ def test_each_condition_that_is_not_kept_has_short_words_and_no_other(scaling):
     short = " ".join(in_short([Judged(label="A", findings=found)]))
     assert "{" not in short
     assert " of the energy lies above 300 Hz" in short
+
+
+def test_short_words_hold_the_number_of_the_sentence():
+    time_s = np.arange(1300) / 1300.0
+    loud = 90.0 * np.sin(800.0 * np.pi * time_s) + 30.0 * np.sin(20.0 * np.pi * time_s)
+    found = [
+        *found_in_drives([(7, loud)], 1300.0, "probe"),
+        found_in_outputs(np.array([3.0, 9.0, 9.0, 9.0]), synthetic=False, silent=False),
+    ]
+    assert [one.name for one in found if one.number is not None] == [
+        "band",
+        "drive",
+        "spacing",
+        "noise",
+    ]
+    for one in found:
+        said = one.in_short.format(one.number)
+        assert re.findall(r"\d[\d.]*%?", said)[0] == re.findall(r"\d[\d.]*%?", one.sentence)[0]
 
 
 @pytest.mark.parametrize("limit_hz", [300.0, None])

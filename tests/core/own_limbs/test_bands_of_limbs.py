@@ -131,6 +131,8 @@ def test_a_velocity_is_told_from_where_the_limb_was_measured(user_data):
         found = lamp(design, "drive")
         assert f"from {lowest_hz} Hz on" in found.sentence
         assert (found.state == "left") == (lowest_hz < 10), band
+        fastest = ss.evaluate(design, "fastest_probe_m_per_s")["fastest_probe_m_per_s"]
+        assert f"at up to {1e3 * fastest:.3g} mm/s" in found.sentence
     assert found.factor == pytest.approx(0.04 / (3.0 / (2.0 * np.pi * 10.0)), rel=0.1)
 
 
