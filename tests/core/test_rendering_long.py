@@ -136,6 +136,8 @@ def test_responses_to_all_outputs_are_not_copied(monkeypatch):
     again, whole = next(streamed.blocks())
     assert again == first
     np.testing.assert_array_equal(block, whole)
+    _, turned = next(streamed.blocks_of(range(72, 0, -1), (2, 0, 1)))
+    np.testing.assert_allclose(turned, whole[::-1, (2, 0, 1)], rtol=0, atol=1e-12 * whole.max())
     next(streamed.blocks_of((30, 2), (0, 1, 2)))
     assert multiplied[-1].shape[-1] == 6
 
