@@ -276,6 +276,8 @@ def test_more_than_can_be_held_is_refused_before_it_is_made(monkeypatch):
     said = str(refused.value)
     channels = len(stimulus_of(SEVERAL).channels)
     assert f"at most {10_000 / channels / 48_000:.1f} s for {channels} channels at 48000 Hz" in said
+    lasts_s = float(said.partition("lasts ")[2].partition(" s")[0])
+    assert lasts_s == pytest.approx(stimulus_of(SEVERAL).duration_s, abs=0.06)
     assert "samples" not in said
     assert "e+" not in said
     assert stimulus_of(SEVERAL).n_times < 5000
