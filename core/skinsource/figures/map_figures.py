@@ -6,8 +6,9 @@ from dataclasses import replace
 import numpy as np
 
 from skinsource.arrays import Floats
+from skinsource.decibels import in_tables
 from skinsource.figures.sheet import WIDTH_MM, Drawn, Sheet, Table
-from skinsource.figures.values import axes_of_sensors, relative
+from skinsource.figures.values import axes_of_sensors, loudest_of
 from skinsource.map_range import MAP_RANGE_DB
 from skinsource.plot.levels import Levels, Range, common_range, levels_of
 from skinsource.plot.maps import HATCHED, Bar, draw_map
@@ -29,8 +30,8 @@ def maps_in_one_scale(opened: OpenedScene) -> Drawn:
 def maps_each_relative(opened: OpenedScene) -> Drawn:
     """A map for each design, each re its loudest output."""
     levels = [levels_of(one.design, None, opened.view) for one in opened.conditions]
-    own = relative(levels, together=False)
-    return maps_figure(opened, own, _labels(opened), _RELATIVE, "dB re the loudest output of each")
+    words, tops = "dB re the loudest output of each", loudest_of(levels, together=False)
+    return maps_figure(opened, levels, _labels(opened), _RELATIVE, words, tops)
 
 
 def maps_of_axes(opened: OpenedScene) -> Drawn:
@@ -38,14 +39,23 @@ def maps_of_axes(opened: OpenedScene) -> Drawn:
     single = axes_of_sensors(opened.design)
     levels = [levels_of(opened.design, None, replace(opened.view, axes=axis)) for axis in single]
     titles = [f"Along {axis}" for axis in single]
-    words = "dB re the loudest output on any axis"
-    return maps_figure(opened, relative(levels, together=True), titles, _RELATIVE, words)
+    words, tops = "dB re the loudest output on any axis", loudest_of(levels, together=True)
+    return maps_figure(opened, levels, titles, _RELATIVE, words, tops)
 
 
 def maps_figure(
-    opened: OpenedScene, levels: Sequence[Levels], titles: Sequence[str], colours: Range, words: str
+    opened: OpenedScene,
+    levels: Sequence[Levels],
+    titles: Sequence[str],
+    colours: Range,
+    words: str,
+    tops_db: Sequence[float] = (),
 ) -> Drawn:
-    """Maps beside each other with one colour bar, and the level of each output as a table."""
+    """Maps beside each other with one colour bar, and the level of each output as a table.
+
+    ``tops_db``: what the levels of each map are told re; 0 dB unless given.
+    """
+    tops_db = tops_db or [0.0] * len(levels)
     noisy = any(one.noisy for one in levels)
     sheet = Sheet(opened, _HEIGHT_MM, f"{HATCHED}." if noisy else "", maps=True)
     room_mm = min(WIDTH_MM - _BAR_ROOM_MM - 6.0, 50.0 * len(levels))
@@ -55,9 +65,10 @@ def maps_figure(
         image = None
         for k, (ax, one, title) in enumerate(zip(places, levels, titles, strict=True)):
             bar: Bar = "drawn" if k == len(levels) - 1 else "room"
-            image = draw_map(ax, one, colours, title=title, bar=bar)
+            shown = replace(one, values=one.values - tops_db[k])
+            image = draw_map(ax, shown, colours, title=title, bar=bar)
         sheet.colour_bar(image, left_mm + room_mm + 2.0, 24.0, 50.0, words)
-    values = [one.values for one in levels]
+    values = [in_tables(one.values) - top for one, top in zip(levels, tops_db, strict=True)]
     return Drawn(sheet=sheet, tables={"": levels_table(titles, values, words)})
 
 

@@ -1,5 +1,6 @@
 """What figures show of a design."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -49,11 +50,10 @@ def frames(design: Design, instants: list[int]) -> Floats:
     return magnitude(field)[:, instants].T
 
 
-def relative(levels: list[Levels], *, together: bool) -> list[Levels]:
-    """Levels re the loudest output of each, or of all of them together, in dB."""
+def loudest_of(levels: Sequence[Levels], *, together: bool) -> list[float]:
+    """Level of the loudest output of each, or of all of them together, in dB."""
     loudest = [float(one.values.max()) for one in levels]
-    tops = [max(loudest)] * len(levels) if together else loudest
-    return [replace(one, values=one.values - top) for one, top in zip(levels, tops, strict=True)]
+    return [max(loudest)] * len(levels) if together else loudest
 
 
 def with_values(design: Design, values: Floats) -> Levels:

@@ -3,7 +3,9 @@
 import numpy as np
 
 import skinsource as ss
+from skinsource import evaluation
 from skinsource.figures.writing import draw_figure
+from tests.core.own_limbs.compared import keep
 from tests.core.own_limbs.lab_bench import installed
 
 
@@ -23,6 +25,19 @@ def test_maps_of_axes_are_relative_to_the_loudest_of_all_of_them():
 def test_maps_of_places_are_relative_to_the_loudest_of_each():
     _, columns = table_of("1F")
     assert [levels.max() for name, levels in columns.items() if name != "output"] == [0.0] * 3
+
+
+def test_an_output_that_is_silent_has_no_level_in_the_table_of_a_figure(user_data):
+    responses = np.random.default_rng(2).normal(size=(7, 5, 3, 60))
+    responses[:, 1] = 0.0
+    keep("deaf", responses)
+    # What an earlier test evaluated was read from a folder that is gone.
+    evaluation._evaluator.cache_clear()
+    for name in ("1F", "2B"):
+        table = draw_figure(ss.scenes.open_scene(name, limb="deaf")).tables[""]
+        levels = np.asarray(table.rows)[:, 1:]
+        assert np.isnan(levels[1]).all()
+        assert np.isfinite(np.delete(levels, 1, axis=0)).all()
 
 
 def test_traces_are_cut_to_the_times_of_the_scene():
