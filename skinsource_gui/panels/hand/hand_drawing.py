@@ -1,6 +1,7 @@
 """The hand that inputs are placed on, turned palm up and ready to be painted."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -132,6 +133,10 @@ def hand_pixmap(
         painter.fillRect(QRectF(QPointF(0.0, 0.0), size.toSizeF()), fade)
     painter.end()
     return pixmap
+
+
+#: The same for the screen: to and fro between two arrangements it is drawn once for each.
+kept_hand_pixmap = lru_cache(maxsize=2)(hand_pixmap)
 
 
 def polygon(points: NDArray[np.float64]) -> QPolygonF:

@@ -6,7 +6,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import QColor, QFontDatabase, QFontMetricsF, QPainter, QPixmap
 
 from skinsource_gui.panels.hand.caption import HINT, caption_of
-from skinsource_gui.panels.hand.hand_drawing import HandDrawing, hand_pixmap
+from skinsource_gui.panels.hand.hand_drawing import HandDrawing, hand_pixmap, kept_hand_pixmap
 from skinsource_gui.panels.hand.hand_layout import HandLayout
 from skinsource_gui.panels.hand.hand_state import HandState, Mark
 from skinsource_gui.panels.hand.site_marker import (
@@ -36,7 +36,7 @@ _LEGEND = (("perpendicular", None), ("in-axis", QPointF(0.0, 1.0)))
 
 
 class HandPicture:
-    """Paints the hand; keeps what changes with the size only.
+    """Paints the hand.
 
     Parameters
     ----------
@@ -60,13 +60,12 @@ class HandPicture:
         self._lines = 2
         # Radius from which on empty places have their numbers.
         self._readable_px = 0.0
-        self._hand: tuple[object, QPixmap] | None = None
         # Of the picture that is being painted.
         self._layout: HandLayout
 
     def show_drawing(self, drawing: HandDrawing) -> None:
         """Take another hand."""
-        self._drawing, self._hand = drawing, None
+        self._drawing = drawing
 
     def resize(self, size: QSize, metrics: QFontMetricsF) -> None:
         """Take a widget's size; below the area of the hand there is text."""
@@ -75,7 +74,6 @@ class HandPicture:
         general = QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont)
         enlarged = metrics.height() > _ENLARGED * QFontMetricsF(general).height()
         self._readable_px = _FROM_AFAR * metrics.height() if enlarged else 0.0
-        self._hand = None
         # Where there is little room the hand needs it more than the legend does.
         legend = sum(_widths(metrics)) + 2 * UNIT_PX
         roomy = size.height() >= _ROOMY_PX and (not enlarged or legend <= size.width())
@@ -91,7 +89,7 @@ class HandPicture:
         painter.save()
         # Magnified, the hand would lie on the words below it.
         painter.setClipRect(self.area.adjusted(0, -2, 0, UNIT_PX / 2))
-        painter.drawPixmap(0, 0, self._hand_at(_PAPER_RATIO if is_on_paper() else ratio))
+        painter.drawPixmap(0, 0, self._hand(ratio))
         for site in self._in_order(state):
             self._paint_site(painter, site, state)
         if state.cursor is not None:
@@ -105,13 +103,11 @@ class HandPicture:
         if self._lines > 1 and self._drawing.contacts:
             self._paint_legend(painter)
 
-    def _hand_at(self, ratio: float) -> QPixmap:
-        key = (ratio, self.theme, self._layout)
-        if self._hand is None or self._hand[0] != key:
-            transform = self._layout.transform
-            drawn = hand_pixmap(self._drawing, transform, self._size, ratio, self.theme)
-            self._hand = (key, drawn)
-        return self._hand[1]
+    def _hand(self, ratio: float) -> QPixmap:
+        about = self._drawing, self._layout.transform, self._size
+        if is_on_paper():
+            return hand_pixmap(*about, _PAPER_RATIO, self.theme)
+        return kept_hand_pixmap(*about, ratio, self.theme)
 
     def _in_order(self, state: HandState) -> list[int]:
         """All sites, those above others last: in use, selected, pointed at."""

@@ -58,11 +58,8 @@ class Dock(QDockWidget):
         self._panels = panels
         self._tabbed = self._behind = False
         self.setObjectName(name)
-        self._area = area = SteadyArea()
-        area.setObjectName(f"{name}_area")
-        area.setFrameShape(QFrame.Shape.NoFrame)
-        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.setWidget(area)
+        # Made with the panel: other colours and letters go through all widgets there are.
+        self._area: SteadyArea | None = None
         _draw_buttons(self)
         self.topLevelChanged.connect(self._follow)
         # The menu of Qt, with the right button on a title, would leave it behind others.
@@ -85,6 +82,10 @@ class Dock(QDockWidget):
 
     def hold(self, panel: Panel) -> None:
         """Take its panel, which was just made and knows all that panels are told."""
+        if self._area is None:
+            self._area = _area(f"{panel.name}_area")
+            self.setWidget(self._area)
+            self._area.show()  # in a dock that is in sight Qt would only do so later
         self._area.setWidget(panel)
         panel.setVisible(not self._behind)
         self.sight_changed.emit()
@@ -93,7 +94,8 @@ class Dock(QDockWidget):
     def lent(self) -> Iterator[Panel]:
         """Its panel without a place in the window, to be shown elsewhere; it is taken back."""
         panel = self.panel
-        self._area.takeWidget()
+        if self._area is not None:
+            self._area.takeWidget()
         try:
             yield panel
         finally:
@@ -154,11 +156,21 @@ class Dock(QDockWidget):
             self.raise_()
 
 
+def _area(name: str) -> SteadyArea:
+    """What scrolls a panel; without a frame, and no stop for the keyboard."""
+    area = SteadyArea()
+    area.setObjectName(name)
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    return area
+
+
 def _draw_buttons(dock: QDockWidget) -> None:
     """Say what the buttons of the title do; those of the style are grey, whatever is behind."""
     theme = theme_of(dock.palette())
+    direct = Qt.FindChildOption.FindDirectChildrenOnly  # a panel has hundreds of widgets
     for name, (hint, icon) in _BUTTONS.items():
-        for button in dock.findChildren(QAbstractButton, name):
+        for button in dock.findChildren(QAbstractButton, name, direct):
             button.setToolTip(hint)
             if button.icon().cacheKey() != icon(theme).cacheKey():
                 button.setIcon(icon(theme))

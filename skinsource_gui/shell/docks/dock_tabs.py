@@ -76,9 +76,10 @@ class DockTabs(QObject):
 
     def _tell(self) -> None:
         names = frozenset(name for name, dock in self._docks.items() if dock.in_sight)
-        for dock in self._docks.values():
-            others = self._window.tabifiedDockWidgets(dock)
-            dock.show_tabbed(any(not one.isHidden() for one in others))
+        for name, dock in self._docks.items():
+            if name in names:  # of the others no title is seen, and to ask Qt takes long
+                others = self._window.tabifiedDockWidgets(dock)
+                dock.show_tabbed(any(not one.isHidden() for one in others))
             if not dock.is_empty and dock.panel.in_sight != names:
                 dock.panel.show_in_sight(names)
 

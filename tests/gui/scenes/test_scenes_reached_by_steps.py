@@ -1,9 +1,16 @@
 """A scene is arranged the same, whichever way it is reached."""
 
+import gc
+
 import pytest
+from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
+from skinsource.catalogue import available_limbs
+from skinsource_gui.shell.window import MainWindow
+from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.state.start_design import start_design
 
 NAMES = ss.scenes.names()
 
@@ -27,21 +34,34 @@ def stepped_through(window):
 
 
 @pytest.fixture
-def opened_alone(make_window):
+def opened_alone(qtbot, tmp_path):
     """Panels in front of a scene in a window that showed no other one; then, presented."""
     known = {}
 
+    def alone(name):
+        preferences = Preferences(tmp_path / f"{name}.ini")
+        limbs = available_limbs()
+        window = MainWindow(start_design(limbs[0]), preferences=preferences, available_limbs=limbs)
+        window.resize(1366, 728)
+        window.show()
+        qtbot.waitExposed(window)
+        window.scenes.open(name)
+        plain = in_front(window)
+        window.do("present")
+        presented = in_front(window)
+        window.close_unasked()
+        window.deleteLater()
+        return plain, presented
+
     def found(name):
         scene = ss.scenes.scene(name)
-        # What is arranged alike need not be opened twice: windows add up.
+        # What is arranged alike need not be opened twice.
         key = scene.arrangement, scene.panels
         if key not in known:
-            window = make_window()
-            window.scenes.open(name)
-            plain = in_front(window)
-            window.do("present")
-            known[key] = plain, in_front(window)
-            window.close()
+            known[key] = alone(name)
+            # Windows that are only closed add up: letters of another size go through all widgets.
+            QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+            gc.collect()
         return known[key]
 
     return found
