@@ -4,7 +4,7 @@ Scripts and design files use the short names (``upstream``, ``pca``, …), which
 ``docs/words.md`` shows all of it as a table.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from skinsource.limb import PUBLISHED
 from skinsource.loudest_window import HOLD_WINDOW_S, LOUDEST_WINDOW_S
@@ -122,6 +122,13 @@ SCALINGS = (
         sentence="Amplitudes are accelerations of the probe in m/s², within about 3 dB.",
     ),
 )
+# Of a limb whose responses answer a drive of unknown unit, in place of those above.
+_OF_DRIVES = {
+    "relative": "No rescaling: strong and weak places keep their ratio; an amplitude of 1 is one "
+    "unit of the drive that the responses of this limb answer.",
+    "probe": "Amplitudes are in the unit of the drive that the responses of this limb answer; "
+    "which one is not known.",
+}
 _LOUDEST = f"{LOUDEST_WINDOW_S * 1000:g} ms"
 SPANS = (
     Word(
@@ -167,6 +174,21 @@ def word_of(words: tuple[Word, ...], name: str) -> Word:
     """
     known = {word.name: word for word in words}
     return known.get(name) or Word(name=name, title=name, sentence="")
+
+
+def scalings_on(*, drive_unit_known: bool) -> tuple[Word, ...]:
+    """What scalings are called, and what they mean on a limb.
+
+    Parameters
+    ----------
+    drive_unit_known
+        See `skinsource.own_limbs.drive_unit_known`.
+    """
+    if drive_unit_known:
+        return SCALINGS
+    return tuple(
+        replace(word, sentence=_OF_DRIVES.get(word.name, word.sentence)) for word in SCALINGS
+    )
 
 
 def limb_word(name: str) -> Word:

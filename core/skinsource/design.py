@@ -92,7 +92,7 @@ class Input:
     clips
         What it plays, in any order; none: it is silent.
     amplitude
-        Factor; its unit follows from the design's scaling, see `amplitude_unit`.
+        Factor; its unit follows from the design, see `skinsource.chain.amplitude_unit`.
     gain_curve
         Breakpoints, s and factor, straight between them and level before the first and after the
         last; none: nothing is changed.
@@ -163,8 +163,7 @@ class Design:
 
     def _repr_html_(self) -> str:
         """What a notebook shows."""
-        unit = amplitude_unit(self.scaling, self.actuated)
-        return displaying.html_of(self, audible_indices(self.inputs), unit)
+        return displaying.html_of(self, audible_indices(self.inputs), amplitude_unit(self))
 
     @property
     def ids(self) -> tuple[int, ...]:
@@ -287,7 +286,7 @@ def audible_inputs(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
     return tuple(inputs[index] for index in audible_indices(inputs))
 
 
-def amplitude_spec(scaling: Scaling, actuated: Actuation | None = None) -> NumberSpec:
+def amplitude_spec(design: Design) -> NumberSpec:
     """Specification of amplitudes that says what they mean, and in which unit."""
-    unit, meaning = amplitude_unit(scaling, actuated), amplitude_meaning(scaling, actuated)
+    unit, meaning = amplitude_unit(design), amplitude_meaning(design)
     return replace(AMPLITUDE, unit=unit, hint=f"{meaning}. {AMPLITUDE.hint}")

@@ -15,6 +15,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from skinsource.chain import amplitude_unit
+from skinsource.design import Design
 from skinsource.errors import SkinSourceError
 from skinsource.locations import input_words
 from skinsource.matching import MatchingRun
@@ -74,7 +76,8 @@ class MatchingPage(QDialog):
         self.resize(680, 560)
         self._limb, self._theme = limb, theme
         self.run: MatchingRun | None = None
-        self.form = SetupForm(folder / _TABLE, gain_db, theme)
+        unit = amplitude_unit(Design(limb=limb))
+        self.form = SetupForm(folder / _TABLE, gain_db, unit, theme)
         self.view = RunView(theme)
         self.sounding = Sounding(output, rig, self)
         self._stopped_s = -_HURRY_S

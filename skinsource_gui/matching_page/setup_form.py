@@ -1,5 +1,6 @@
 """What is matched, by whom, and where it is kept."""
 
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QWidget
@@ -23,7 +24,6 @@ _NUMBERS = {
     ),
     "amplitude": NumberSpec(
         label="Drive",
-        unit="m/s²",
         minimum=0.001,
         maximum=MOST_AMPLITUDE,
         step=0.05,
@@ -64,9 +64,11 @@ class SetupForm(QWidget):
         The table at first.
     gain_db
         How loud at first.
+    drive_unit
+        Unit of the drive of the reference, on the limb that is played.
     """
 
-    def __init__(self, table: Path, gain_db: float, theme: Theme) -> None:
+    def __init__(self, table: Path, gain_db: float, drive_unit: str, theme: Theme) -> None:
         super().__init__()
         self._form = form = QFormLayout(self)
         form.setContentsMargins(0, 0, 0, 0)
@@ -78,6 +80,8 @@ class SetupForm(QWidget):
             self._add(name, label, field)
         self._numbers: dict[str, NumberField] = {}
         for name, spec in _NUMBERS.items():
+            if name == "amplitude":
+                spec = replace(spec, unit=drive_unit)
             number = self._numbers[name] = NumberField(spec)
             number.set_value(gain_db if name == "gain_db" else _FIRST[name])
             number.show_theme(theme)

@@ -190,7 +190,7 @@ class MotionPage(QDialog):
             return None
         if name == "amplitude" and isinstance(spec, NumberSpec):
             design = self._document.design
-            return replace(spec, unit=amplitude_unit(design.scaling, design.actuated))
+            return replace(spec, unit=amplitude_unit(design))
         return spec
 
     def _show_theme(self) -> None:

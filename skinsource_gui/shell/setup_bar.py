@@ -8,12 +8,12 @@ from PySide6.QtGui import QAction, QResizeEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from skinsource import edits
-from skinsource.choice_words import CHOICES, LIMBS, Word, limb_word
+from skinsource.choice_words import CHOICES, LIMBS, Word, limb_word, scalings_on
 from skinsource.dataset.not_installed import NOT_INSTALLED
 from skinsource.design import Design
 from skinsource.edits import Edit, Refusal
 from skinsource.fields import ChoiceSpec
-from skinsource.own_limbs import facts_of, own_limb_names
+from skinsource.own_limbs import drive_unit_known, facts_of, own_limb_names
 from skinsource.view import View
 from skinsource_gui.dataset_page.title import TITLE
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
@@ -36,7 +36,7 @@ class SetupBar(QWidget):
         self._design: Design | None = None
         self._view: View | None = None
         self._words: tuple[Word, ...] = LIMBS
-        self._measured = "xyz"
+        self._measured, self._drive_unit_known = "xyz", True
         self._row = QHBoxLayout(self)
         self._row.setContentsMargins(0, 0, 0, 0)
         self._row.setSpacing(6)
@@ -67,6 +67,7 @@ class SetupBar(QWidget):
         ):
             field.set_value(value)
         self._offer_axes(design.limb)
+        self._explain_scalings(drive_unit_known(design.limb, design.limb_digest))
         single = len(view.axes) == 1
         self._method.setEnabled(not single)
         hint = "A single axis needs no method" if single else self._method_hint
@@ -101,9 +102,7 @@ class SetupBar(QWidget):
         if words != self._words:
             self._words = words
             self._limb.offer(_spec("Limb", "", words))
-            for index, word in enumerate(words):
-                hint = tooltip(word.sentence)
-                self._limb.setItemData(index, hint, Qt.ItemDataRole.ToolTipRole)
+            _explain(self._limb, words)
         for index, name in enumerate(names):
             there = name in limbs
             _offer(self._limb, index, there=there)
@@ -119,6 +118,13 @@ class SetupBar(QWidget):
         self._measured = measured
         for index in range(self._axes.count()):
             _offer(self._axes, index, there=set(self._axes.itemData(index)) <= set(measured))
+
+    def _explain_scalings(self, unit_known: bool) -> None:
+        """Say what amplitudes mean on the limb."""
+        if unit_known == self._drive_unit_known:
+            return
+        self._drive_unit_known = unit_known
+        _explain(self._scaling, scalings_on(drive_unit_known=unit_known))
 
     def choices(self, parent: QObject | None) -> list[QAction]:
         """One action for each choice that can be made, owned by ``parent``."""
@@ -140,8 +146,7 @@ class SetupBar(QWidget):
         field.setObjectName(label.lower())
         field.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         field.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
-        for index, word in enumerate(words):
-            field.setItemData(index, tooltip(word.sentence), Qt.ItemDataRole.ToolTipRole)
+        _explain(field, words)
         title = QLabel(label)
         title.setBuddy(field)
         self._row.addWidget(title)
@@ -160,6 +165,12 @@ class SetupBar(QWidget):
 def _spec(label: str, sentence: str, words: tuple[Word, ...]) -> ChoiceSpec:
     options = tuple((word.name, word.title) for word in words)
     return ChoiceSpec(label=label, options=options, hint=sentence)
+
+
+def _explain(field: QComboBox, words: tuple[Word, ...]) -> None:
+    """Say of each entry what it means."""
+    for index, word in enumerate(words):
+        field.setItemData(index, tooltip(word.sentence), Qt.ItemDataRole.ToolTipRole)
 
 
 def _offer(field: QComboBox, index: int, *, there: bool) -> None:

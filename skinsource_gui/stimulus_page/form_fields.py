@@ -1,10 +1,9 @@
 """What each field of the page of stimuli can be."""
 
-from skinsource.chain import amplitude_unit
+from skinsource.chain import ARBITRARY_UNIT, drive_unit
 from skinsource.design import Design
 from skinsource.fields import ChoiceSpec, NumberSpec
 from skinsource.limb import SAMPLE_RATE_HZ
-from skinsource.stimulus.stimulus import UNITS
 from skinsource.stimulus.times import LONGEST_LEAD_IN_S
 from skinsource.stimulus_formats import FORMATS
 from skinsource.view import View
@@ -97,10 +96,10 @@ def time_number(label: str, design: Design) -> NumberSpec:
 
 def scale_number(design: Design) -> NumberSpec:
     """A drive."""
-    unit = amplitude_unit(design.scaling, design.actuated)
+    unit = drive_unit(design)
     return NumberSpec(
         label="Drive at full scale",
-        unit=unit if unit == "V" or UNITS[design.scaling] == "m/s²" else "",
+        unit=unit if unit in ("V", "m/s²", ARBITRARY_UNIT) else "",
         minimum=0.001,
         maximum=1e6,
         step=0.1,

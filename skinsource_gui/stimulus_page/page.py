@@ -199,10 +199,10 @@ def summary_of(overview: Overview) -> str:
     unit = "" if overview.unit == "1" else f" {overview.unit}"
     # What the design wants is no volts of a device before a rig says so.
     stands = "shall be" if _wants_volts(overview) else "is"
-    return (
+    return sentence(
         f"{n} channel{'' if n == 1 else 's'}{many}, {duration_words(overview.duration_s)} at "
         f"{rate} Hz, about {bytes_in_words(overview.n_bytes)}. Full scale {stands} "
-        f"{overview.full_scale:.4g}{unit}."
+        f"{overview.full_scale:.4g}{unit}"
     )
 
 

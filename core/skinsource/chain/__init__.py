@@ -6,7 +6,13 @@ from skinsource.late import late_names
 
 if TYPE_CHECKING:
     from skinsource.chain.actuation import Actuation, ActuatorAt
-    from skinsource.chain.amplitudes import amplitude_meaning, amplitude_unit
+    from skinsource.chain.amplitudes import (
+        ARBITRARY_UNIT,
+        amplitude_meaning,
+        amplitude_note,
+        amplitude_unit,
+        drive_unit,
+    )
     from skinsource.chain.chain import Chain, Curve, Part
     from skinsource.chain.drive import LARGEST, Drive, drive_of, drive_played, first_unusable
     from skinsource.chain.followed import refuse_unfollowed
@@ -18,7 +24,8 @@ else:
         __name__,
         {
             "actuation": "Actuation ActuatorAt",
-            "amplitudes": "amplitude_meaning amplitude_unit",
+            "amplitudes": "ARBITRARY_UNIT amplitude_meaning amplitude_note amplitude_unit "
+            "drive_unit",
             "chain": "Chain Curve Part",
             "drive": "LARGEST Drive drive_of drive_played first_unusable",
             "followed": "refuse_unfollowed",
@@ -29,6 +36,7 @@ else:
     )
 
 __all__ = [
+    "ARBITRARY_UNIT",
     "LARGEST",
     "Actuation",
     "ActuatorAt",
@@ -39,9 +47,11 @@ __all__ = [
     "Transfer",
     "actuation_of_rig",
     "amplitude_meaning",
+    "amplitude_note",
     "amplitude_unit",
     "drive_of",
     "drive_played",
+    "drive_unit",
     "first_unusable",
     "placed_chain",
     "refuse_unfollowed",

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.arrays import Floats
-from skinsource.chain import amplitude_unit
+from skinsource.chain import amplitude_note, amplitude_unit
 from skinsource.choice_words import SCALINGS, level_words, limb_word, signal_words, word_of
 from skinsource.clips import Clip
 from skinsource.counting import counted
@@ -97,9 +97,11 @@ def _about_design(design: Design) -> list[str]:
 
 
 def _about_inputs(design: Design) -> list[str]:
-    unit = amplitude_unit(design.scaling, design.actuated)
+    unit = amplitude_unit(design)
     heard = len(audible_inputs(design.inputs))
+    meaning = amplitude_note(design.limb, design.limb_digest, design.scaling, design.actuated)
     return [
+        *([f"amplitude {meaning}"] if meaning else []),
         f"inputs    {len(design.inputs)}, {heard} of them heard",
         *(line for one in design.inputs for line in _about_input(one, unit, design.limb)),
     ]

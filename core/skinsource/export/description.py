@@ -2,17 +2,18 @@
 
 from collections.abc import Iterable
 
-from skinsource.chain import Actuation, ActuatorAt
+from skinsource.chain import Actuation, ActuatorAt, amplitude_note
 from skinsource.choice_words import AXES, METHODS, SCALINGS, SPANS, limb_word, word_of
 from skinsource.clips import Clip
 from skinsource.counting import counted
 from skinsource.design import Input
+from skinsource.scaling.response_scaling import Scaling
 
 
 def describe_played(
     limb: str,
     note: str,
-    scaling: str,
+    scaling: Scaling,
     inputs: Iterable[Input],
     actuated: Actuation | None = None,
 ) -> list[str]:
@@ -21,6 +22,9 @@ def describe_played(
     lines.append(
         f"limb: {limb_word(limb).title}, {limb}; scaling: {word_of(SCALINGS, scaling).both}"
     )
+    meaning = amplitude_note(limb, "", scaling, actuated)
+    if meaning:
+        lines.append(f"amplitudes: {meaning}")
     if actuated is not None:
         lines.append(f"predicted through: {actuated.words}")
         lines += [f"  {_named(one)}: {one.model}" for one in actuated.actuators]

@@ -9,6 +9,7 @@ import scipy
 
 from skinsource.analysis.bands import BIN_HZ, band_rms
 from skinsource.arrays import Floats
+from skinsource.chain import amplitude_unit
 from skinsource.errors import InvalidInputError
 from skinsource.evaluation import evaluate
 from skinsource.figures.sheet import Drawn, Sheet, Table
@@ -55,7 +56,8 @@ def strengths(opened: OpenedScene) -> Drawn:
                 ax.set_ylabel("" if column else f"Output {number}\nz / strength")
                 ax.set_xlabel("" if row + 1 < len(view.outputs) else "Time (ms)")
             columns += list(alike[:, row])
-            header += [f"output_{number} per m/s² at {one.label}" for one in opened.conditions]
+            per = f"output_{number} per {amplitude_unit(opened.design)}"
+            header += [f"{per} at {one.label}" for one in opened.conditions]
         handles = ax.get_legend_handles_labels()
         sheet.figure.legend(*handles, loc="upper right", ncols=5, fontsize=6)
     return Drawn(sheet=sheet, tables={"": Table(header=header, rows=np.vstack(columns).T)})
@@ -147,7 +149,7 @@ def lines_of(opened: OpenedScene) -> Fits:
 
 def output_over_input(opened: OpenedScene) -> Drawn:
     """Output over input of some bands, with their lines."""
-    fits, outputs = lines_of(opened), opened.view.outputs
+    fits, outputs, unit = lines_of(opened), opened.view.outputs, amplitude_unit(opened.design)
     sheet = Sheet(opened, 70.0)
     bands = [int(np.argmin(np.abs(fits.frequency_hz - one))) for one in _SHOWN_BANDS_HZ]
     with style():
@@ -165,14 +167,14 @@ def output_over_input(opened: OpenedScene) -> Drawn:
             ticks = fits.played[:, bands[0]]
             ax.set_xticks(ticks, [f"{one:.2g}" for one in ticks])
             ax.minorticks_off()
-            ax.set_xlabel("Input in the band (m/s²)")
+            ax.set_xlabel(f"Input in the band ({unit})")
             ax.set_ylabel("Output in the band (m/s²)")
             ax.legend(fontsize=6, loc="upper left")
             low, high = ax.get_ylim()
             ax.set_ylim(low, high * 12.0)
     header, columns = ["frequency_hz"], [fits.frequency_hz]
     for level, one in enumerate(opened.conditions):
-        header += [f"input at {one.label} (m/s²)"]
+        header += [f"input at {one.label} ({unit})"]
         header += [f"output_{number} at {one.label} (m/s²)" for number in outputs]
         columns += [fits.played[level], *(fits.felt[level, number - 1] for number in outputs)]
     return Drawn(sheet=sheet, tables={"": Table(header=header, rows=np.vstack(columns).T)})

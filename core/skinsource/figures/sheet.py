@@ -8,6 +8,7 @@ from typing import Any
 from skinsource.arrays import Floats
 from skinsource.figures.conditions import left_words, setup_words
 from skinsource.plot.paper import DIM, INK, MM_PER_INCH, SYNTHETIC, new_figure, style
+from skinsource.quoting import sentence
 from skinsource.scenes import OpenedScene
 
 #: Two columns of a journal.
@@ -132,7 +133,7 @@ def _foot(opened: OpenedScene, note: str, left: str) -> list[tuple[str, str]]:
     known = opened.scene
     said = [(known.sentence, INK), (f"After {known.source}.", DIM)]
     if known.inferred:
-        said.append((f"Inferred: {'; '.join(known.inferred)}.", DIM))
+        said.append((sentence(f"Inferred: {'; '.join(known.inferred)}"), DIM))
     said += [(words, DIM) for words in (setup_words(opened), left, note) if words]
     if opened.chosen:
         said.append((opened.chosen, INK))

@@ -30,6 +30,8 @@ class LimbFacts:
         As files name it; as the window does; and what it is.
     n_inputs, n_outputs, n_taps, axes, sample_rate_hz, pre_trigger_delay_s, band_hz, hand_length_mm
         As of `Limb`.
+    per_unit_drive
+        As of `Limb`; the unit of that drive is not known.
     synthetic
         Whether it is computed, not measured.
     own
@@ -55,6 +57,7 @@ class LimbFacts:
     pre_trigger_delay_s: float = PRE_TRIGGER_DELAY_S
     band_hz: Band | None = BAND_HZ
     hand_length_mm: float = 0.0
+    per_unit_drive: bool = False
     synthetic: bool = False
     own: bool = False
     known: bool = True

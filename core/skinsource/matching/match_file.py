@@ -98,7 +98,7 @@ def check_reference(
             frequency_hz, place, amplitude = one.reference
             raise InvalidInputError(
                 f"{named(path)} holds matches with another reference: {frequency_hz:g} Hz at place "
-                f"{place}, {amplitude:g} m/s². Choose another file, or that reference."
+                f"{place}, a drive of {amplitude:g}. Choose another file, or that reference."
             )
 
 

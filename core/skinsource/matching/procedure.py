@@ -65,7 +65,7 @@ class Procedure:
     frequencies_hz, places
         The tests are all combinations.
     reference_hz, reference_place, amplitude
-        The reference, and its drive in the unit of the design's amplitudes: m/s².
+        The reference, and its drive in the unit of the design's amplitudes, see `skinsource.chain`.
     duration_s, pause_s
         Of each of both, and between them.
     seed

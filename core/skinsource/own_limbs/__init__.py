@@ -7,7 +7,14 @@ from skinsource.own_limbs.content import (
     OwnLimb,
     is_free_name,
 )
-from skinsource.own_limbs.known import axes_on, facts_of, missing_limb, outputs_on, own_map
+from skinsource.own_limbs.known import (
+    axes_on,
+    drive_unit_known,
+    facts_of,
+    missing_limb,
+    outputs_on,
+    own_map,
+)
 from skinsource.own_limbs.store import (
     install_limb,
     load_own_limb,
@@ -23,6 +30,7 @@ __all__ = [
     "NAME_RULE",
     "OwnLimb",
     "axes_on",
+    "drive_unit_known",
     "facts_of",
     "install_limb",
     "is_free_name",

@@ -51,6 +51,21 @@ def outputs_on(limb: str, outputs: tuple[int, ...]) -> tuple[int, ...]:
     return found or tuple(range(1, min(len(outputs), facts.n_outputs) + 1))
 
 
+def drive_unit_known(name: str, digest: str = "") -> bool:
+    """Whether it is known what the responses of a limb answer: the probe, whose drive is in m/s².
+
+    Not of a limb of a lab's own that answers a drive, nor of one that is not here.
+
+    Parameters
+    ----------
+    name, digest
+        Of the limb, as of a design.
+    """
+    facts = facts_of(name)
+    other = facts.own and bool(digest) and facts.digest != digest
+    return not (facts.missing or facts.per_unit_drive or other)
+
+
 def own_map(name: str) -> LimbMap | None:
     """The map of an own limb, as quickly; None of others, and of one that is not here."""
     if not facts_of(name).own:
@@ -117,6 +132,7 @@ def _read(name: str, path: Path, _state: tuple[int, ...]) -> tuple[LimbFacts, Li
         pre_trigger_delay_s=held.pre_trigger_delay_s,
         band_hz=held.band_hz,
         hand_length_mm=held.hand_length_mm,
+        per_unit_drive=held.per_unit_drive,
         synthetic=held.synthetic,
         own=True,
         input_names=held.input_names,

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from skinsource.chain import ARBITRARY_UNIT, amplitude_unit
 from skinsource.counting import counted
 from skinsource.design import Design
 from skinsource.edits import Refusal, change_limb
@@ -18,6 +19,9 @@ from skinsource.own_limbs import facts_of, own_map
 from skinsource.quoting import quoted
 from skinsource.scenes.paper_scene import Condition, OpenedScene, Scene
 from skinsource.view import View
+
+# Units of what probes do, at the end of a label.
+_OF_PROBES = ("m/s²", "mm/s")
 
 
 def reason_against(known: Scene, designs: tuple[Design, ...], view: View, limb: str) -> str:
@@ -68,9 +72,13 @@ def opened_on(
     places = _moved(_places_of(designs), _candidates(facts)) if facts.own else {}
     number = designs[0].limb.partition("-")[2]
     title = known.title.removesuffix(f", limb {number}")
-    labels = tuple(_label(label, places) for label in known.labels)
-    scene = replace(known, title=title, labels=labels)
-    note = _note(facts, places)
+    unit = amplitude_unit(replace(design, limb=limb, limb_digest=facts.digest))
+    labels = tuple(
+        _label(label, one, places, unit) for label, one in zip(known.labels, designs, strict=True)
+    )
+    inferred = tuple(words.replace("m/s²", unit) for words in known.inferred)
+    scene = replace(known, title=title, labels=labels, inferred=inferred)
+    note = _note(facts, places, unit)
 
     def put(one: Design) -> Design:
         changed = change_limb(one, view, limb)
@@ -81,7 +89,7 @@ def opened_on(
         )
         label = labels[designs.index(one)]
         words = f"Fig. {known.name}: {title}{' · ' if label else ''}{label}"
-        return replace(changed.design, inputs=inputs, title=words, notes=f"{known.notes}\n{note}")
+        return replace(changed.design, inputs=inputs, title=words, notes=f"{scene.notes}\n{note}")
 
     seen = _seen(view, design, facts, places)
     snapshots = tuple(replace(one, design=put(one.design)) for one in view.snapshots)
@@ -162,15 +170,22 @@ def _from_near_to_far(facts: LimbFacts, place: int, count: int) -> tuple[int, ..
     return tuple(int(one) for one in numbers[rows])
 
 
-def _label(label: str, places: Mapping[int, int]) -> str:
-    """What tells a design from the others, with the place that it is played at here."""
+def _label(label: str, design: Design, places: Mapping[int, int], unit: str) -> str:
+    """What tells a design from the others, with the place that it is played at here.
+
+    No strength is told in m/s² or mm/s where it is not known how the probe moves.
+    """
+    if unit == ARBITRARY_UNIT and label.endswith(_OF_PROBES):
+        return f"{design.inputs[0].amplitude:.3g} {unit}"
     words, _, number = label.rpartition(" ")
     old = int(number) if words and number.isdecimal() else 0
     return f"Input {places[old]}" if old in places else label
 
 
-def _note(facts: LimbFacts, places: Mapping[int, int]) -> str:
+def _note(facts: LimbFacts, places: Mapping[int, int], unit: str) -> str:
     said = f"This is {facts.title}, which need not do what the sentence says"
+    if unit == ARBITRARY_UNIT:
+        said += ", and in which unit its drive is measured is not known (a.u.)"
     if not facts.own:
         return f"{said}."
     names = [f"{new} in place of {old}" if new != old else f"{new}" for old, new in places.items()]

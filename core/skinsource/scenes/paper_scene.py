@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from skinsource.dataset.not_installed import NOT_INSTALLED
 from skinsource.design import Design
+from skinsource.quoting import sentence
 from skinsource.view import View
 
 #: What the figures of all scenes are taken from.
@@ -54,7 +55,7 @@ class Scene:
         """Sentence, source, and what is inferred, as a design carries them."""
         lines = [self.sentence, f"Source: {self.source}."]
         if self.inferred:
-            lines.append(f"Inferred: {'; '.join(self.inferred)}.")
+            lines.append(sentence(f"Inferred: {'; '.join(self.inferred)}"))
         return "\n".join(lines)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from skinsource.arguments import one_of, whole_number
 from skinsource.arrays import Floats
 from skinsource.catalogue import load_limb
-from skinsource.chain import Part, amplitude_unit, drive_played, placed_chain
+from skinsource.chain import Part, drive_played, drive_unit, placed_chain
 from skinsource.counting import counted
 from skinsource.design import Design, Input, audible_inputs
 from skinsource.effects import played
@@ -120,7 +120,7 @@ def _made(
         scaling=design.scaling,
         own_rate_hz=own_rate_hz,
         limb_band_hz=limb.band_hz,
-        samples_unit="V" if amplitude_unit(design.scaling, design.actuated) == "V" else "",
+        unit=drive_unit(design, limb),
     )
 
 

@@ -11,10 +11,6 @@ from skinsource.resampling import PASSED_SHARE
 from skinsource.scaling.response_scaling import Scaling
 from skinsource.stimulus.channel import Channel
 
-#: What samples are before a full scale is chosen, by scaling.  Under upstream scaling an amplitude
-#: is a peak on the skin, so that the drive has no unit of its own.
-UNITS: dict[Scaling, str] = {"probe": "m/s²", "relative": "measuring pulse", "upstream": "1"}
-
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Stimulus:
@@ -36,8 +32,8 @@ class Stimulus:
         Time of the design at which the first sample lies.
     own_rate_hz
         Rate at which the design was sampled: nothing above its half is in the samples.
-    samples_unit
-        Unit of the samples, where something made other quantities of the drives; else "".
+    unit
+        Of the samples of channels that have a place, see `skinsource.chain.drive_unit`.
     limb_band_hz
         In which the limb was measured; None: not known.
     """
@@ -49,7 +45,7 @@ class Stimulus:
     scaling: Scaling
     start_s: float = 0.0
     own_rate_hz: float
-    samples_unit: str = ""
+    unit: str
     limb_band_hz: Band | None = BAND_HZ
 
     def __post_init__(self) -> None:
@@ -71,11 +67,6 @@ class Stimulus:
     def duration_s(self) -> float:
         """How long it lasts."""
         return self.n_times / self.sample_rate_hz
-
-    @property
-    def unit(self) -> str:
-        """Unit of the samples of channels that have a place."""
-        return self.samples_unit or UNITS[self.scaling]
 
     @property
     def band_hz(self) -> Band:

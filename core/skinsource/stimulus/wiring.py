@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from skinsource.actuators import load, names
-from skinsource.chain import Actuation
+from skinsource.chain import ARBITRARY_UNIT, Actuation
 from skinsource.equalising import Equaliser, equalised, followed_band
 from skinsource.errors import InvalidInputError
 from skinsource.limb import Band
@@ -68,7 +68,7 @@ def through_actuators(stimulus: Stimulus, actuation: Actuation, equaliser: Equal
             samples[row] = equalised(
                 samples[row], stimulus.sample_rate_hz, model, equaliser, band_hz=band
             )
-    return stimulus.with_samples(samples, samples_unit="V")
+    return stimulus.with_samples(samples, unit="V")
 
 
 def channel_of(stimulus: Stimulus, row: int, rig: Rig) -> RigChannel:
@@ -110,7 +110,7 @@ def _equalised_for(stimulus: Stimulus, rig: Rig, equaliser: Equaliser) -> Stimul
             band_hz=band,
         )
         samples[row] = volts / _full_scale_v(channel)
-    return stimulus.with_samples(samples, samples_unit=FULL_SCALE_UNIT)
+    return stimulus.with_samples(samples, unit=FULL_SCALE_UNIT)
 
 
 def _band_of(stimulus: Stimulus) -> Band:
@@ -123,7 +123,7 @@ def _volts_for(stimulus: Stimulus, rig: Rig) -> Stimulus:
     samples = np.array(stimulus.samples)
     for row in stimulus.driving:
         samples[row] /= _full_scale_v(channel_of(stimulus, row, rig))
-    return stimulus.with_samples(samples, samples_unit=FULL_SCALE_UNIT)
+    return stimulus.with_samples(samples, unit=FULL_SCALE_UNIT)
 
 
 def _aligned(stimulus: Stimulus, rig: Rig) -> Stimulus:
@@ -153,6 +153,12 @@ def _refuse_other_drives(stimulus: Stimulus) -> None:
         raise InvalidInputError(
             "The drives of this design are volts already: it is predicted through an actuator "
             "without an equaliser. Choose an equaliser there, or none here."
+        )
+    if stimulus.unit == ARBITRARY_UNIT:
+        raise InvalidInputError(
+            "An equaliser needs accelerations, and the limb of this design answers a drive of "
+            "unknown unit. Let the design be predicted through an actuator: its amplitudes are "
+            "then accelerations of the contactor."
         )
     if stimulus.unit != "m/s²":
         raise InvalidInputError(

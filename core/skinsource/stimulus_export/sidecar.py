@@ -8,9 +8,10 @@ import numpy as np
 import scipy
 
 from skinsource.chain import Actuation
-from skinsource.choice_words import SCALINGS, word_of
+from skinsource.choice_words import scalings_on, word_of
 from skinsource.decibels import decibels
-from skinsource.design import Input
+from skinsource.design import Design, Input
+from skinsource.own_limbs import drive_unit_known
 from skinsource.stimulus import Stimulus
 from skinsource.stimulus_export.edges import edge_words
 from skinsource.stimulus_export.notes import loses_of
@@ -74,7 +75,7 @@ def sidecar_of(
         "inputs": [_about_input(one) for one in outgoing.design.inputs],
         "gain": ready.gain,
         "meaning": _MEANING,
-        "scaling_means": word_of(SCALINGS, stimulus.scaling).sentence,
+        "scaling_means": _scaling_means(outgoing.design),
         "predicted_through": _about_prediction(outgoing.design.actuated),
         **about_validity(outgoing.design),
         "clip_count": int(sum(counts)),
@@ -103,6 +104,12 @@ def _about_rig(
         "actuator": [one.get("actuator") for one in wiring] or None,
         "equaliser": about_equaliser(ready.equaliser),
     }
+
+
+def _scaling_means(design: Design) -> str:
+    # What is predicted through actuators asks these for its amplitudes, whatever the limb answers.
+    known = design.actuated is not None or drive_unit_known(design.limb, design.limb_digest)
+    return word_of(scalings_on(drive_unit_known=known), design.scaling).sentence
 
 
 def _about_prediction(actuated: Actuation | None) -> dict[str, Any] | None:

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from skinsource.fields import ChoiceSpec
+from skinsource.quoting import sentence
 from skinsource.stimulus_formats.c_text import BYTES, write_header
 from skinsource.stimulus_formats.column_names import channel_names
 from skinsource.stimulus_formats.stimulus_format import SAMPLES, Facts, Outgoing, StimulusFormat
@@ -21,8 +22,10 @@ def write_c_header(outgoing: Outgoing, path: Path) -> Facts:
         path,
         outgoing,
         words=[
-            f"1.0 of full scale is {found.full_scale} above {found.kind.zero}; it stands for "
-            f"{outgoing.full_scale!r} {stimulus.unit}."
+            sentence(
+                f"1.0 of full scale is {found.full_scale} above {found.kind.zero}; it stands for "
+                f"{outgoing.full_scale!r} {stimulus.unit}"
+            )
         ],
         defines={
             "STIM_FS_HZ": f"{rate_hz}UL" if isinstance(rate_hz, int) else f"{rate_hz}",

@@ -115,7 +115,7 @@ class FrequencyAndAmplitudePanel(Panel):
         if clip is not None:
             self._onset.set_value(clip.onset_s)
             self._onset_part.setVisible(control == TURNS_ONSET)
-        self._amplitude.set_spec(amplitude_spec(design.scaling, design.actuated))
+        self._amplitude.set_spec(amplitude_spec(design))
         self._amplitude.set_value(one.amplitude)
         self._show_frequency(clip if control in (ALL, TURNS_FREQUENCY) else None)
 

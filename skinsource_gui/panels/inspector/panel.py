@@ -170,7 +170,7 @@ class InspectorPanel(Panel):
     def _show_input(self, one: Input, *, silent: bool) -> None:
         together = self._selection.together
         self._heading.show_input(one, self._design.limb, silent=silent, together=together)
-        amplitude = amplitude_spec(self._design.scaling, self._design.actuated)
+        amplitude = amplitude_spec(self._design)
         self._fields.show_limb(self._design.limb)
         self._fields.show_input(one, together, amplitude, self._view)
         self._show_chain(one, together)

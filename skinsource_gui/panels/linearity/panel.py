@@ -213,7 +213,7 @@ class LinearityPanel(FigurePanel):
             self.found = shown = proportion(strengths, np.stack(channels), rate_hz, limb.band_hz)
             fastest = results[0]["fastest_probe_m_per_s"]
             self.velocity.setVisible(bool(fastest))
-            self._unit = of_amplitudes(amplitude_unit(design.scaling, design.actuated))
+            self._unit = of_amplitudes(amplitude_unit(design))
             if fastest and self._settings.velocity:
                 self._unit = of_velocities(fastest / strengths[0])
             self.every = _straightness(strengths, results) if self._settings.every_output else None

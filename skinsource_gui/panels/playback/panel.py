@@ -98,7 +98,7 @@ class PlaybackPanel(Panel):
         return QSize(self._content.minimumSizeHint().width() + bar, 0).expandedTo(_LEAST)
 
     def show_state(self, design: Design, view: View) -> None:
-        self._unit = amplitude_unit(design.scaling, design.actuated)
+        self._unit = amplitude_unit(design)
         self._in_volts = design.actuated is not None
         if design.limb != self._limb:
             # The same places, but other names.

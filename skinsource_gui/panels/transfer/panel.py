@@ -16,13 +16,12 @@ from skinsource.view import View
 from skinsource_gui.figure_panel import FigurePanel
 from skinsource_gui.panels.transfer.picture import Shown, TransferPicture
 from skinsource_gui.panels.transfer.settings import TransferSettings
+from skinsource_gui.panels.transfer.unit import OF_UNIT, transfer_unit
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.copied_numbers import copied
 from skinsource_gui.widgets.empty_words import add_words
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 
-_UNITS = {"probe": "1 (m/s²)/(m/s²)"}
-_OTHER_UNIT = "1 m/s² per sample of 1"
 # More outputs than these are said as ranges.
 _MOST_NUMBERS = 12
 
@@ -61,7 +60,7 @@ class TransferPanel(FigurePanel):
 
     @property
     def needs(self) -> frozenset[str]:
-        return frozenset({"transfer", "transfer_place", "shown_outputs", "scaling", "limb_data"})
+        return frozenset({"transfer", "transfer_place", "shown_outputs", *OF_UNIT, "limb_data"})
 
     def begin_anew(self) -> None:
         self.picture.begin_anew()
@@ -115,7 +114,7 @@ class TransferPanel(FigurePanel):
     def _draw(self, results: Mapping[str, Any]) -> None:
         found, outputs = results["transfer"], results["shown_outputs"]
         self.copy.offer(True)
-        unit = _UNITS.get(results["scaling"], _OTHER_UNIT)
+        unit = transfer_unit(results)
         self.picture.show_transfer(
             Shown(found=found, outputs=outputs, unit=unit, coherence=self._settings.coherence)
         )

@@ -6,8 +6,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 
+from skinsource.chain import ARBITRARY_UNIT
 from skinsource.errors import InvalidInputError
 from skinsource.fields import NumberSpec
+from skinsource.quoting import sentence
 from skinsource_gui.widgets.fields.level_text import minus
 
 #: Significant digits of a number that is shown, and of one that is being edited.
@@ -105,6 +107,9 @@ _DISPLAY_UNITS = {
     "kg": DisplayUnit(symbol="g", si=_MILLI, spellings=(("kg", Fraction(1)), ("mg", _MILLI**2))),
     "A": DisplayUnit(symbol="mA", si=_MILLI, spellings=(("A", Fraction(1)),)),
     "W": DisplayUnit(symbol="mW", si=_MILLI, spellings=(("W", Fraction(1)),)),
+    ARBITRARY_UNIT: DisplayUnit(
+        symbol=ARBITRARY_UNIT, spellings=(("au", Fraction(1)), ("a.u", Fraction(1)))
+    ),
     "×": DisplayUnit(symbol="×", spellings=(("x", Fraction(1)),)),
 }
 
@@ -188,7 +193,7 @@ def parse_number(text: str, spec: NumberSpec, beside_si: float = 0.0) -> float:
         message names what is.
     """
     unit = display_unit(spec.unit, beside_si)
-    allowed = f"Allowed: {'whole numbers ' if spec.whole else ''}{range_text(spec)}."
+    allowed = sentence(f"Allowed: {'whole numbers ' if spec.whole else ''}{range_text(spec)}")
     typed = text.strip().replace("−", "-")
     if not typed:
         raise InvalidInputError(f"{spec.label}: nothing typed. {allowed}")
@@ -198,7 +203,7 @@ def parse_number(text: str, spec: NumberSpec, beside_si: float = 0.0) -> float:
     factor = _factor(match[2], unit)
     if factor is None:
         known = ", ".join(name for name in (unit.symbol, *dict(unit.spellings)) if name)
-        instead = f"Units: {known}." if known else "Type the number alone."
+        instead = sentence(f"Units: {known}") if known else "Type the number alone."
         raise InvalidInputError(f"{spec.label}: “{match[2]}” is not one of its units. {instead}")
     try:
         value = _at_bound(_read(match[1].replace(",", "."), factor), spec)

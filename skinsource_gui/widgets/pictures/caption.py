@@ -11,6 +11,7 @@ from skinsource import scenes
 from skinsource.choice_words import SCALINGS, limb_word, word_of
 from skinsource.comparing import match_words
 from skinsource.design import Design
+from skinsource.quoting import sentence
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.pictures.picture_file import Draw
@@ -55,7 +56,7 @@ def caption_of(
     named = compared or [("", design)]
     designs = [one for _, one in named]
     title = common_title([scenes.title_of(one) if one.title else "" for one in designs])
-    first = f"{title}. " if title else ""
+    first = f"{sentence(title)} " if title else ""
     scalings = dict.fromkeys(word_of(SCALINGS, one.scaling).title.lower() for one in designs)
     titles = [limb_word(one).title for one in dict.fromkeys((*(d.limb for d in designs), *limbs))]
     limb = f"Limb{'s' if len(titles) > 1 else ''}: {', '.join(titles)}"

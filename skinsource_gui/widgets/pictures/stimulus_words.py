@@ -25,7 +25,7 @@ Named = tuple[str, Design]
 def stimulus_words(design: Design) -> str:
     """What is heard, where, how strong."""
     heard = audible_inputs(design.inputs)
-    unit = amplitude_unit(design.scaling, design.actuated)
+    unit = amplitude_unit(design)
     said = [_input_words(one, unit) for one in heard[:_MOST_INPUTS]]
     if len(heard) > _MOST_INPUTS:
         said.append(f"and {counted(len(heard) - _MOST_INPUTS, 'more input')}")

@@ -127,7 +127,7 @@ def test_what_is_dotted_is_said_where_something_is_dotted(show, settle, window):
 
 
 class _Measured:
-    name, synthetic = "synthetic-1", False
+    name, synthetic, per_unit_drive = "synthetic-1", False, False
 
 
 def _noisy(panel):

@@ -5,8 +5,7 @@ from functools import partial
 from PySide6.QtCore import QObject, QPoint, Qt, Signal
 from PySide6.QtWidgets import QMenu
 
-from skinsource.chain import amplitude_unit
-from skinsource.design import Design, audible_inputs
+from skinsource.design import Design, amplitude_spec, audible_inputs
 from skinsource.edits.selection import clip_of
 from skinsource.view import View
 from skinsource_gui.panels.timeline.heads.input_list import InputList
@@ -41,7 +40,7 @@ class Heads(QObject):
             part.show_state(design, view)
         self._gain_shown = shown_gain_curves(view)
         audible = {id(one) for one in audible_inputs(design.inputs)}
-        unit = amplitude_unit(design.scaling, design.actuated)
+        amplitude = amplitude_spec(design)
         self.list.rows.show_rows(
             [
                 RowState(
@@ -50,7 +49,7 @@ class Heads(QObject):
                     selected=one.id in view.selected_inputs,
                     last=one.id == view.selected_input,
                     list_focused=False,
-                    unit=unit,
+                    amplitude=amplitude,
                     clip=clip_of(one, view),
                     limb=design.limb,
                 )

@@ -1,7 +1,5 @@
 """Head of one track: where it plays, and what is changed most often."""
 
-from dataclasses import replace
-
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QWidget
@@ -72,7 +70,7 @@ class InputRow(QWidget):
             return
         old, self._state = self._state, state
         shown = state.shown
-        self.amplitude.set_spec(replace(AMPLITUDE, unit=state.unit))
+        self.amplitude.set_spec(state.amplitude)
         self.amplitude.set_value(shown.amplitude)
         self.mute.setChecked(shown.muted)
         self.solo.setChecked(shown.solo)

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from skinsource.clips import Clip
 from skinsource.design import Input
+from skinsource.fields import NumberSpec
 from skinsource_gui.widgets.inputs.input_words import (
     EMPTY,
     clip_text,
@@ -25,8 +26,8 @@ class RowState:
     selected, last, list_focused
         Whether the row is selected; whether it is the one that was selected last; whether keys go
         to the list.
-    unit
-        Of the amplitude.
+    amplitude
+        What an amplitude is, and in which unit.
     clip
         The clip that stands for all of them: the selected one, or the first.
     limb
@@ -38,7 +39,7 @@ class RowState:
     selected: bool
     last: bool
     list_focused: bool
-    unit: str
+    amplitude: NumberSpec
     clip: Clip | None
     limb: str = ""
 

@@ -1,0 +1,179 @@
+"""Amplitudes on a limb whose responses answer a drive of which nobody says the unit."""
+
+import json
+from dataclasses import replace
+
+import pytest
+
+import skinsource as ss
+from skinsource.chain import amplitude_meaning, amplitude_unit, drive_unit
+from skinsource.commands.command_line import main
+from skinsource.design import amplitude_spec
+from skinsource.design_file import save_design
+from skinsource.equalising import RegularisedInverse
+from skinsource.errors import InvalidInputError
+from skinsource.export import export_traces
+from skinsource.figures import draw_figure
+from skinsource.own_limbs import drive_unit_known, facts_of, remove_limb
+from skinsource.scaling.response_scaling import SCALINGS
+from skinsource.view import View
+from tests.core.own_limbs.lab_bench import installed
+
+TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.05)
+PUBLISHED = ss.Design(limb="synthetic-1", inputs=(ss.track(2, TONE, amplitude=0.5),))
+LAB = replace(PUBLISHED, limb="lab-1")
+COIL = ss.ActuatorAt(model=ss.actuators.load("example-voice-coil"))
+
+
+def units(design):
+    return [amplitude_unit(replace(design, scaling=one)) for one in SCALINGS]
+
+
+def driven(design):
+    return [drive_unit(replace(design, scaling=one)) for one in SCALINGS]
+
+
+@pytest.fixture
+def drive_limb(user_data):
+    return installed()
+
+
+@pytest.fixture
+def probe_limb(user_data):
+    return installed(per_unit_drive=False)
+
+
+def test_only_where_the_drive_is_the_amplitude_its_unit_is_not_known(drive_limb):
+    assert facts_of("lab-1").per_unit_drive
+    assert not drive_unit_known("lab-1")
+    assert units(LAB) == ["m/s²", "×", "a.u."]
+    assert driven(LAB) == ["1", "a.u.", "a.u."]
+    spec = amplitude_spec(LAB)
+    assert spec.unit == "a.u."
+    assert "unit of the drive that the responses of this limb answer" in spec.hint
+    assert "probe" not in spec.hint
+    relative = amplitude_meaning(replace(LAB, scaling="relative"))
+    assert "one unit of the drive" in relative
+    assert "pulse" not in relative
+    upstream = replace(LAB, scaling="upstream")
+    assert amplitude_meaning(upstream) == amplitude_meaning(replace(upstream, limb="synthetic-1"))
+
+
+def test_a_limb_that_answers_the_probe_is_told_of_as_the_published_ones(probe_limb):
+    assert drive_unit_known("lab-1")
+    for scaling in SCALINGS:
+        lab, published = (replace(one, scaling=scaling) for one in (LAB, PUBLISHED))
+        for say in (amplitude_unit, amplitude_meaning, drive_unit, amplitude_spec):
+            assert say(lab) == say(published)
+    assert units(PUBLISHED) == ["m/s²", "×", "m/s²"]
+    assert driven(PUBLISHED) == ["1", "measuring pulse", "m/s²"]
+
+
+def test_of_a_limb_that_is_not_here_or_is_another_one_the_unit_is_not_known_either(probe_limb):
+    here = replace(LAB, limb_digest=facts_of("lab-1").digest)
+    assert amplitude_unit(here) == "m/s²"
+    assert amplitude_unit(replace(here, limb_digest="0" * 64)) == "a.u."
+    remove_limb("lab-1")
+    assert units(here) == ["m/s²", "×", "a.u."]
+    assert amplitude_unit(replace(LAB, limb="")) == "m/s²"
+
+
+def test_actuators_are_asked_for_volts_or_accelerations_whatever_the_limb_answers(drive_limb):
+    volts = replace(LAB, actuation=ss.Actuation(actuators=(COIL,)))
+    asked = ss.Actuation(actuators=(COIL,), equaliser=RegularisedInverse())
+    accelerations = replace(LAB, actuation=asked)
+    assert (amplitude_unit(volts), drive_unit(volts)) == ("V", "V")
+    assert (amplitude_unit(accelerations), drive_unit(accelerations)) == ("m/s²", "m/s²")
+    assert amplitude_meaning(accelerations) == "Acceleration of the contactor"
+    off = replace(LAB, actuation=replace(asked, on=False))
+    assert amplitude_unit(off) == "a.u."
+
+
+def test_a_stimulus_has_the_unit_of_the_limb_that_is_open(drive_limb):
+    assert ss.stimulus_of(LAB).unit == "a.u."
+    assert ss.stimulus_of(replace(LAB, scaling="relative")).unit == "a.u."
+    assert ss.stimulus_of(replace(LAB, scaling="upstream")).unit == "1"
+    # Its name alone would not tell.
+    installed(name="lab-2", per_unit_drive=False)
+    for name, unit in (("lab-1", "a.u."), ("lab-2", "m/s²")):
+        opened = ss.load_limb(name)
+        assert ss.stimulus_of(replace(LAB, limb="not-kept"), limb=opened).unit == unit
+    assert ss.stimulus_of(PUBLISHED).unit == "m/s²"
+
+
+def test_no_equaliser_takes_a_drive_of_unknown_unit_for_accelerations(drive_limb, tmp_path):
+    path, wanted = tmp_path / "lab.wav", {"equaliser": RegularisedInverse()}
+    asked = ss.Actuation(actuators=(COIL,), equaliser=RegularisedInverse())
+    rig = ss.rigs.Rig(
+        channels=(ss.rigs.RigChannel(place=2, output=1, actuator="example-voice-coil"),)
+    )
+    with pytest.raises(InvalidInputError, match="answers a drive of unknown unit") as refused:
+        ss.export_stimulus(LAB, path, rig=rig, **wanted)
+    assert "scaling" not in str(refused.value)
+    ss.export_stimulus(replace(LAB, actuation=asked), path, **wanted)
+    assert path.exists()
+
+
+def test_show_tells_amplitudes_without_m_per_s2(drive_limb, tmp_path, capsys):
+    path = tmp_path / "lab.skinsource"
+    save_design(path, LAB)
+    assert main(["show", str(path)]) == 0
+    shown = capsys.readouterr().out
+    assert "amplitude 0.5 a.u." in shown
+    assert "amplitude in the unit of the drive" in shown
+    assert "m/s²" not in shown.replace("dB re 1 m/s²", "")
+    installed(per_unit_drive=False)
+    assert main(["show", str(path)]) == 0
+    shown = capsys.readouterr().out
+    assert "amplitude 0.5 m/s²" in shown
+    assert "unit of the drive" not in shown
+
+
+def exported(path, design, format):
+    ss.export_stimulus(design, path, format=format)
+    return json.loads(path.with_name(f"{path.name}.json").read_text())
+
+
+@pytest.mark.parametrize("answers_drive", [True, False])
+def test_what_is_exported_says_it_in_every_file(user_data, tmp_path, answers_drive):
+    installed(per_unit_drive=answers_drive)
+    path = tmp_path / "stim.h"
+    said = exported(path, LAB, "c-header")
+    unit = "a.u." if answers_drive else "m/s²"
+    assert said["unit"] == said["channels"][0]["unit"] == unit
+    assert ("of the probe in m/s²" in said["scaling_means"]) is not answers_drive
+    assert ("unit of the drive" in said["scaling_means"]) is answers_drive
+    header = path.read_text()
+    assert ("it stands for 0.5 a.u.\n" in header) is answers_drive
+    export_traces(tmp_path / "traces.csv", LAB, View(axes="xz", outputs=(3,)))
+    table = (tmp_path / "traces.csv").read_text()
+    assert ("# amplitudes: in the unit of the drive" in table) is answers_drive
+    html = LAB._repr_html_()
+    assert (f"0.5 {unit}" in html, "m/s²" in html) == (True, not answers_drive)
+
+
+@pytest.mark.parametrize("answers_drive", [True, False])
+def test_figures_of_linearity_tell_strengths_in_what_is_known(user_data, answers_drive):
+    installed(per_unit_drive=answers_drive)
+    opened = ss.scenes.open_scene("5D", limb="lab-1")
+    labels = [one.label for one in opened.conditions]
+    speeds = [one.label for one in ss.scenes.open_scene("5A", limb="lab-1").conditions]
+    drawn = draw_figure(opened)
+    axis = drawn.sheet.figure.axes[0].get_xlabel()
+    header = drawn.tables[""].header
+    if answers_drive:
+        assert labels == ["0.75 a.u.", "1.5 a.u.", "3 a.u.", "6 a.u."]
+        assert speeds[0] == "1.57 a.u."
+        assert axis == "Input in the band (a.u.)"
+        assert "input at 3 a.u. (a.u.)" in header
+        assert "not known (a.u.)" in opened.note
+        assert "0.75 to 6 a.u." in opened.design.notes
+        assert ".." not in opened.design.notes
+        first = draw_figure(ss.scenes.open_scene("5A", limb="lab-1")).tables[""].header[1]
+        assert " per a.u. at 1.57 a.u." in first
+    else:
+        assert labels == ["0.75 m/s²", "1.5 m/s²", "3 m/s²", "6 m/s²"]
+        assert speeds[0] == "5 mm/s"
+        assert axis == "Input in the band (m/s²)"
+        assert "input at 3 m/s² (m/s²)" in header
+        assert "not known" not in opened.note

@@ -1,0 +1,215 @@
+"""What the window says of amplitudes: in m/s² where the limb answers the probe, else in a.u."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtWidgets import QApplication, QLabel
+
+from skinsource import edits
+from skinsource.actuators import load
+from skinsource.chain import Actuation, ActuatorAt
+from skinsource.comparing import Snapshot
+from skinsource.design import Design, track
+from skinsource.equalising import RegularisedInverse
+from skinsource.errors import InvalidInputError
+from skinsource.own_limbs import facts_of, remove_limb
+from skinsource.view import View
+from skinsource.waveforms import Tone
+from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.fields.units import parse_number
+from skinsource_gui.widgets.pictures.caption import caption_of
+from tests.core.own_limbs.lab_bench import installed
+from tests.core.playing.made_up_sound import MadeUpLibrary, use
+
+PLAYED = Design(
+    limb="synthetic-1",
+    inputs=(track(3, Tone(frequency_hz=100.0, duration_s=0.1), amplitude=0.5),),
+)
+LOOKED = View(selected_inputs=(1,), outputs=(3, 9))
+DRIVE, PROBE, COMPUTED = "lab-1", "lab-2", "synthetic-1"
+WAIT = {"timeout": 30_000}
+
+
+@pytest.fixture
+def limbs(user_data):
+    installed()
+    installed(name=PROBE, per_unit_drive=False)
+
+
+def on(limb, **changes):
+    edit = edits.change_limb(replace(PLAYED, **changes), LOOKED, limb)
+    return edit.design, edit.view
+
+
+def rested(window, qtbot):
+    qtbot.waitUntil(lambda: not window.engine.busy, **WAIT)
+    window.catch_up()
+
+
+def symbol_of(field):
+    return field.spec.unit
+
+
+def tooltip_of_scaling(window):
+    scaling = window.findChild(ChoiceField, "scaling")
+    return scaling.itemData(scaling.currentIndex(), Qt.ItemDataRole.ToolTipRole)
+
+
+def told(window):
+    """The unit of amplitudes as the panel in front says it, and what is always in sight."""
+    (head,) = window.panel("timeline").findChildren(NumberField, "amplitude_field")
+    caption = caption_of(window.document.design)
+    return {
+        "head": unit_told(head),
+        "caption": caption.partition("Place 3, 0.5 ")[2].partition(":")[0],
+        window.front: IN_FRONT[window.front](window),
+    }
+
+
+def unit_told(field):
+    """Unit of a field whose tooltip says the same."""
+    assert ("unit of the drive" in field.toolTip()) is (symbol_of(field) == "a.u.")
+    assert "of the probe" not in field.toolTip() or symbol_of(field) == "m/s²"
+    return symbol_of(field)
+
+
+def played_unit(window):
+    words = window.panel("playback").findChild(QLabel, "playback_words").text()
+    return words.partition("an amplitude of 1 ")[2].partition(" is full scale")[0]
+
+
+#: Panels that say it, which stand behind each other.
+IN_FRONT = {
+    "inspector": lambda window: unit_told(window.panel("inspector")._fields._amplitude.field),
+    "frequency_and_amplitude": lambda window: unit_told(
+        window.panel("frequency_and_amplitude")._amplitude.field
+    ),
+    "playback": played_unit,
+}
+
+
+def shows(window, qtbot, unit):
+    rested(window, qtbot)
+    assert set(told(window).values()) == {unit}, told(window)
+    hint = tooltip_of_scaling(window)
+    assert ("unit of the drive" in hint) is (unit == "a.u.")
+    assert ("of the probe" in hint) is (unit == "m/s²")
+
+
+def opened_with(front, make_window, qtbot, monkeypatch):
+    use(monkeypatch, MadeUpLibrary(Two=2))
+    window = make_window(*on(DRIVE))
+    window.front = front
+    window.docks[front].bring_forward()
+    rested(window, qtbot)
+    return window
+
+
+@pytest.fixture(params=IN_FRONT)
+def opened(request, limbs, make_window, qtbot, monkeypatch):
+    return opened_with(request.param, make_window, qtbot, monkeypatch)
+
+
+@pytest.fixture
+def playback_in_front(limbs, make_window, qtbot, monkeypatch):
+    return opened_with("playback", make_window, qtbot, monkeypatch)
+
+
+def test_another_limb_changes_the_unit_everywhere_at_once(opened, qtbot):
+    shows(opened, qtbot, "a.u.")
+    limb = opened.findChild(ChoiceField, "limb")
+    for name, unit in ((PROBE, "m/s²"), (DRIVE, "a.u."), (COMPUTED, "m/s²"), (DRIVE, "a.u.")):
+        limb.choose(name)
+        shows(opened, qtbot, unit)
+
+
+def test_a_transfer_function_is_per_what_is_driven(playback_in_front, qtbot):
+    opened = playback_in_front
+    opened.docks["transfer"].bring_forward()
+    rested(playback_in_front, qtbot)
+    picture, limb = opened.panel("transfer").picture, opened.findChild(ChoiceField, "limb")
+    assert picture.shown.unit == "1 m/s² per sample of 1"
+    limb.choose(PROBE)
+    rested(playback_in_front, qtbot)
+    assert picture.shown.unit == "1 (m/s²)/(m/s²)"
+    coil = ActuatorAt(model=load("example-voice-coil"))
+    for equaliser, unit in ((None, "V"), (RegularisedInverse(), "(m/s²)")):
+        through = Actuation(actuators=(coil,), equaliser=equaliser)
+        opened.document.edit("Drive", replace(opened.document.design, actuation=through))
+        rested(playback_in_front, qtbot)
+        assert picture.shown.unit == f"1 (m/s²)/{unit}"
+
+
+def test_another_scaling_changes_what_playback_says(playback_in_front, qtbot):
+    opened = playback_in_front
+    scaling = opened.findChild(ChoiceField, "scaling")
+    scaling.choose("relative")
+    rested(playback_in_front, qtbot)
+    words = opened.panel("playback").findChild(QLabel, "playback_words").text()
+    assert "an amplitude of 1 is full scale" in words
+    assert "one unit of the drive" in tooltip_of_scaling(opened)
+    scaling.choose("upstream")
+    rested(playback_in_front, qtbot)
+    assert set(told(opened).values()) == {"m/s²"}
+
+
+def test_of_a_limb_that_goes_the_unit_is_not_known_until_it_is_back(opened, qtbot):
+    opened.findChild(ChoiceField, "limb").choose(PROBE)
+    shows(opened, qtbot, "m/s²")
+    remove_limb(PROBE)
+    QApplication.sendEvent(opened, QEvent(QEvent.Type.WindowActivate))
+    rested(opened, qtbot)
+    assert set(told(opened).values()) == {"a.u."}
+    installed(name=PROBE, per_unit_drive=False)
+    QApplication.sendEvent(opened, QEvent(QEvent.Type.WindowActivate))
+    shows(opened, qtbot, "m/s²")
+
+
+@pytest.mark.parametrize(("limb", "unit"), [(DRIVE, "a.u."), (PROBE, "m/s²")])
+def test_strengths_of_snapshots_are_told_in_it(limbs, make_window, qtbot, limb, unit):
+    design, view = on(limb)
+    kept = [design.with_input(0, amplitude=k) for k in (1.0, 2.0, 4.0)]
+    snapshots = tuple(Snapshot(number=k, design=one) for k, one in enumerate(kept, 1))
+    window = make_window(design, replace(view, snapshots=snapshots, levels_matched=False))
+    window.docks["linearity"].bring_forward()
+    panel = window.panel("linearity")
+    qtbot.waitUntil(lambda: panel.found is not None and not window.engine.busy, **WAIT)
+    over, growth, _ = panel.picture.diagrams
+    assert growth.x.title == f"Strength ({unit})"
+    assert over.y.title == f"Divided (m/s² per {unit})"
+    assert panel.velocity.isHidden() is (limb == DRIVE)
+
+
+@pytest.mark.parametrize(("limb", "unit"), [(DRIVE, "a.u."), (PROBE, "m/s²")])
+def test_pages_ask_for_drives_in_it(limbs, make_desk, qtbot, monkeypatch, limb, unit):
+    use(monkeypatch, MadeUpLibrary(Two=2))
+    desk = make_desk(*on(limb))
+    motion = desk.show_motion()
+    cells = {one.name: one for one in motion.motion_fields.cells}
+    assert symbol_of(cells["amplitude"].field) == unit
+    motion.reject()
+    desk.stimuli.show()
+    page = desk.stimuli.page
+    qtbot.waitUntil(lambda: not page.busy, **WAIT)
+    assert symbol_of(page.form._numbers["full_scale"]) == unit
+    summary = page.findChild(QLabel, "stimulus_summary").text()
+    assert summary.endswith(f"Full scale is 0.5 {unit}" + "." * (unit == "m/s²"))
+    desk.stimuli.end()
+    desk.playback.matching.show()
+    drive = desk.playback.matching.page.form.field("amplitude")
+    assert symbol_of(drive) == unit
+    desk.playback.matching.end()
+
+
+def test_amplitudes_are_typed_with_that_unit_or_without(limbs, make_window, qtbot):
+    window = make_window(*on(DRIVE))
+    (head,) = window.panel("timeline").findChildren(NumberField, "amplitude_field")
+    for text in ("2", "2 a.u.", "2 au", "2a.u"):
+        assert parse_number(text, head.spec) == 2.0
+    with pytest.raises(InvalidInputError, match=r"not one of its units\. Units: a\.u\., au"):
+        parse_number("2 m/s²", head.spec)
+    with pytest.raises(InvalidInputError, match=r"too high\. Allowed: .* 1000 a\.u\.$"):
+        parse_number("2000", head.spec)
+    assert facts_of(DRIVE).per_unit_drive
