@@ -44,7 +44,7 @@ SHOWN = frozenset(
     {
         "input_waveforms",
         "surface_levels_db",
-        "selected_traces",
+        "selected_extremes",
         "selected_spectra",
         "response_time_s",
         "trace_error",

@@ -57,7 +57,7 @@ def brought_up_to_date(document: str) -> str:
     modules all of whose other rules are drawn that lead to a painted map, traces or spectra.
     """
     graph = new_graph()
-    shown = "surface_levels_db", "selected_traces", "selected_spectra", "trace_error"
+    shown = "surface_levels_db", "selected_extremes", "selected_spectra", "trace_error"
     ordered = rules_of(graph, (*shown, "input_waveforms", "response_time_s", "streamed"))
 
     named = {word for match in _MARKED.finditer(document) for word in match[2].split()}

@@ -13,6 +13,7 @@ from skinsource.rendering.projecting import Projection
 from skinsource.rendering.responses import Responses
 from skinsource.rendering.transforms import forward
 from skinsource.rendering.vibration import Vibration, one_by_one
+from skinsource.resampling import Extremes, extremes_between
 from skinsource.spectra import one_sided_magnitude, peak_hold_spectrum
 
 
@@ -56,6 +57,16 @@ def selected_without_main_axis(
 def selected_traces(axis_traces: Floats, selected_projection: Projection) -> Floats:
     """Projected acceleration of the selected outputs, (n_selected, n_times), in m/s²."""
     return selected_projection.signals(axis_traces)
+
+
+def selected_extremes(
+    axis_traces: Floats, selected_traces: Floats, selected_projection: Projection, stop: Stop
+) -> Extremes:
+    """Lowest and highest value of the waves of the selected outputs between samples, in m/s²."""
+    if selected_projection.directions is not None:
+        return extremes_between(selected_traces, stop=stop)
+    # The wave runs along the axes: a magnitude is its length.
+    return extremes_between(axis_traces, stop=stop)
 
 
 def axis_spectra(
@@ -160,6 +171,7 @@ RULES = (
     selected_projection,
     selected_without_main_axis,
     selected_traces,
+    selected_extremes,
     axis_spectra,
     selected_spectra,
     selected_peak_spectra,

@@ -2,13 +2,17 @@
 
 from skinsource.resampling.between import FINER, finer
 from skinsource.resampling.conversion import MAX_RATE_HZ, by_ratio, resample, stretch_of
+from skinsource.resampling.extremes import EXTREMES_ERROR, Extremes, extremes_between
 from skinsource.resampling.kernel import PASSED_SHARE
 
 __all__ = [
+    "EXTREMES_ERROR",
     "FINER",
     "MAX_RATE_HZ",
     "PASSED_SHARE",
+    "Extremes",
     "by_ratio",
+    "extremes_between",
     "finer",
     "resample",
     "stretch_of",

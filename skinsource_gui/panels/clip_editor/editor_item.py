@@ -1,6 +1,5 @@
 """The curve of one clip, with its axes."""
 
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -10,7 +9,6 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from skinsource.arrays import Floats
-from skinsource.resampling import finer
 from skinsource_gui.panels.clip_editor.content import EditorContent
 from skinsource_gui.panels.clip_editor.tools.tool import Tool
 from skinsource_gui.theme import LIGHT, Theme
@@ -20,6 +18,7 @@ from skinsource_gui.widgets.paper import dots_in_px, is_on_paper, thin_pen
 from skinsource_gui.widgets.plot.curve_points import course_of
 from skinsource_gui.widgets.plot.decimation import Points, columns_of
 from skinsource_gui.widgets.plot.ticks import linear_ticks
+from skinsource_gui.widgets.plot.wave import wave_of
 
 _TICK_PX, _ROW_PX = 64.0, 28.0
 _PALE = 0.4
@@ -165,9 +164,9 @@ class EditorItem(pyqtgraph.GraphicsObject):
             return
         ratio, width_px = dots_in_px(painter), content.area.width()
         time_s = np.arange(samples.size) / content.sample_rate_hz
-        found = columns_of(time_s, content.scale.shown_s, max(round(width_px * ratio), 1))
-        between = partial(finer, time_s, samples[np.newaxis])
-        seen = course_of(found, samples[np.newaxis], between, width_px, ratio)
+        wave, across = wave_of(time_s, samples[np.newaxis]), max(round(width_px * ratio), 1)
+        found = columns_of(time_s, content.scale.shown_s, across)
+        seen = course_of(found, samples[np.newaxis], wave, width_px, ratio)
         x, y = _places(content, seen.line)
         painter.setOpacity(opacity)
         sharp = seen.line.strokes and not is_on_paper()

@@ -2,7 +2,6 @@
 
 from collections import OrderedDict
 from dataclasses import dataclass
-from functools import partial
 
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
@@ -10,11 +9,11 @@ from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QPainter, QPixmap
 
 from skinsource.arrays import Floats
-from skinsource.resampling import finer
 from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.paper import is_on_paper, thin_pen
 from skinsource_gui.widgets.plot.curve_points import course_of
 from skinsource_gui.widgets.plot.decimation import KeptColumns
+from skinsource_gui.widgets.plot.wave import wave_of
 
 _BUDGET_BYTES = 48 * 2**20
 _BYTES_PER_PIXEL = 4
@@ -136,9 +135,9 @@ class ClipPictures:
         time_s = np.arange(samples.size) / played.sample_rate_hz
         first_s, end_s = (share * samples.size / played.sample_rate_hz for share in look.part)
         across = max(round(width * look.ratio), 1)
+        wave = wave_of(time_s, samples[np.newaxis])
         found = self.columns.of(time_s, (first_s, end_s), across)
-        between = partial(finer, time_s, samples[np.newaxis])
-        seen = course_of(found, samples[np.newaxis], between, width, look.ratio)
+        seen = course_of(found, samples[np.newaxis], wave, width, look.ratio)
         heights = look.reach * seen.line.y[0]
         if seen.wave:
             self.waves += 1

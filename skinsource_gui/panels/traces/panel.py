@@ -22,13 +22,14 @@ from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
 from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_later
+from skinsource_gui.widgets.plot.wave import Wave
 from skinsource_gui.widgets.time.playhead_moves import moved_playhead
 from skinsource_gui.widgets.tooltips import tooltip
 
 # Readings tell samples of 1300 Hz apart.
 _DECIMALS = {"ms": 2, "s": 5}
 # What the wave between samples follows from: that of a magnitude runs along the axes.
-_WAVE = frozenset({"axis_traces", "selected_projection"})
+_WAVE = frozenset({"axis_traces", "selected_extremes", "selected_projection"})
 # Less is rounding.
 _LEAST_EARLY_S = 1e-6
 
@@ -122,7 +123,7 @@ class TracesPanel(SignalPanel):
             about=lines_later(results),
             heading=heading_of(results),
             peaks=() if scale is None else tuple(_largest(results["selected_traces"]).tolist()),
-            between=partial(_wave, results, scale),
+            wave=_wave(results, scale),
         )
         self._plot.show_curves(
             curves,
@@ -245,7 +246,15 @@ def _largest(traces: Floats) -> Floats:
     return peaks
 
 
-def _wave(
+def _wave(results: Mapping[str, Any], scale: Floats | None) -> Wave:
+    """What runs through the samples of the traces, or of their parts of a scale."""
+    extremes = results["selected_extremes"]
+    if scale is not None:
+        extremes = extremes.relative_to(scale)
+    return Wave(points=partial(_points_between, results, scale), extremes=extremes.part)
+
+
+def _points_between(
     results: Mapping[str, Any], scale: Floats | None, first: int, end: int
 ) -> tuple[Floats, Floats]:
     """The traces from one sample to before another, with points between them."""

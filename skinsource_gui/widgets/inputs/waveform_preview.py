@@ -10,13 +10,13 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
-from skinsource.resampling import finer
 from skinsource_gui.theme import LIGHT, Theme, letter_scale, tabular
 from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.paper import dots_in_px, is_on_paper, thin_pen
 from skinsource_gui.widgets.plot.curve_points import course_of
 from skinsource_gui.widgets.plot.decimation import KeptColumns
+from skinsource_gui.widgets.plot.wave import wave_of
 from skinsource_gui.widgets.tooltips import show_tooltip
 
 _AXIS_PX, _CURVE_PX = 18, 46
@@ -160,17 +160,19 @@ class WaveformPreview(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(self._colour, 1))
         sign = -1 if self._flipped else 1
-        middle, reach = plot.center().y(), sign * plot.height() / 2 / self._height
         shown_px = plot.width() * drawn.size / self._sample_rate_hz / self._span_s(drawn)
         ratio = dots_in_px(painter)
         time_s, end_s = (
             np.arange(drawn.size) / self._sample_rate_hz,
             drawn.size / self._sample_rate_hz,
         )
-        found = self._columns.of(time_s, (0.0, end_s), max(int(shown_px * ratio), 1))
-        between = partial(finer, time_s, drawn[np.newaxis])
-        points = course_of(found, drawn[np.newaxis], between, shown_px, ratio).line
+        wave, across = wave_of(time_s, drawn[np.newaxis]), max(int(shown_px * ratio), 1)
+        found = self._columns.of(time_s, (0.0, end_s), across)
+        points = course_of(found, drawn[np.newaxis], wave, shown_px, ratio).line
         samples = points.y[0]
+        # Between samples it may be higher than they are.
+        highest = max(self._height, float(np.abs(samples).max()))
+        middle, reach = plot.center().y(), sign * plot.height() / 2 / highest
         if points.strokes and not is_on_paper():
             block = bool(np.mean(np.abs(samples[1::2] - samples[::2])) > _BLOCK)
             painter.setRenderHint(QPainter.RenderHint.Antialiasing, not block)

@@ -1,12 +1,13 @@
 """Curves as points of a view."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QRectF
 
 from skinsource.arrays import Floats
-from skinsource_gui.widgets.plot.curves import Between, Curves
+from skinsource.resampling import Extremes
+from skinsource_gui.widgets.plot.curves import Curves
 from skinsource_gui.widgets.plot.decimation import (
     Columns,
     KeptColumns,
@@ -16,6 +17,7 @@ from skinsource_gui.widgets.plot.decimation import (
 )
 from skinsource_gui.widgets.plot.ranges import Range
 from skinsource_gui.widgets.plot.value_scale import ValueScale
+from skinsource_gui.widgets.plot.wave import Wave
 from skinsource_gui.widgets.plot.x_window import XWindow
 
 # Upright strokes that are longer than this on average make a block.
@@ -56,7 +58,7 @@ class Seen:
     line
         Points that are joined; positions of the x axis.
     wave
-        Whether they are the wave through the points of the curves, not those alone.
+        Whether they show the wave through the points of the curves, not those alone.
     dots
         The points of the curves, where they are so far apart that each is marked.
     """
@@ -83,8 +85,8 @@ def seen_of(
 ) -> Seen:
     """What is seen of the first curves in a row of the plot.
 
-    Where there are two pixels and more for each point, it is the wave through them, so far as it
-    is known: straight lines would cut its peaks.
+    Where the wave through them is known, it is drawn where there are two pixels and more for each
+    point, and how far it reaches where there are fewer: straight lines would cut its peaks.
 
     Parameters
     ----------
@@ -98,32 +100,46 @@ def seen_of(
     x, y = window.axis.positions(curves.x), curves.y[:n_drawn]
     if window.axis.log:
         x, y = x[curves.x > 0], y[:, curves.x > 0]
+    wave = None if curves.wave is None else _placed(curves.wave, window, n_drawn)
     found = columns.of(x, window.shown, int(row.width() * ratio))
-    seen = course_of(found, y, curves.between, row.width(), ratio)
-    if not seen.wave:
-        return seen
-    line = Points(x=window.axis.positions(seen.line.x), y=seen.line.y[:n_drawn])
-    return replace(seen, line=line)
+    return course_of(found, y, wave, row.width(), ratio)
 
 
-def course_of(
-    found: Columns, y: Floats, between: Between | None, width_px: float, ratio: float
-) -> Seen:
+def _placed(wave: Wave, window: XWindow, n_drawn: int) -> Wave:
+    """The wave of the first curves, at positions of the axis."""
+
+    def points(first: int, end: int) -> tuple[Floats, Floats]:
+        x, y = wave.points(first, end)
+        return window.axis.positions(x), y[:n_drawn]
+
+    def extremes(first: int, end: int) -> Extremes | None:
+        found = wave.extremes(first, end)
+        return None if found is None else found.of_first(n_drawn)
+
+    return Wave(points=points, extremes=extremes)
+
+
+def course_of(found: Columns, y: Floats, wave: Wave | None, width_px: float, ratio: float) -> Seen:
     """What is seen of curves ``y``, (n_curves, n_points), where their columns are known.
 
     Parameters
     ----------
-    between
-        Knows the wave between points, in the unit of their axis; None: nobody does.
+    wave
+        Runs through the points, in the unit of their axis; None: it is not known.
     width_px, ratio
         Over how many px they go, and dots in a px.
     """
-    points = found.points(y)
-    apart_px = width_px / max(points.x.size, 1)
-    if between is None or points.strokes or apart_px * ratio < _WAVE_PX:
-        return Seen(line=points)
-    instants, waves = between(found.part.start, found.part.stop)
-    dots = points if apart_px >= _DOTS_PX else None
+    if wave is None:
+        return Seen(line=found.points(y))
+    part = found.part.start, found.part.stop
+    apart_px = width_px / max(part[1] - part[0], 1)
+    if found.starts is not None or apart_px * ratio < _WAVE_PX:
+        extremes = wave.extremes(*part)
+        if extremes is None:
+            return Seen(line=found.points(y))
+        return Seen(line=found.reached(y, extremes), wave=True)
+    instants, waves = wave.points(*part)
+    dots = found.points(y) if apart_px >= _DOTS_PX else None
     return Seen(line=Points(x=instants, y=waves), wave=True, dots=dots)
 
 

@@ -10,11 +10,10 @@ from skinsource.locations import PlaceWords, output_words
 from skinsource_gui.widgets.plot.axis_spec import ValueUnit, value_unit
 from skinsource_gui.widgets.plot.ranges import Kind, Range
 from skinsource_gui.widgets.plot.ticks import significant
+from skinsource_gui.widgets.plot.wave import Wave
 
 #: What levels are, where nothing else is said.
 LEVEL_WORDS = "dB re 1 m/s²"
-#: Gives instants and the wave there from one sample to before another.
-Between = Callable[[int, int], tuple[Floats, Floats]]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -61,9 +60,8 @@ class Curves:
     peaks : (n_names,)
         What the curves of each were divided by, m/s², where they are relative to its peak; none
         elsewhere.
-    between
-        Gives ``x`` and ``y`` of the wave from one point to before another, counted from 0, those
-        points among them; None: nothing is known between the points.
+    wave
+        What runs through the points; None: nothing is known between them.
     """
 
     x: Floats
@@ -78,7 +76,7 @@ class Curves:
     about: Callable[[], tuple[str, ...]] = tuple
     heading: tuple[str, ...] = ()
     peaks: tuple[float, ...] = ()
-    between: Between | None = None
+    wave: Wave | None = None
 
     def __post_init__(self) -> None:
         n_curves = len(self.names) * self.each
@@ -87,6 +85,17 @@ class Curves:
                 f"y has shape {self.y.shape}, expected ({n_curves}, {self.x.size}) with at least "
                 "one point"
             )
+
+    @property
+    def reach(self) -> Range:
+        """Lowest and highest value of all curves, and of the wave where it is known."""
+        low, high = float(self.y.min()), float(self.y.max())
+        finite = np.isfinite(low) and np.isfinite(high)
+        found = None if self.wave is None or not finite else self.wave.extremes(0, self.x.size)
+        if found is None:
+            return low, high
+        wave_low, wave_high = found.range
+        return min(low, wave_low), max(high, wave_high)
 
     @property
     def peak_words(self) -> tuple[str, ...]:

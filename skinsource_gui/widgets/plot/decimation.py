@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.arrays import Floats
+from skinsource.resampling import Extremes
 from skinsource_gui.widgets.plot.ranges import Range
 
 #: Up to so many samples in a column of pixels, each is drawn.
@@ -14,6 +15,8 @@ MOST_IN_COLUMN = 4
 _MOST_COMPARED = 2**15
 # A stroke that is shorter than this part of what its neighbours cover is a gap, not a notch.
 _GAP = 0.1
+# Of extremes, as a part of the peak.
+_ROUNDING = 1e-6
 # Zero lies on the edge of a row of pixels, or in its middle; a little beside them rounding does
 # not matter.
 _SHIFT = 0.02
@@ -63,12 +66,51 @@ class Columns:
             return Points(x=self.places, y=y)
         low = np.minimum.reduceat(y, self.starts, axis=1)
         high = np.maximum.reduceat(y, self.starts, axis=1)
-        # Up one column and down the next: the way from stroke to stroke is short, and so is
-        # painting.
-        ends = np.empty((*low.shape, 2))
-        ends[:, ::2, 0], ends[:, ::2, 1] = low[:, ::2], high[:, ::2]
-        ends[:, 1::2, 0], ends[:, 1::2, 1] = high[:, 1::2], low[:, 1::2]
-        return Points(x=self.places, y=ends.reshape(len(y), -1), strokes=True)
+        return Points(x=self.places, y=_strokes(low, high), strokes=True)
+
+    def reached(self, y: Floats, extremes: Extremes) -> Points:
+        """What is drawn of the wave through curves, (n_curves, n_points), over the axis.
+
+        Where each sample is drawn, it is at most half a sample beside a crest that it takes over.
+
+        Parameters
+        ----------
+        extremes
+            Of the part.
+        """
+        if self.starts is not None:
+            return Points(
+                x=self.places, y=_strokes(*extremes.of_columns(self.starts)), strokes=True
+            )
+        return Points(x=self.places, y=_with_crests(y[:, self.part], extremes))
+
+
+def _with_crests(y: Floats, extremes: Extremes) -> Floats:
+    """Samples, of which those beside a crest between two of them are as high as it is."""
+    low, high = extremes.low[:, :-1] * extremes.sizes, extremes.high[:, :-1] * extremes.sizes
+    rounding = _ROUNDING * extremes.sizes
+    upper, lower = np.maximum(y[:, :-1], y[:, 1:]), np.minimum(y[:, :-1], y[:, 1:])
+    crest = np.where(high > upper + rounding, high, -np.inf)
+    dip = np.where(low < lower - rounding, low, np.inf)
+    falling = y[:, :-1] >= y[:, 1:]
+    raised, lowered = y.copy(), y.copy()
+    # The nearer of the two in height takes it.
+    np.maximum(y[:, :-1], crest, out=raised[:, :-1], where=falling)
+    np.maximum(raised[:, 1:], crest, out=raised[:, 1:], where=~falling)
+    np.minimum(y[:, 1:], dip, out=lowered[:, 1:], where=falling)
+    np.minimum(lowered[:, :-1], dip, out=lowered[:, :-1], where=~falling)
+    return np.where(raised > y, raised, lowered)
+
+
+def _strokes(low: Floats, high: Floats) -> Floats:
+    """Strokes of columns, (n_curves, 2 n_columns): up one and down the next.
+
+    The way from stroke to stroke is short then, and so is painting.
+    """
+    ends = np.empty((*low.shape, 2))
+    ends[:, ::2, 0], ends[:, ::2, 1] = low[:, ::2], high[:, ::2]
+    ends[:, 1::2, 0], ends[:, 1::2, 1] = high[:, 1::2], low[:, 1::2]
+    return ends.reshape(len(low), -1)
 
 
 def columns_of(x: Floats, shown: Range, width_px: int) -> Columns:

@@ -51,6 +51,8 @@ class Plot(Canvas):
         What is drawn, or ``None``.
     stack
         What is in the scene.
+    held
+        Decides the range of values, by those of curves before.
     value_scale, unit
         Where values lie in a row; how they are written.
     x_window, zoom, stacked
@@ -93,7 +95,7 @@ class Plot(Canvas):
         self.zoom: Range | None = None
         self.stacked = False
         self.words = Words()
-        self._held = HeldRange()
+        self.held = HeldRange()
         self.columns = KeptColumns()
         self._content: tuple[Content, XWindow] | None = None
         self.crosshair = Crosshair(self, self)
@@ -143,17 +145,17 @@ class Plot(Canvas):
 
     def begin_anew(self) -> None:
         """Decide the range of the next curves without a look at those before."""
-        self._held.let_go()
+        self.held.let_go()
 
     def show_curves(self, curves: Curves) -> None:
         """Draw ``curves`` in place of those before; zoom and crosshair stay."""
-        low, high = float(curves.y.min()), float(curves.y.max())
+        low, high = curves.reach
         if not (np.isfinite(low) and np.isfinite(high)):
             self.show_message(_NOT_FINITE)
             return
         self.crosshair.follow(curves)
         before, self.curves = self.curves, curves
-        values = self._held.follow(*(curves.span or (low, high)), curves.kind)
+        values = self.held.follow(*(curves.span or (low, high)), curves.kind)
         self.value_scale = ValueScale(values=values, edge=self.value_scale.edge)
         self.unit = value_unit(curves.kind, *values)
         self.x_window = x_window(self.x_window.axis, self._data_range(), self.zoom)
@@ -245,7 +247,7 @@ class Plot(Canvas):
         ratio = PAPER_DOTS if self._on_paper else self.devicePixelRatioF()
         seen = seen_of(self.curves, self.x_window, n_drawn, rows[0], ratio, self.columns)
         if beyond := seen.beyond(self.value_scale.values):
-            values = self._held.follow(*beyond, self.curves.kind)
+            values = self.held.follow(*beyond, self.curves.kind)
             self.value_scale = ValueScale(values=values, edge=self.value_scale.edge)
             self.unit = value_unit(self.curves.kind, *values)
             self._place()

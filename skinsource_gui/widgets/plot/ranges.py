@@ -1,5 +1,6 @@
 """Ranges of axes: held while data change, zoomed and panned by the user."""
 
+from copy import copy
 from math import ceil, floor, isfinite, log10
 from typing import Literal
 
@@ -43,6 +44,10 @@ class HeldRange:
             self._range = wanted
         self._kind = kind
         return self._range
+
+    def copied(self) -> "HeldRange":
+        """One that has followed the same data."""
+        return copy(self)
 
     def let_go(self) -> None:
         """Decide the next range by its data alone."""

@@ -56,6 +56,7 @@ def _copy_of(plot: Plot, size: QSize, theme: Theme) -> Plot:
     copy.resize(size)
     copy.set_view(plot.x_window.axis, plot.zoom, stacked=plot.stacked)
     copy.set_words(replace(plot.words, stale=False))
+    copy.held = plot.held.copied()
     if plot.curves is not None:
         copy.show_curves(plot.curves)
     for item in copy.scene().items():

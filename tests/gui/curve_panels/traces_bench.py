@@ -3,6 +3,7 @@
 import numpy as np
 
 from skinsource.rendering.projecting import Projection
+from skinsource.resampling import extremes_between
 from skinsource.view import View
 from skinsource_gui.panels.traces.panel import TracesPanel
 from skinsource_gui.state.start_design import start_design
@@ -21,6 +22,7 @@ def results_for(view, *, n_times=651, amplitude=0.3, limb="synthetic-1", without
         "response_time_s": time_s,
         "selected_traces": traces,
         "axis_traces": traces[:, np.newaxis],
+        "selected_extremes": extremes_between(traces),
         "selected_projection": Projection((0,), np.ones((len(traces), 1))),
         "outputs": view.outputs,
         "delay_removed": view.delay_removed,

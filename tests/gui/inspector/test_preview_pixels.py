@@ -54,3 +54,18 @@ def test_what_passes_1_stays_above_the_axis(preview, peak):
     # The axis takes the lowest 18 px, and the plot ends 2 px above it.
     assert max(inked) <= 140 - 18 - 2
     assert (min(inked) <= 4) is (peak >= 1.0)
+
+
+@pytest.mark.parametrize("n_samples", [600, 2600])
+def test_a_tone_whose_samples_miss_its_peak_reaches_it(preview, n_samples):
+    preview.show_samples(np.sin(0.5 * np.pi * np.arange(n_samples) + np.pi / 4), 1300.0)
+    picture = preview.grab().toImage()
+    # Samples alone end 18 px below the top.
+    highest = 140 - 18 - 2
+    for x in range(100, 300, 10):
+        inked = [
+            y
+            for y in range(highest // 2)
+            if any(picture.pixelColor(x + k, y).red() < 120 for k in range(5))
+        ]
+        assert min(inked) <= 8

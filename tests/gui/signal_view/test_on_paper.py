@@ -7,10 +7,10 @@ from functools import partial
 import numpy as np
 from PySide6.QtGui import QColor
 
-from skinsource.resampling import finer
 from skinsource_gui.theme import LIGHT
 from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
 from skinsource_gui.widgets.plot.signal_picture import draw_signals
+from skinsource_gui.widgets.plot.wave import wave_of
 from tests.gui.signal_view.bench import TIME, waves
 
 RATE_HZ = 1300.0
@@ -21,7 +21,7 @@ def tone(n_points, frequency_hz=433.0):
     """As long as it takes for straight lines between its samples to beat."""
     x = np.arange(n_points) / RATE_HZ
     y = np.sin(2 * np.pi * frequency_hz * x)[np.newaxis]
-    return replace(waves(1), x=x, y=y, between=partial(finer, x, y))
+    return replace(waves(1), x=x, y=y, wave=wave_of(x, y))
 
 
 def ink(plot, dpi):

@@ -1,4 +1,4 @@
-"""Zoomed in, a clip shows the wave through its samples; zoomed out it costs what it did."""
+"""A clip shows the wave through its samples, zoomed in and out."""
 
 from dataclasses import replace
 
@@ -12,6 +12,7 @@ from skinsource.clips import Clip
 from skinsource.design import Design, Input
 from skinsource.waveforms import Tone
 from skinsource_gui.panels.timeline.clip_pictures import ClipPictures, Look, Played
+from skinsource_gui.widgets.plot.wave import MOST_WHILE_DRAWN
 from tests.gui.timeline.bench import results_of
 from tests.gui.timeline.lanes_bench import LanesBench
 
@@ -51,30 +52,37 @@ def test_a_wave_that_is_higher_than_its_samples_is_not_cut():
     assert 0 < np.count_nonzero(tops <= 1) < 40
 
 
-def test_with_less_than_two_pixels_for_each_sample_no_wave_is_computed():
+@pytest.mark.parametrize("n_samples", [600, 2600, 13_000])
+def test_zoomed_out_it_reaches_as_far_as_its_wave_whatever_its_samples_miss(n_samples):
+    samples = 0.7 * np.sin(0.5 * np.pi * np.arange(n_samples) + np.pi / 4)
+    assert samples.max() < 0.5
+    picture = ClipPictures().picture(Played(samples, RATE_HZ), QSizeF(520, HEIGHT), Look(BLUE, 1.0))
+    # Each four columns hold a crest.
+    tops = tops_of(picture)[8:-8].reshape(-1, 4).min(axis=1)
+    assert np.abs(tops - 0.3 * HEIGHT / 2).max() <= 3
+
+
+def test_of_more_samples_than_are_worth_it_only_those_are_joined():
     pictures = ClipPictures()
-    played = Played(tone(260), RATE_HZ)
-    for width in (20, 100, 519):
+    for n_samples in (MOST_WHILE_DRAWN, MOST_WHILE_DRAWN + 1):
+        pictures.picture(Played(tone(n_samples), RATE_HZ), QSizeF(500, 40), Look(BLUE, 1.0))
+    assert (pictures.painted, pictures.waves) == (2, 1)
+
+
+def test_its_wave_is_computed_once_for_each_look():
+    pictures, played = ClipPictures(), Played(tone(260), RATE_HZ)
+    for width in (100, 521, 100, 521):
         pictures.picture(played, QSizeF(width, 40), Look(BLUE, 1.0))
-    assert (pictures.painted, pictures.waves) == (3, 0)
-    pictures.picture(played, QSizeF(521, 40), Look(BLUE, 1.0))
-    assert pictures.waves == 1
-    pictures.picture(played, QSizeF(521, 40), Look(BLUE, 1.0))
-    assert (pictures.painted, pictures.waves) == (4, 1)
+    assert (pictures.painted, pictures.waves) == (2, 2)
 
 
-def test_the_timeline_draws_the_wave_of_what_it_is_zoomed_into(qtbot):
+@pytest.mark.parametrize("seen_s", [(0.0, 2.0), (0.1, 0.2)])
+def test_the_timeline_draws_the_wave_of_what_is_seen(qtbot, seen_s):
     bench = LanesBench(qtbot)
     clip = Clip(waveform=Tone(TONE_HZ, 0.0, 0.5))
-    bench.view = replace(bench.view, time_range_s=(0.0, 2.0))
+    bench.view = replace(bench.view, time_range_s=seen_s)
     bench.show(Design(limb="synthetic-1", inputs=(Input(location=7, clips=(clip,)),)))
     bench.panel.show_results(results_of(bench.design))
     QApplication.processEvents()
     bench.lanes.viewport().repaint()
-    assert bench.lanes.item.pictures.painted > 0
-    assert bench.lanes.item.pictures.waves == 0
-    bench.view = replace(bench.view, time_range_s=(0.1, 0.2))
-    bench.show(bench.design)
-    QApplication.processEvents()
-    bench.lanes.viewport().repaint()
-    assert bench.lanes.item.pictures.waves > 0
+    assert bench.lanes.item.pictures.waves == bench.lanes.item.pictures.painted > 0

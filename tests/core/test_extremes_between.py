@@ -1,0 +1,148 @@
+"""How far waves reach between samples, where samples alone would lie."""
+
+import tracemalloc
+
+import numpy as np
+import pytest
+
+from skinsource.design import Design, track
+from skinsource.errors import Stopped
+from skinsource.evaluation import evaluate
+from skinsource.resampling import EXTREMES_ERROR, FINER, extremes_between, finer
+from skinsource.view import View
+from skinsource.waveforms import Tone
+
+RATE_HZ = 1300.0
+# The filter alone.
+FILTER_ERROR = 0.003
+
+
+def of(found):
+    return found.low * found.sizes, found.high * found.sizes
+
+
+def band_limited(*shape, seed=1):
+    """Noise up to 600 Hz at 1300 Hz."""
+    spectrum = np.fft.rfft(np.random.default_rng(seed).standard_normal(shape))
+    spectrum[..., round(600 / 650 * spectrum.shape[-1]) :] = 0.0
+    return np.fft.irfft(spectrum, shape[-1])
+
+
+def dense_extremes(dense):
+    """Extremes of the points from each sample to before the next."""
+    cells = dense[..., :-1].reshape(*dense.shape[:-1], -1, FINER)
+    last = dense[..., -1:]
+    return (
+        np.concatenate((cells.min(axis=-1), last), axis=-1),
+        np.concatenate((cells.max(axis=-1), last), axis=-1),
+    )
+
+
+@pytest.mark.parametrize("frequency_hz", [30.0, 130.0, 325.0, 1300 / 3, 520.0, 599.0])
+@pytest.mark.parametrize("phase", [0.0, np.pi / 4, 1.1])
+def test_within_every_period_a_tone_reaches_its_peak_whatever_its_samples_miss(frequency_hz, phase):
+    tone = np.sin(2 * np.pi * frequency_hz * np.arange(1300) / RATE_HZ + phase)
+    low, high = of(extremes_between(tone[np.newaxis]))
+    n_period = int(np.ceil(RATE_HZ / frequency_hz)) + 1
+    # Where the record begins and ends hard, it rings.
+    for reached in (high[0, 40:-40], -low[0, 40:-40]):
+        highest = np.lib.stride_tricks.sliding_window_view(reached, n_period).max(axis=-1)
+        assert highest.min() >= 1.0 - EXTREMES_ERROR
+        assert highest.max() <= 1.0 + FILTER_ERROR
+
+
+def test_a_sweep_has_no_notch_where_it_passes_a_quarter_and_a_third_of_the_rate():
+    at_s = np.arange(6500) / RATE_HZ
+    sweep = np.sin(2 * np.pi * (100.0 * at_s + 50.0 * at_s**2))
+    starts = np.arange(0, sweep.size, 13)
+    low, high = extremes_between(sweep[np.newaxis]).of_columns(starts)
+    assert high[0, 3:-3].min() >= 1.0 - EXTREMES_ERROR
+    assert low[0, 3:-3].max() <= EXTREMES_ERROR - 1.0
+    # Its samples have one.
+    assert np.maximum.reduceat(sweep, starts)[3:-3].min() < 0.8
+
+
+def test_they_are_those_of_the_wave_that_is_drawn_from_close_by():
+    signals = band_limited(3, 1001)
+    found = extremes_between(signals)
+    expected = dense_extremes(finer(np.arange(1001) / RATE_HZ, signals)[1])
+    peak = np.abs(signals).max()
+    for got, wanted in zip(of(found), expected, strict=True):
+        np.testing.assert_allclose(got, wanted, rtol=0, atol=FILTER_ERROR * peak)
+    assert found.range == pytest.approx((expected[0].min(), expected[1].max()), abs=0.01 * peak)
+
+
+def test_of_signals_along_several_axes_the_wave_is_the_length_of_the_vector():
+    axes = band_limited(2, 3, 700)
+    dense = finer(np.arange(700) / RATE_HZ, axes)[1]
+    expected = dense_extremes(np.sqrt(np.square(dense).sum(axis=1)))
+    for got, wanted in zip(of(extremes_between(axes)), expected, strict=True):
+        np.testing.assert_allclose(got, wanted, rtol=0, atol=2 * FILTER_ERROR * np.abs(axes).max())
+
+
+@pytest.mark.parametrize(("first", "end"), [(0, 9), (3, 120), (400, 432), (880, 900), (899, 900)])
+def test_a_stretch_has_the_extremes_that_it_has_in_the_whole(first, end):
+    signals = band_limited(2, 900)
+    whole, part = (extremes_between(signals, *ends) for ends in ((), (first, end)))
+    for got, wanted in zip(of(part), of(whole.part(first, end)), strict=True):
+        np.testing.assert_allclose(got, wanted, rtol=0, atol=1e-5 * np.abs(signals).max())
+
+
+@pytest.mark.parametrize("peak", [5e-324, 1e-300, 1e-12, 1e300])
+def test_no_signal_is_too_small_or_too_large(peak):
+    found = extremes_between(peak * np.sign(band_limited(1, 300)))
+    low, high = found.range
+    assert low <= -peak < peak <= high
+    assert np.isfinite((low, high)).all()
+
+
+def test_silence_stays_silent_and_a_single_sample_stays_alone():
+    silent = extremes_between(np.zeros((2, 100)))
+    assert not silent.low.any()
+    assert not silent.high.any()
+    alone = extremes_between(np.array([[-2.0]]))
+    assert alone.range == (-2.0, -2.0)
+    assert extremes_between(np.zeros((0, 100))).range == (0.0, 0.0)
+    assert extremes_between(np.zeros((1, 0))).low.shape == (1, 0)
+
+
+def test_relative_to_a_size_they_are_so_many_times_smaller():
+    found = extremes_between(band_limited(2, 300))
+    sizes = np.array([[2.0], [0.5]])
+    for got, wanted in zip(of(found.relative_to(sizes)), of(found), strict=True):
+        np.testing.assert_allclose(got, wanted / sizes, rtol=1e-12)
+
+
+def test_however_long_signals_are_they_take_little_more_memory_than_the_result():
+    signals = np.tile(band_limited(6, 2000), 50)
+    extremes_between(signals[:, :100])
+    tracemalloc.start()
+    found = extremes_between(signals)
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert most <= found.low.nbytes + found.high.nbytes + 4e6
+
+
+def test_it_can_be_stopped_between_blocks():
+    asked = []
+
+    def stop():
+        asked.append(None)
+        return len(asked) == 3
+
+    with pytest.raises(Stopped):
+        extremes_between(np.zeros((6, 100_000)), stop=stop)
+
+
+@pytest.mark.parametrize("method", ["mag", "pca"])
+def test_those_of_selected_outputs_belong_to_the_wave_of_their_projection(method):
+    tones = (track(location=3, waveform=Tone(frequency_hz=325.0, duration_s=0.4)),)
+    design = Design(limb="synthetic-1", inputs=tones)
+    view = View(axes="xyz", method=method, outputs=(29, 52))
+    wanted = "selected_extremes", "axis_traces", "selected_projection", "response_time_s"
+    found = evaluate(design, *wanted, view=view)
+    dense = finer(found["response_time_s"], found["axis_traces"])[1]
+    expected = dense_extremes(found["selected_projection"].signals(dense))
+    peak = np.abs(dense).max()
+    for got, values in zip(of(found["selected_extremes"]), expected, strict=True):
+        np.testing.assert_allclose(got, values, rtol=0, atol=2 * FILTER_ERROR * peak)
