@@ -37,11 +37,12 @@ class Agreement:
 
     @property
     def medians(self) -> tuple[float, float, float]:
-        """Of error, amplitude and correlation over the channels that count; NaN: there is none."""
-        if not self.counted.any():
-            return (np.nan, np.nan, np.nan)
+        """Of error, amplitude and correlation over the channels that count; NaN: there is none.
+
+        A channel of which silence is predicted counts, but has no correlation.
+        """
         parts = (self.error, self.amplitude_percent, self.correlation)
-        error, amplitude, correlation = (float(np.median(one[self.counted])) for one in parts)
+        error, amplitude, correlation = (_median(one[self.counted]) for one in parts)
         return error, amplitude, correlation
 
 
@@ -86,6 +87,11 @@ def agreement(predicted: ArrayLike, measured: ArrayLike, noise_rms: ArrayLike) -
         amplitude_percent=amplitude,
         correlation=np.where(counted, pearson(ours, theirs), np.nan),
     )
+
+
+def _median(values: Floats) -> float:
+    known = values[np.isfinite(values)]
+    return float(np.median(known)) if known.size else np.nan
 
 
 def pearson(one: Floats, other: Floats) -> Floats:

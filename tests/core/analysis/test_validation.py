@@ -38,6 +38,17 @@ def test_each_figure_is_its_definition():
     assert found.medians[2] == pytest.approx(np.median(found.correlation))
 
 
+def test_a_channel_of_predicted_silence_counts_and_has_no_correlation():
+    ours, theirs = FIELD.copy(), FIELD.copy()
+    ours[2, 1] = 0.0
+    found = agreement(ours, theirs, 0.0)
+    assert found.counted.all()
+    assert found.amplitude_percent[2, 1] == pytest.approx(100.0)
+    assert np.argwhere(np.isnan(found.correlation)).tolist() == [[2, 1]]
+    assert np.isfinite(found.medians).all()
+    assert found.medians[2] == pytest.approx(1.0)
+
+
 def test_channels_below_twice_the_noise_do_not_count():
     rms = np.sqrt(np.mean(FIELD**2, axis=-1))
     noise = rms / 2.0
@@ -176,6 +187,9 @@ def test_rates_that_are_no_whole_number_and_shapes_that_differ_are_refused(tmp_p
     np.savez(path, field=np.ones((40, 5, 3)), fs=1300.0)
     with pytest.raises(RecordingError, match="40 × 5 × 3, expected times × 6 outputs × 3 axes"):
         open_recorded(path, 6, 3, 1300.0)
+    np.savez(path, field=np.ones((40, 5)), fs=1300.0)
+    with pytest.raises(RecordingError, match=r"5 signals, expected 6 .* outputs by axes\.$"):
+        open_recorded(path, 6, 1, 1300.0)
     np.savez(path, field=np.where(FIELD > 1.0, np.nan, FIELD), fs=1300.0)
     with pytest.raises(RecordingError, match="no finite numbers"):
         open_recorded(path, 6, 3, 1300.0)

@@ -4,6 +4,7 @@ import pytest
 
 import skinsource as ss
 from skinsource.stimulus_export import overview_of, prepared
+from skinsource.stimulus_formats import hdf5_file
 from skinsource.stimulus_formats.csv_text import CSV
 from skinsource.stimulus_formats.hdf5_file import HDF5
 
@@ -21,6 +22,15 @@ def test_a_table_is_about_as_large_as_told_in_each_layout(tmp_path, layout, rate
     told = overview_of(prepared(DESIGN, path, CSV, rate_hz, options)).n_bytes
     ss.export_stimulus(DESIGN, path, "csv", rate_hz, options=options)
     assert told == pytest.approx(path.stat().st_size, rel=0.15)
+
+
+def test_what_is_predicted_does_not_count_where_it_is_too_much_to_be_written(tmp_path, monkeypatch):
+    monkeypatch.setattr(hdf5_file, "_MOST_RESPONSE_BYTES", 1e5)
+    path = tmp_path / "drive.h5"
+    told = overview_of(prepared(DESIGN, path, HDF5, None, ss.StimulusOptions())).n_bytes
+    ss.export_stimulus(DESIGN, path)
+    assert told < 20_000
+    assert path.stat().st_size < 20_000
 
 
 def test_what_is_predicted_counts_where_it_is_written_too(tmp_path):

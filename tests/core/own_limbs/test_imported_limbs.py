@@ -182,6 +182,7 @@ def test_what_does_not_fit_together_is_refused_in_one_sentence(user_data, tmp_pa
         ({"inputs": INPUTS[:5]}, "input_positions has shape (5, 2), expected (7, 2)"),
         ({"outputs": None}, "output_positions are not known, expected 31 places"),
         ({"outputs": np.full((31, 2), np.nan)}, "no output has a place on the map"),
+        ({"outputs": np.full((31, 2), (3.0, np.nan))}, "no output has a place on the map"),
         ({"values": {**VALUES, "axes": "z"}}, "axes is 'z', expected 2 of x, y and z"),
         ({"values": {**VALUES, "name": ""}}, "the name of the limb is '', expected small letters"),
         ({"values": {**VALUES, "sample_rate_hz": None}}, "sample_rate_hz is not known"),

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.errors import NothingToPlayOnError, PlaybackError
+from skinsource.errors import NothingToPlayOnError, PlaybackError, Stopped
 from skinsource.playing import Output
 from skinsource.playing.session import Session
 from tests.core.playing.made_up_sound import MadeUpLibrary, use
@@ -61,6 +61,12 @@ def test_a_playhead_behind_the_end_or_outside_the_loop_starts_from_the_beginning
         begin = swap.at if swap is not None else begun
         assert begin >= round(expected * 48_000) - FADE
         assert begin < round((expected + 0.15) * 48_000)
+
+
+def test_what_is_stopped_while_it_is_prepared_opens_no_device(sound, session):
+    with pytest.raises(Stopped):
+        play(session, stop=lambda: True)
+    assert sound.streams == []
 
 
 def test_an_edit_goes_over_on_the_same_stream(sound, session):

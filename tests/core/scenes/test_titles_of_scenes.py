@@ -6,6 +6,7 @@ import pytest
 
 import skinsource as ss
 from skinsource.scenes import title_of
+from tests.core.own_limbs.lab_bench import installed
 
 MEASURED = tuple(f"measured-{k}" for k in range(1, 5))
 
@@ -37,6 +38,24 @@ def test_a_scene_on_another_limb_is_no_longer_called_by_the_limb_of_its_title():
         assert moved == f"Fig. {known.name}: {known.title.removesuffix(', limb 1')} · edited"
     chosen = opened(known.name, limb="synthetic-3").design
     assert title_of(chosen) == chosen.title
+
+
+def test_a_scene_at_another_place_is_edited_and_at_the_places_of_a_lab_it_is_that_scene(user_data):
+    design = opened("2B", available=()).design
+    moved = design.with_input(0, location=9)
+    assert title_of(moved) == f"{design.title.partition(' · ')[0]} · edited"
+    installed()
+    at_the_lab = opened("1C", limb="lab-1").design
+    assert at_the_lab.inputs[0].location != opened("1C", available=()).design.inputs[0].location
+    assert title_of(at_the_lab) == at_the_lab.title
+    louder = at_the_lab.with_input(0, amplitude=3.25)
+    assert title_of(louder).endswith(" · edited")
+
+
+def test_one_of_several_people_on_the_limb_of_another_is_edited():
+    first = opened("1G", available=()).conditions[0].design
+    assert title_of(first).endswith(" · Limb 1")
+    assert title_of(replace(first, limb="synthetic-3")) == "Fig. 1G: Four people · edited"
 
 
 def test_another_limb_or_colour_leaves_the_title_of_a_scene_that_names_none():
