@@ -51,6 +51,8 @@ def test_exact_values_of_a_limb_agree_with_sums_of_fifty_digits(lab, key):
             found = mpmath.mpf(reference.high[c, w, k]) + mpmath.mpf(reference.low[c, w, k])
             assert abs(found - exact) <= reference.bound * reference.peaks[c].max()
     assert reference.bound < 1e-30
+    assert scene.response_samples % 400
+    assert (reference.samples < scene.response_samples).all()
 
 
 @pytest.mark.parametrize("key", ["S1", "S6"])
