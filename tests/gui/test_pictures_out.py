@@ -135,20 +135,20 @@ def test_a_layout_gives_size_and_resolution_and_another_size_leaves_it(qtbot):
     assert layout.value == "own"
 
 
-@pytest.mark.parametrize("name", ["skin", "traces", "hand", ALL_IN_SIGHT, IN_USE])
-def test_each_picture_has_real_words_and_the_stimulus(make_window, tmp_path, name):
+def test_each_picture_has_real_words_and_the_stimulus(make_window, tmp_path):
     window = make_window(DESIGN)
-    picture = window.pictures.picture_of(name)
-    path = tmp_path / "a.svg"
-    save_drawing(path, picture.draw, *(picture.size_px or (600, 900)))
-    words = texts_of(path)
-    assert "Tone 100 Hz" in words
-    if name in ("skin", ALL_IN_SIGHT):
-        assert " mm" in words
-        assert "dB re 1 m/s²" in words
-        assert "SYNTHETIC" in words
-    if name == ALL_IN_SIGHT:
-        assert all(title in words for title in ("Hand", "Skin", "Timeline", "Traces"))
+    for name in ("skin", "traces", "hand", ALL_IN_SIGHT, IN_USE):
+        picture = window.pictures.picture_of(name)
+        path = tmp_path / f"{name}.svg"
+        save_drawing(path, picture.draw, *(picture.size_px or (600, 900)))
+        words = texts_of(path)
+        assert "Tone 100 Hz" in words, name
+        if name in ("skin", ALL_IN_SIGHT):
+            assert " mm" in words, name
+            assert "dB re 1 m/s²" in words, name
+            assert "SYNTHETIC" in words, name
+        if name == ALL_IN_SIGHT:
+            assert all(title in words for title in ("Hand", "Skin", "Timeline", "Traces"))
 
 
 def test_pictures_are_on_light_ground_and_the_studio_stays_dark(make_window, qtbot):

@@ -54,57 +54,59 @@ def louder(window, amplitude):
     document.apply(changed("Louder", design, document.view))
 
 
-@pytest.mark.parametrize("name", RULES_OF)
-def test_a_hidden_panel_computes_nothing(window, show, settle, name):
-    rule = RULES_OF[name]
-    runs = window.engine._graphs[FIRST_SLOT].runs
-    window.document.look(replace(window.document.view, outputs=OUTPUTS))
-    settle()
-    assert runs[rule] == 0
-    show(name)
-    shown = runs[rule]
-    assert shown == 1
-    window.docks[name].toggleViewAction().trigger()
-    assert not window.panel(name).isVisible()
-    window.document.look(replace(window.document.view, axes="z", outputs=OUTPUTS[:2]))
-    louder(window, 2.5)
-    settle()
-    assert runs[rule] == shown
+def test_a_hidden_panel_computes_nothing(window, show, settle):
+    runs, usual = window.engine._graphs[FIRST_SLOT].runs, window.document.view
+    for k, (name, rule) in enumerate(RULES_OF.items()):
+        window.document.look(replace(usual, outputs=OUTPUTS))
+        settle()
+        assert runs[rule] == 0, name
+        show(name)
+        shown = runs[rule]
+        assert shown == 1, name
+        window.docks[name].toggleViewAction().trigger()
+        assert not window.panel(name).isVisible()
+        window.document.look(replace(window.document.view, axes="z", outputs=OUTPUTS[:2]))
+        louder(window, 2.5 + k)
+        settle()
+        assert runs[rule] == shown, name
 
 
-@pytest.mark.parametrize("name", RULES_OF)
-def test_without_outputs_it_says_how_to_select_some_and_then_shows_them(show, window, settle, name):
-    panel = show(name, outputs=())
-    assert "elect" in message_of(panel)
-    assert "on the skin map" in message_of(panel)
-    window.document.look(replace(window.document.view, outputs=OUTPUTS))
-    settle()
-    if name == "statistics":
-        assert panel.model.rowCount() == 4
-    else:
-        assert panel.figure.message == ""
-        panel.grab()
+def test_without_outputs_it_says_how_to_select_some_and_then_shows_them(show, window, settle):
+    for name in RULES_OF:
+        panel = show(name, outputs=())
+        assert "elect" in message_of(panel), name
+        assert "on the skin map" in message_of(panel), name
+        window.document.look(replace(window.document.view, outputs=OUTPUTS))
+        settle()
+        if name == "statistics":
+            assert panel.model.rowCount() == 4
+        else:
+            assert panel.figure.message == "", name
+            panel.grab()
 
 
-@pytest.mark.parametrize("name", RULES_OF)
-def test_silence_and_a_hundred_inputs_are_shown_without_a_fault(show, window, settle, name):
-    panel = show(name)
+def test_silence_and_a_hundred_inputs_are_shown_without_a_fault(show, window, settle):
     document = window.document
-    silent = replace(document.design, inputs=(replace(document.design.inputs[0], muted=True),))
-    document.apply(changed("Mute", silent, document.view))
-    settle()
-    panel.grab()
+    usual = document.design
+    silent = replace(usual, inputs=(replace(usual.inputs[0], muted=True),))
     many = tuple(track(1 + k % 20, Tap(), onset_s=k * 0.01) for k in range(100))
-    document.apply(changed("Many", replace(silent, inputs=many), document.view))
-    settle()
-    panel.grab()
-    assert message_of(panel) == "" or name == "statistics"
-    document.apply(changed("None", Design(limb="synthetic-1"), document.view))
-    settle()
-    panel.grab()
-    # What says why there is nothing has no numbers to copy.
-    copy = getattr(panel, "copy", None)
-    assert name == "statistics" or copy is None or not (message_of(panel) and copy.isEnabled())
+    for name in RULES_OF:
+        document.apply(changed("Usual", usual, document.view))
+        panel = show(name)
+        document.apply(changed("Mute", silent, document.view))
+        settle()
+        panel.grab()
+        document.apply(changed("Many", replace(silent, inputs=many), document.view))
+        settle()
+        panel.grab()
+        assert message_of(panel) == "" or name == "statistics", name
+        document.apply(changed("None", Design(limb="synthetic-1"), document.view))
+        settle()
+        panel.grab()
+        # What says why there is nothing has no numbers to copy.
+        copy = getattr(panel, "copy", None)
+        assert name == "statistics" or copy is None or not (message_of(panel) and copy.isEnabled())
+        window.docks[name].hide()
 
 
 def test_the_table_is_copied_with_numbers_that_read_back(show, window):
