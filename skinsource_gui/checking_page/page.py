@@ -23,6 +23,7 @@ from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.page_button import page_button
+from skinsource_gui.widgets.room.letter_width import LetterWidth
 
 _ALL = "all"
 _AXES = ChoiceSpec(
@@ -113,10 +114,10 @@ class CheckingPage(QDialog):
         self._say(f"Saved {path.name}.")
 
     def _lay_out(self) -> None:
-        for field, spec, width in ((self.axes, _AXES, 150), (self.rate, _RATE, 110)):
+        for field, spec, width_px in ((self.axes, _AXES, 150), (self.rate, _RATE, 110)):
             label = QLabel(spec.label)
             label.setBuddy(field)
-            field.setFixedWidth(width)
+            LetterWidth(field, width_px)
             self.list.bar.addWidget(label)
             self.list.bar.addWidget(field)
         plots = QHBoxLayout()

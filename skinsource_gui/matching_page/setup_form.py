@@ -15,6 +15,7 @@ from skinsource.quoting import quoted
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.page_button import page_button
+from skinsource_gui.widgets.room.letter_width import LetterWidth
 from skinsource_gui.widgets.tooltips import tooltip
 
 _NUMBERS = {
@@ -85,7 +86,7 @@ class SetupForm(QWidget):
             number = self._numbers[name] = NumberField(spec)
             number.set_value(gain_db if name == "gain_db" else _FIRST[name])
             number.show_theme(theme)
-            number.setMaximumWidth(_NUMBER_PX)
+            LetterWidth(number, _NUMBER_PX, at_most=True)
             number.setToolTip(tooltip(spec.label, spec.hint))
             self._add(name, spec.label, number)
         self.table = QLineEdit(str(table))

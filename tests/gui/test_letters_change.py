@@ -5,7 +5,10 @@ from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QBoxLayout, QGridLayout, QWidget
 
 from skinsource_gui.panels.compare.panel import ComparePanel
+from skinsource_gui.panels.perception.panel import PerceptionPanel
+from skinsource_gui.panels.playback.device_fields import DeviceFields
 from skinsource_gui.panels.playback.output_row import OutputRow
+from skinsource_gui.panels.spectrogram.panel import SpectrogramPanel
 from skinsource_gui.widgets.fitting_label import FittingLabel
 
 
@@ -42,6 +45,48 @@ def test_the_row_of_an_output_keeps_room_for_its_number_and_the_longest_level(ho
     ):
         enlarge(inside)
         assert part.minimumSizeHint().width() >= inside.fontMetrics().horizontalAdvance(words)
+
+
+def fields_of_playback():
+    around = QWidget()
+    fields = DeviceFields(QGridLayout(around))
+    return around, (fields.latency, fields.shift)
+
+
+def field_of_an_output():
+    around = QWidget()
+    row = OutputRow(QGridLayout(around), 0, 7, 64, "synthetic-1")
+    # It has no parent: its widgets stand in the grid.
+    around.row = row
+    return around, (row.output,)
+
+
+def field_of_perception():
+    panel = PerceptionPanel()
+    return panel, (panel.area,)
+
+
+def fields_of_the_spectrogram():
+    panel = SpectrogramPanel()
+    return panel, (panel.floor, panel.ceiling)
+
+
+@pytest.mark.parametrize(
+    "made",
+    [fields_of_playback, field_of_an_output, field_of_perception, fields_of_the_spectrogram],
+)
+def test_a_number_keeps_its_digits(qtbot, made):
+    around, fields = made()
+    qtbot.addWidget(around)
+    around.resize(900, 500)
+    around.show()
+    for field in fields:
+        field.set_value(min(field.spec.maximum, 600.0))
+        before = field.text()
+        assert before.strip(".…")
+        enlarge(field, 2.2)
+        # Layouts follow once the event loop runs.
+        qtbot.waitUntil(lambda one=field, said=before: one.text() == said)
 
 
 def test_the_difference_goes_below_the_cards_where_it_has_no_room_beside_them(qtbot):

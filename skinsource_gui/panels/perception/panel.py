@@ -39,6 +39,7 @@ from skinsource_gui.widgets.beside_or_below import BesideOrBelow
 from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.empty_words import output_words
 from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.room.letter_width import LetterWidth
 from skinsource_gui.widgets.tool_button import tool_button
 
 _OWN_LIMITS = (
@@ -46,7 +47,7 @@ _OWN_LIMITS = (
     "modelled. Compare designs on one limb only."
 )
 _TAKE_OWN = "Take thresholds from a CSV file: frequency_hz, threshold_m_per_s2 (RMS)"
-_MOST_NAME_PX = 120
+_MOST_NAME_PX, _MOST_AREA_PX = 120, 96
 
 
 class PerceptionPanel(Panel):
@@ -67,7 +68,7 @@ class PerceptionPanel(Panel):
         self._weighted: Weighted = None
         self._folder = Path()
         self.area = NumberField(AREA, widest_unit="cm²")
-        self.area.setMaximumWidth(96)
+        LetterWidth(self.area, _MOST_AREA_PX, at_most=True)
         self.area_label = QLabel("Moving area")
         self.area_label.setBuddy(self.area)
         self.own = tool_button(self, "perception_own", "Own thresholds…")

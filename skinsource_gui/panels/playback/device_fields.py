@@ -19,6 +19,7 @@ from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.rig_field import RigField
+from skinsource_gui.widgets.room.letter_width import LetterWidth
 
 _NUMBER_PX = 88
 _SYSTEM = "What the system plays on"
@@ -90,7 +91,7 @@ class DeviceFields(QObject):
             widget.setObjectName(f"{name}_field")
             widget.setAccessibleName(name.replace("_", " ").capitalize())
         for field in (self.latency, self.shift):
-            field.setFixedWidth(_NUMBER_PX)
+            LetterWidth(field, _NUMBER_PX)
         delay = _row(self.latency, self.look)
         rows: tuple[tuple[str, QWidget], ...] = (
             ("Device", self.device),

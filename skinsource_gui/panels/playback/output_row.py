@@ -13,6 +13,7 @@ from skinsource_gui.theme import Theme, tabular
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.fitting_label import FittingLabel
 from skinsource_gui.widgets.level_meter import LevelMeter
+from skinsource_gui.widgets.room.letter_width import LetterWidth
 from skinsource_gui.widgets.tooltips import show_tooltip
 
 _METER_PX, _LEAST_METER_PX, _NUMBER_PX = 8, 48, 56
@@ -48,7 +49,7 @@ class OutputRow(QObject):
         self.output.setObjectName(f"output_of_{place}")
         self.output.setAccessibleName(spec.label)
         self.output.setToolTip("Number of the output of the device that its actuator is wired to")
-        self.output.setFixedWidth(_NUMBER_PX)
+        LetterWidth(self.output, _NUMBER_PX)
         self.output.edited.connect(self._choose)
         self.meter = LevelMeter()
         self.meter.setFixedHeight(_METER_PX)

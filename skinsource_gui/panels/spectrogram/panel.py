@@ -22,8 +22,9 @@ from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.level_text import output_text
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.plot.ranges import Range
+from skinsource_gui.widgets.room.letter_width import LetterWidth
 
-_NARROWEST_HZ = 5.0
+_NARROWEST_HZ, _MOST_NUMBER_PX = 5.0, 84
 
 
 class SpectrogramPanel(FigurePanel):
@@ -49,7 +50,7 @@ class SpectrogramPanel(FigurePanel):
             choice.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.window_length.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         for field in (self.floor, self.ceiling):
-            field.setMaximumWidth(84)
+            LetterWidth(field, _MOST_NUMBER_PX, at_most=True)
         what, band = (
             (self.output, self.window_length),
             (self.floor, QLabel("–"), self.ceiling, None),
