@@ -34,7 +34,7 @@ class Recorder(Panel):
         self.name = "+".join(needs)
         self._needs = frozenset(needs)
         self.results, self.problems, self.stale, self.states = [], [], False, []
-        self.story, self.marks = [], []
+        self.story, self.marks, self.newer = [], [], 0
 
     @property
     def needs(self):
@@ -56,6 +56,9 @@ class Recorder(Panel):
     def show_stale(self, stale):
         self.stale = stale
         self.marks.append(stale)
+
+    def show_newer(self):
+        self.newer += 1
 
     def show_problem(self, reason):
         self.problems.append(reason)
@@ -138,6 +141,21 @@ def test_results_of_an_edit_that_is_not_the_last_are_marked_as_stale(qtbot, stag
     assert shown == [[2.0], [3.0]]
     # Marked when they were asked for, twice; the first results are not those of the last edit.
     assert stage.loud.marks == [True, True, True, False]
+    # They are newer than what was drawn before: those that are still to come are given time.
+    assert stage.loud.newer == 1
+
+
+def test_what_cannot_be_computed_is_not_stale_and_what_replaces_it_is_awaited(qtbot, stage):
+    stage.amplitude(2.0)
+    stage.amplitude(13)
+    assert stage.loud.problems[-1].startswith("thirteen is refused")
+    assert not stage.loud.stale
+    stage.gate.clear()
+    stage.document.edit("softer", stage.document.design.with_input(0, amplitude=2.0))
+    # The same as before, but the problem is what is seen.
+    assert stage.loud.stale
+    stage.gate.set()
+    qtbot.waitUntil(lambda: not stage.loud.stale)
 
 
 def test_what_did_not_change_is_not_drawn_again(stage):

@@ -10,7 +10,9 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
+from skinsource.effects import Fade
 from skinsource_gui.panels.regions.columns import columns_of_people
+from skinsource_gui.panels.timeline.lane_look import same_clips
 from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.status.validity_lamps import ValidityLamps, _words_of
 from skinsource_gui.widgets.copy_button import CopyButton
@@ -248,6 +250,11 @@ def test_a_late_clip_has_no_curve_that_it_does_not_play_and_one_that_was_moved_k
         qtbot.waitUntil(lambda: panel.late)
         assert clip in lanes.content.waveforms
         assert not lanes.content.awaited
+        through = replace(moved, effects=(Fade(),))
+        studio.document.edit("Fade", design.with_input(0, clips=(through,)))
+        assert lanes.content.awaited == {clip}
+        studio.document.undo_stack.undo()
+        assert not lanes.content.awaited
         studio.edit_all()
         assert clip not in lanes.content.waveforms
         assert lanes.content.awaited == {clip}
@@ -278,3 +285,23 @@ def test_lamps_that_are_late_say_so(qtbot):
     assert "updating" in _words_of(FINDINGS[0], late=True).splitlines()[0]
     lamps.set_stale(False)
     assert "updating" not in lamps.accessibleDescription()
+
+
+def test_numbers_that_are_there_are_copied_once_they_are_not_late_any_more(qtbot):
+    button = CopyButton("made_up", str)
+    qtbot.addWidget(button)
+    for late, there in ((True, True), (True, False), (False, False), (False, True)):
+        button.show_late(late)
+        button.offer(there)
+        assert button.isEnabled() is (there and not late)
+        button.show_late(not late)
+        assert button.isEnabled() is (there and late)
+        button.show_late(late)
+
+
+def test_a_new_clip_that_is_late_is_painted_again_to_say_so(studio):
+    content = studio.panel("timeline")._table.lanes.content
+    lane = content.lanes[0]
+    late = replace(content, awaited=frozenset({lane.track.clips[0].id}))
+    assert same_clips(content, lane, content, lane)
+    assert not same_clips(content, lane, late, lane)

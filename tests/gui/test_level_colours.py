@@ -6,7 +6,10 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
 from skinsource.design_file import save_design
+from skinsource.panel_settings import with_settings
+from skinsource.view import View
 from skinsource_gui.widgets.map.colour_maps import DIVERGING, colour_table
+from skinsource_gui.widgets.map.level_look import LevelLook, coloured_like, level_look
 from skinsource_gui.widgets.pictures.picture_file import drawn_image
 from tests.gui.compare.compare_bench import two_places
 
@@ -91,3 +94,12 @@ def test_a_file_that_is_opened_after_a_restart_has_its_colours_on_every_map(
     again.files.open(path)
     for name in MAPS:
         assert n_in(look_at(again, qtbot, name).grab().toImage(), "magma") > MANY, name
+
+
+def test_a_view_that_has_chosen_colours_itself_keeps_them():
+    def in_colours(colours):
+        return with_settings(View(), "skin", LevelLook(colours=colours))
+
+    assert level_look(coloured_like(View(), in_colours("magma"))).colours == "magma"
+    own = in_colours("cividis")
+    assert coloured_like(own, in_colours("magma")) is own
