@@ -8,8 +8,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
+from skinsource.decibels import FLOOR_DB
 from skinsource.map_range import MAP_RANGE_DB
 from skinsource.panel_settings import settings_of
+from skinsource_gui.panels.side_by_side.cells import Cells
 from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 from skinsource_gui.panels.skin.settings import SkinSettings
 from tests.gui.side_by_side.test_side_by_side import choose, point_at, shown
@@ -83,6 +85,17 @@ def test_what_is_silent_stays_so(window, panel, qtbot):
     assert panel.maps.content.message.startswith("Silent")
 
 
+def test_an_output_that_is_silent_is_no_level_below_the_maximum(panel, qtbot):
+    shown(panel, qtbot, 4)
+    one = panel._compared[0]
+    levels = one.values["output_levels_db"].copy()
+    levels[2] = FLOOR_DB
+    silent = replace(one, values={**one.values, "output_levels_db": levels})
+    (cell,) = Cells().of_own_maxima([silent], [("a limb",)])
+    assert cell.value_text(3) == "silent"
+    assert cell.value_text(4) != "silent"
+
+
 def test_a_range_that_was_fixed_is_that_of_the_shared_scale(window, panel, qtbot):
     shown(panel, qtbot, 4)
     view = window.document.view
@@ -103,7 +116,8 @@ def test_only_levels_have_maxima_of_their_own(window, panel, qtbot):
         cells = shown(panel, qtbot, n)
         assert not panel.bar.own_maximum.isVisible()
         assert all(cell.maximum_db is None for cell in cells)
-    choose(window, of="axes", shown="levels")
+    # Of axes these are shown whatever was chosen of others.
+    choose(window, of="axes")
     assert shown(panel, qtbot, 3)[0].maximum_db is not None
     assert panel.bar.own_maximum.isVisible()
 

@@ -42,12 +42,16 @@ def test_between_silence_and_sound_there_is_no_difference(choose, one_silent):
     assert all(cell.small is None for cell in panel.maps.content.cells)
 
 
-def test_silence_is_called_so_and_copied_as_nothing(choose, one_silent):
-    content = choose(of="snapshots", shown="levels").maps.content
+@pytest.mark.parametrize("own", [False, True])
+def test_silence_is_called_so_and_copied_as_nothing(choose, one_silent, own):
+    content = choose(of="snapshots", shown="levels", own_maximum=own).maps.content
     silent, one, two = sorted(content.cells, key=lambda cell: cell.values_db.max())
+    assert silent.maximum_db is None
+    assert (one.maximum_db is not None) is own
     assert silent.value_text(None) == silent.value_text(3) == "silent"
     said = content.readout(3).rpartition(": ")[2]
     told = (one.value_text(3), two.value_text(3))
+    said = said.removesuffix(" re each map's maximum")
     assert set(said.split(" · ")) == {"silent", *told}
     place = 1 + content.cells.index(silent)
     rows = [line.split("\t") for line in tab_separated(content).splitlines()[1:]]
