@@ -62,6 +62,14 @@ def test_peaks_in_a_narrow_panel_have_two_lines_and_keep_them_while_one_reads(sh
     assert legend.sizeHint().height() == one_line
 
 
+def test_curves_before_a_problem_do_not_come_back_relative_to_their_peaks(show):
+    panel = show()
+    panel.show_problem("There is no such thing.")
+    click(panel, "relative")
+    assert plot_of(panel).curves is None
+    assert plot_of(panel).message == "There is no such thing."
+
+
 def test_peaks_that_differ_much_have_three_digits_each():
     curves = Curves(
         x=np.arange(2.0),

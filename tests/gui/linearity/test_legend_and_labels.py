@@ -43,16 +43,18 @@ def painter(qapp):
 
 @pytest.mark.parametrize("size", [(160, 90), (230, 130), (500, 400)])
 @pytest.mark.parametrize("letters_px", [11, 14])
-def test_labels_of_bands_are_whole_inside_the_plot_and_apart(painter, size, letters_px):
+@pytest.mark.parametrize("height", [1.0, 0.008], ids=["high", "at the bottom"])
+def test_labels_of_bands_are_whole_inside_the_plot_and_apart(painter, size, letters_px, height):
+    curves = tuple(replace(one, y=height * one.y) for one in CURVES)
     font = QFont(painter.font())
     font.setPixelSize(letters_px)
     metrics, room = QFontMetricsF(font), QRectF(0, 0, *size)
     axes = fitted_axes(room, X, Y, metrics)
-    axes = fitted_axes(room, x_with_room_for_labels(axes, CURVES, metrics), Y, metrics)
-    letters, places = places_of_labels(axes, CURVES, font)
+    axes = fitted_axes(room, x_with_room_for_labels(axes, curves, metrics), Y, metrics)
+    letters, places = places_of_labels(axes, curves, font)
     line = QFontMetricsF(letters).height()
     if size[1] > 200:
-        assert len(places) == len(CURVES)
+        assert len(places) == len(curves)
     for place, curve in places:
         assert QFontMetricsF(letters).horizontalAdvance(curve.label) <= place.width()
         assert place.right() <= axes.frame.right()

@@ -87,6 +87,14 @@ def test_a_limb_that_is_not_measured_along_z_is_filmed_in_magnitude(monkeypatch)
     assert film_options(DESIGN, shown("levels"), SIZES).quantity == "magnitude"
 
 
+def test_it_begins_with_the_size_and_the_resolution_of_the_last_time():
+    sizes = PictureOptions(layout="slide", width_px=640, height_px=480, dpi=144)
+    for last in (sizes, FilmOptions(layout="slide", width_px=640, height_px=480, dpi=144)):
+        options = film_options(DESIGN, shown("z"), last)
+        known = options.layout, options.width_px, options.height_px, options.dpi
+        assert known == ("slide", 640, 480, 144)
+
+
 def test_length_frames_and_size_follow_what_is_chosen(form):
     begin = "50 to 150 ms of the response: "
     assert said(form) == f"{begin}10 s of film, 601 frames, 0.5 to 2 MB."
