@@ -5,6 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from skinsource.panel_settings import with_settings
+from skinsource_gui.panels.traces.settings import TracesSettings
+from skinsource_gui.state.start_design import start_design
 from skinsource_gui.widgets.plot.curves import Curves, output_names
 from skinsource_gui.widgets.plot.signal_picture import _legend_lines
 from skinsource_gui.widgets.plot.signal_view import SignalView
@@ -65,7 +68,8 @@ def test_peaks_in_a_narrow_panel_have_two_lines_and_keep_them_while_one_reads(sh
 def test_curves_before_a_problem_do_not_come_back_relative_to_their_peaks(show):
     panel = show()
     panel.show_problem("There is no such thing.")
-    click(panel, "relative")
+    relative = with_settings(SIGNED, "traces", TracesSettings(relative=True))
+    panel.show_state(start_design("synthetic-1"), relative)
     assert plot_of(panel).curves is None
     assert plot_of(panel).message == "There is no such thing."
 

@@ -117,6 +117,12 @@ def test_of_a_scene_that_was_turned_it_is_said_that_it_is_left_as_it_was(make_wi
     window.do("undo")
     window.do("next_scene")
     assert "kept" not in window.notice.text
+    # By hand, too.
+    before = window.document.design.inputs[0].amplitude
+    louder(window, 2.0 * before)
+    louder(window, before)
+    window.do("next_scene")
+    assert "kept" not in window.notice.text
 
 
 def test_a_file_that_is_presented_as_it_was_saved_is_left_unasked(studio, folder, asked):
