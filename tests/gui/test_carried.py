@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication
 import skinsource as ss
 from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.widgets.copy_button import CopyButton
-from skinsource_gui.widgets.pictures.caption import caption_px, with_caption
+from skinsource_gui.widgets.pictures.caption import caption_px, height_above, with_caption
 from skinsource_gui.widgets.pictures.layouts import LAYOUTS
 from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
 from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT
@@ -238,3 +238,9 @@ def test_numbers_that_are_copied_are_those_that_are_judged(qtbot):
     button.click()
     copied = QApplication.clipboard().text()
     assert copied == "of the present design\n# What to know of it.\n"
+
+
+def test_a_caption_that_is_longer_than_any_page_leaves_most_of_it_to_the_picture(qapp):
+    words = "Place 7, 1 m/s²: Tone 100 Hz, 200 ms. " * 200
+    for width, height in ((300, 200), (120, 100), (900, 700)):
+        assert height_above(words, QApplication.font(), width, height) > 0.6 * height
