@@ -41,6 +41,7 @@ class FigurePanel(Panel):
         self.setFocusProxy(figure)
         self._found = ""
         self._copy: CopyButton | None = None
+        self._above: WordsLabel | None = None
         self.words = WordsLabel(f"{self.name}_words")
         self.choices = QHBoxLayout()
         self.choices.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
@@ -70,7 +71,7 @@ class FigurePanel(Panel):
     @property
     def picture_words(self) -> str:
         """What stands above the figure in a picture: what is chosen there, in words."""
-        return ""
+        return "" if self._above is None else self._above.text
 
     def draw_picture(
         self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
@@ -95,6 +96,11 @@ class FigurePanel(Panel):
         self._copy = CopyButton(self.name, table, self)
         self.choices.addWidget(self._copy)
         return self._copy
+
+    def add_above(self, name: str) -> WordsLabel:
+        """Words above the figure, also in pictures; whoever adds them says where they stand."""
+        self._above = WordsLabel(name)
+        return self._above
 
     def say_instead(self, message: str) -> None:
         """Say why there is no figure."""
@@ -128,6 +134,8 @@ class FigurePanel(Panel):
     def show_theme(self, theme: Theme) -> None:
         self.figure.show_theme(theme)
         self.words.show_theme(theme)
+        if self._above is not None:
+            self._above.show_theme(theme)
 
     def _open_menu(self, at: QPoint) -> None:
         if not self.figure.message:

@@ -42,8 +42,6 @@ from skinsource_gui.panels.linearity.settings import (
 )
 from skinsource_gui.panels.linearity.strength import of_amplitudes, of_velocities
 from skinsource_gui.panels.linearity.table import tab_separated
-from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.figure.words_label import WordsLabel
 from skinsource_gui.widgets.tool_button import tool_button
 
 _NEEDS = frozenset(
@@ -84,7 +82,7 @@ class LinearityPanel(FigurePanel):
         self._axes: tuple[str, ...] = ()
         self.found: Proportion | Superposition | None = None
         self.every: Straightness | None = None
-        self.about = WordsLabel("linearity_about")
+        self.about = self.add_above("linearity_about")
         self.about.setToolTip(
             "Snapshots as they were stored. Over time the part is drawn to which Traces is zoomed, "
             "else the loudest one; all the rest counts whole."
@@ -96,10 +94,6 @@ class LinearityPanel(FigurePanel):
         self.copy = self.add_copy(self.table)
         self.heads.addWidget(self.about)
         self.say_instead(NEITHER)
-
-    @property
-    def picture_words(self) -> str:
-        return self.about.text
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
@@ -147,10 +141,6 @@ class LinearityPanel(FigurePanel):
 
     def show_problem(self, reason: str) -> None:
         """Snapshots have problems of their own, see `show_snapshots`."""
-
-    def show_theme(self, theme: Theme) -> None:
-        super().show_theme(theme)
-        self.about.show_theme(theme)
 
     def say_instead(self, message: str) -> None:
         self._drawn, self.found, self.every = (), None, None

@@ -9,9 +9,7 @@ from skinsource.design import Design
 from skinsource.view import View
 from skinsource_gui.figure_panel import FigurePanel
 from skinsource_gui.panels.main_axis.picture import MainAxisPicture, Shown
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.copied_numbers import copied
-from skinsource_gui.widgets.figure.words_label import WordsLabel
 
 _SINGLE = "A single axis has no main axis: choose two or three axes above"
 _ALONG_ONE = "A single axis has no main axis, and this limb was measured along one alone"
@@ -28,16 +26,12 @@ class MainAxisPanel(FigurePanel):
     def __init__(self, parent: QWidget | None = None) -> None:
         self.picture = MainAxisPicture()
         super().__init__(self.picture, parent)
-        self.about = WordsLabel("main_axis_about")
+        self.about = self.add_above("main_axis_about")
         self.about.say(_ABOUT)
         self.about.setToolTip(f"{_ABOUT}. {_OWN}.")
         self.choices.addWidget(self.about, 1)
         self.copy = self.add_copy(self.table)
         self.say_instead(self.no_outputs)
-
-    @property
-    def picture_words(self) -> str:
-        return self.about.text
 
     @property
     def needs(self) -> frozenset[str]:
@@ -69,10 +63,6 @@ class MainAxisPanel(FigurePanel):
             words = [_OWN] if limb.map.axes_shown else []
             words += ["synthetic limb"] if limb.synthetic else []
             self.show_found(" · ".join(words))
-
-    def show_theme(self, theme: Theme) -> None:
-        super().show_theme(theme)
-        self.about.show_theme(theme)
 
     def table(self) -> str:
         """The numbers, with tabs between the columns."""

@@ -5,8 +5,7 @@ from dataclasses import replace
 from typing import Any, ClassVar
 
 import numpy as np
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QToolButton, QWidget
+from PySide6.QtWidgets import QWidget
 
 from skinsource.analysis.transfer import LEAST_COHERENCE, Transfer
 from skinsource.design import Design
@@ -17,10 +16,9 @@ from skinsource_gui.figure_panel import FigurePanel
 from skinsource_gui.panels.transfer.picture import Shown, TransferPicture
 from skinsource_gui.panels.transfer.settings import TransferSettings
 from skinsource_gui.panels.transfer.unit import OF_UNIT, transfer_unit
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.copied_numbers import copied
 from skinsource_gui.widgets.empty_words import add_words
-from skinsource_gui.widgets.figure.words_label import WordsLabel
+from skinsource_gui.widgets.tool_button import tool_button
 
 # More outputs than these are said as ranges.
 _MOST_NUMBERS = 12
@@ -38,25 +36,15 @@ class TransferPanel(FigurePanel):
         self._view, self._settings = View(), TransferSettings()
         self._results: Mapping[str, Any] | None = None
         self._has_inputs = True
-        self.coherence = QToolButton()
-        self.coherence.setObjectName("transfer_coherence")
-        self.coherence.setText("Coherence")
-        self.coherence.setToolTip(
-            "Draw the share of the power that is not noise, in place of the magnitude"
-        )
-        self.coherence.setCheckable(True)
-        self.coherence.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        hint = "Draw the share of the power that is not noise, in place of the magnitude"
+        self.coherence = tool_button(None, "transfer_coherence", "Coherence", hint, checkable=True)
         self.coherence.clicked.connect(self._show_coherence)
-        self.place = WordsLabel("transfer_place")
+        self.place = self.add_above("transfer_place")
         self.choices.addWidget(self.coherence)
         self.choices.addStretch(1)
         self.heads.addWidget(self.place)
         self.copy = self.add_copy(self.table)
         self.figure.say(self.no_outputs)
-
-    @property
-    def picture_words(self) -> str:
-        return self.place.text
 
     @property
     def needs(self) -> frozenset[str]:
@@ -84,10 +72,6 @@ class TransferPanel(FigurePanel):
             return
         self._results = dict(results)
         self._draw(results)
-
-    def show_theme(self, theme: Theme) -> None:
-        super().show_theme(theme)
-        self.place.show_theme(theme)
 
     def table(self) -> str:
         """The numbers, with tabs between the columns."""

@@ -13,10 +13,8 @@ from skinsource.view import View
 from skinsource.voices import Voice
 from skinsource_gui.figure_panel import SILENT, FigurePanel
 from skinsource_gui.panels.wave.picture import WavePicture
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.copied_numbers import copied, copied_level
 from skinsource_gui.widgets.empty_words import SKIN
-from skinsource_gui.widgets.figure.words_label import WordsLabel
 
 _LINE = "The line goes through the selected outputs, in the order in which they were selected"
 _OVERLAP = "waves of several inputs overlap"
@@ -32,7 +30,7 @@ class WavePanel(FigurePanel):
     def __init__(self, parent: QWidget | None = None) -> None:
         self.picture = WavePicture()
         super().__init__(self.picture, parent)
-        self.about = WordsLabel("wave_about")
+        self.about = self.add_above("wave_about")
         self.about.say(_ABOUT.format(axis="z"))
         self.about.setToolTip(
             f"{_LINE}. Delays are where the envelope of the cross-correlation with the first "
@@ -43,10 +41,6 @@ class WavePanel(FigurePanel):
         self.choices.addWidget(self.about, 1)
         self.copy = self.add_copy(self.table)
         self.say_instead(self._few())
-
-    @property
-    def picture_words(self) -> str:
-        return self.about.text
 
     @property
     def needs(self) -> frozenset[str]:
@@ -81,10 +75,6 @@ class WavePanel(FigurePanel):
         super().show_in_sight(names)
         if said:
             self.figure.say(self._few())
-
-    def show_theme(self, theme: Theme) -> None:
-        super().show_theme(theme)
-        self.about.show_theme(theme)
 
     def table(self) -> str:
         """The numbers, with tabs between the columns."""
