@@ -14,10 +14,8 @@ from skinsource.effects import Fade
 from skinsource_gui.panels.regions.columns import columns_of_people
 from skinsource_gui.panels.timeline.lane_look import same_clips
 from skinsource_gui.shell.panels import PANELS
-from skinsource_gui.status.validity_lamps import ValidityLamps, _words_of
 from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.over.veil import UPDATING, Veil
-from tests.gui.analysis.test_validity_lamps import FINDINGS
 
 SELECTED = (3, 9, 15, 21)
 #: What they show is of the selected outputs, or of one of them.
@@ -273,30 +271,6 @@ def test_regions_that_are_being_computed_are_told_from_those_without_a_level(stu
         assert not panel.copy.isEnabled()
     refused = [replace(one, problem="No such limb.") for one in unknown]
     assert {text for column in columns_of_people(refused) for text in column.texts()} == {"–"}
-
-
-def test_lamps_that_are_late_say_so(qtbot):
-    lamps = ValidityLamps()
-    qtbot.addWidget(lamps)
-    lamps.show_findings(FINDINGS)
-    assert "updating" not in lamps.accessibleDescription()
-    lamps.set_stale(True)
-    qtbot.waitUntil(lambda: lamps.accessibleDescription().startswith("updating: of an older"))
-    assert "updating" in _words_of(FINDINGS[0], late=True).splitlines()[0]
-    lamps.set_stale(False)
-    assert "updating" not in lamps.accessibleDescription()
-
-
-def test_numbers_that_are_there_are_copied_once_they_are_not_late_any_more(qtbot):
-    button = CopyButton("made_up", str)
-    qtbot.addWidget(button)
-    for late, there in ((True, True), (True, False), (False, False), (False, True)):
-        button.show_late(late)
-        button.offer(there)
-        assert button.isEnabled() is (there and not late)
-        button.show_late(not late)
-        assert button.isEnabled() is (there and late)
-        button.show_late(late)
 
 
 def test_a_new_clip_that_is_late_is_painted_again_to_say_so(studio):

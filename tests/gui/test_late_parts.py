@@ -1,0 +1,29 @@
+"""Lamps and buttons that belong to an older design."""
+
+from skinsource_gui.status.validity_lamps import ValidityLamps, _words_of
+from skinsource_gui.widgets.copy_button import CopyButton
+from tests.gui.analysis.test_validity_lamps import FINDINGS
+
+
+def test_lamps_that_are_late_say_so(qtbot):
+    lamps = ValidityLamps()
+    qtbot.addWidget(lamps)
+    lamps.show_findings(FINDINGS)
+    assert "updating" not in lamps.accessibleDescription()
+    lamps.set_stale(True)
+    qtbot.waitUntil(lambda: lamps.accessibleDescription().startswith("updating: of an older"))
+    assert "updating" in _words_of(FINDINGS[0], late=True).splitlines()[0]
+    lamps.set_stale(False)
+    assert "updating" not in lamps.accessibleDescription()
+
+
+def test_numbers_that_are_there_are_copied_once_they_are_not_late_any_more(qtbot):
+    button = CopyButton("made_up", str)
+    qtbot.addWidget(button)
+    for late, there in ((True, True), (True, False), (False, False), (False, True)):
+        button.show_late(late)
+        button.offer(there)
+        assert button.isEnabled() is (there and not late)
+        button.show_late(not late)
+        assert button.isEnabled() is (there and late)
+        button.show_late(late)
