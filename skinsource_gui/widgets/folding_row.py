@@ -6,7 +6,7 @@ from PySide6.QtCore import QSize
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QWidget
 
-from skinsource_gui.widgets.into_sight import areas_around
+from skinsource_gui.widgets.into_sight import bars_px
 
 
 class FoldingRow(QWidget):
@@ -56,7 +56,7 @@ class FoldingRow(QWidget):
     def fold(self) -> None:
         """Place them anew: the width is another one, or others are shown."""
         shown = tuple(one for one in self._widgets if not one.isHidden())
-        room = self.width() + self._bars_px + self._spacing_px
+        room = self.width() + bars_px(self) + self._spacing_px
         fit = max(room // max(self._widest_px + self._spacing_px, 1), 1)
         rows = -(-len(shown) // fit) or 1
         columns = -(-len(shown) // rows) or 1
@@ -76,14 +76,6 @@ class FoldingRow(QWidget):
         """How wide it has to be for so many widgets in a row, or for all if they are fewer."""
         count = min(sum(not one.isHidden() for one in self._widgets), columns)
         return count * (self._widest_px + self._spacing_px) - self._spacing_px
-
-    @property
-    def _bars_px(self) -> int:
-        """Width that scroll bars have taken."""
-        return sum(
-            max(area.maximumViewportSize().width() - area.viewport().width(), 0)
-            for area in areas_around(self)
-        )
 
     @property
     def _widest_px(self) -> int:

@@ -14,6 +14,14 @@ def areas_around(widget: QWidget) -> Iterator[QScrollArea]:
         around = around.parentWidget()
 
 
+def bars_px(widget: QWidget) -> int:
+    """Width that scroll bars around a widget have taken."""
+    return sum(
+        max(area.maximumViewportSize().width() - area.viewport().width(), 0)
+        for area in areas_around(widget)
+    )
+
+
 def bring_into_sight(widget: QWidget) -> None:
     """Scroll what is around a widget until it is seen."""
     for area in areas_around(widget):

@@ -97,7 +97,9 @@ def test_switches_go_below_before_words_are_hard_to_read(qtbot):
             break
         assert min(one.font().pointSizeF() for one in buttons) >= 0.79 * usual, width
     assert rows == {1, 2}
-    assert min(one.font().pointSizeF() for one in buttons) >= 0.99 * usual
+    # The way out of a zoom takes what is left.
+    staying = [one for one in buttons if one.objectName() != "show-all"]
+    assert min(one.font().pointSizeF() for one in staying) >= 0.99 * usual
 
 
 @pytest.mark.parametrize(
@@ -126,6 +128,72 @@ def test_switches_take_a_second_row_where_the_plot_is_high_enough_or_they_would_
     for one in shown:
         assert view.toolbar.rect().contains(one.geometry())
         assert one.height() >= one.fontMetrics().height()
+
+
+def settle():
+    for _ in range(20):
+        QApplication.processEvents()
+
+
+def rows_of(buttons):
+    """In how many rows they stand."""
+    return len({one.geometry().center().y() // one.height() for one in buttons})
+
+
+@pytest.mark.parametrize("scale", [1.0, 1.5, 3.0])
+@pytest.mark.parametrize("high", [True, False])
+def test_the_way_out_of_a_zoom_moves_nothing(qtbot, scale, high):
+    bar = above_a_plot(None)
+    qtbot.addWidget(bar)
+    bar.setFont(scaled(bar.font(), scale))
+    bar.let_fold(high)
+    bar.show()
+    bar.show_state(layout="overlaid", zoomed=False)
+    staying = [one for one in bar.findChildren(QToolButton) if one.isVisibleTo(bar)]
+    everything = bar.findChild(QToolButton, "show-all")
+    seen = set()
+    for width in range(int(800 * scale), 150, -11):
+        bar.resize(width, bar.sizeHint().height())
+        settle()
+        n_rows, height = rows_of(staying), bar.sizeHint().height()
+        bar.show_state(layout="overlaid", zoomed=True)
+        settle()
+        assert rows_of(staying) == n_rows, width
+        # Where nothing is left for it beside words that stay, all are smaller, and lower.
+        assert bar.sizeHint().height() <= height, width
+        if bar.width() >= bar.minimumWidth():
+            assert everything.width() >= everything.sizeHint().width()
+        seen.add(n_rows)
+        bar.show_state(layout="overlaid", zoomed=False)
+        settle()
+    assert seen == {1, 2}
+
+
+def test_switches_that_went_below_come_back_beside_although_there_is_a_scroll_bar(qtbot):
+    area, view = QScrollArea(), SignalView("plot", "Plot")
+    qtbot.addWidget(area)
+    area.setWidget(view)
+    area.setWidgetResizable(True)
+    usual = view.font()
+    for name in ("Remove 52 ms delay", "Each to its peak"):
+        view.toolbar.add_switch(name, name, name, lambda wanted: None)
+    view.toolbar.show_state(layout="overlaid", zoomed=False)
+    area.show()
+    settle()
+    shown = [one for one in view.toolbar.findChildren(QToolButton) if one.isVisibleTo(view)]
+    width = width_in(scaled(view.toolbar.font(), 0.8), shown) + 4 * UNIT_PX
+    high = 12 * view.fontMetrics().lineSpacing() + 4
+    area.resize(width, high)
+    settle()
+    assert rows_of(shown) == 1
+    # What a plot needs at least, with one row and with two.
+    view.plot.setMinimumHeight(view.plot.height() - 10)
+    view.setFont(scaled(usual, 1.4))
+    settle()
+    view.setFont(usual)
+    settle()
+    assert rows_of(shown) == 1
+    assert not area.verticalScrollBar().isVisible()
 
 
 def test_large_words_are_written_still_smaller_before_they_are_cut(qtbot):

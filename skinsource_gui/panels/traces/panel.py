@@ -16,7 +16,7 @@ from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.resampling import finer
 from skinsource.view import View
-from skinsource_gui.panels.traces.settings import RELATIVE, TracesSettings
+from skinsource_gui.panels.traces.settings import FITTED, RELATIVE, TracesSettings
 from skinsource_gui.signal_panel import SignalPanel
 from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.plot.axis_spec import XAxis
@@ -52,6 +52,9 @@ class TracesPanel(SignalPanel):
         self._relative = self._plot.toolbar.add_switch(
             "relative", RELATIVE.label, RELATIVE.hint, self._choose_relative
         )
+        self._fitted = self._plot.add_switch_in_menu(
+            "fitted", FITTED.label, FITTED.hint, self._choose_fitted
+        )
         self._results: Mapping[str, Any] | None = None
         self._plot.toolbar.layout_chosen.connect(self._choose_layout)
         self._plot.zoom_requested.connect(self._zoom)
@@ -77,6 +80,7 @@ class TracesPanel(SignalPanel):
         scaled_anew = settings.relative != self._settings.relative
         self._view, self._settings = view, settings
         self._relative.setChecked(settings.relative)
+        self._plot.toolbar.show_passing(self._fitted, settings.fitted)
         self._delay.setChecked(view.delay_removed)
         self._show_delay(facts_of(design.limb).pre_trigger_delay_s)
         zoomed = view.time_range_s is not None
@@ -148,16 +152,22 @@ class TracesPanel(SignalPanel):
         if self._early_s >= _LEAST_EARLY_S:
             shift_s = self._delay_s if self._drawn_removed else 0.0
             axis = _without_beginning(axis, self._early_s, (-shift_s, self._end_s))
-        self._plot.set_view(axis, view.time_range_s, stacked=self._settings.layout == "stacked")
+        stacked, fitted = self._settings.layout == "stacked", self._settings.fitted
+        self._plot.set_view(axis, view.time_range_s, stacked=stacked, fitted=fitted)
 
     def _choose_layout(self, layout: str) -> None:
-        settings = replace(self._settings, layout=layout)
-        if settings != self._settings:
-            self.view_changed.emit(with_settings(self._view, self.name, settings))
+        self._choose(layout=layout)
 
     def _choose_relative(self, relative: bool) -> None:
-        settings = replace(self._settings, relative=relative)
-        self.view_changed.emit(with_settings(self._view, self.name, settings))
+        self._choose(relative=relative)
+
+    def _choose_fitted(self, fitted: bool) -> None:
+        self._choose(fitted=fitted)
+
+    def _choose(self, **changes: Any) -> None:
+        settings = replace(self._settings, **changes)
+        if settings != self._settings:
+            self.view_changed.emit(with_settings(self._view, self.name, settings))
 
     def _remove_delay(self, removed: bool) -> None:
         if self._design is not None:

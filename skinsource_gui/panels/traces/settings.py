@@ -15,6 +15,12 @@ RELATIVE = SwitchSpec(
     hint="Draw each curve relative to its own peak: shapes are seen where all others would be flat",
 )
 
+FITTED = SwitchSpec(
+    label="Fit to what is seen",
+    hint="Zoomed in, the range of values is that of the part in sight, not of the whole: what is "
+    "weak there is no flat line",
+)
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TracesSettings:
@@ -26,10 +32,13 @@ class TracesSettings:
         ``"overlaid"`` or ``"stacked"``.
     relative
         Whether each is drawn relative to its own peak.
+    fitted
+        Whether values fit the part of time that is seen.
     """
 
     layout: str = fields.choice("overlaid", LAYOUT)
     relative: bool = fields.switch(False, RELATIVE)
+    fitted: bool = fields.switch(False, FITTED)
 
     def __post_init__(self) -> None:
         fields.check(self)

@@ -67,12 +67,16 @@ class Seen:
     wave: bool = False
     dots: Points | None = None
 
+    @property
+    def extremes(self) -> Range | None:
+        """Lowest and highest value; None where nothing is seen."""
+        y = self.line.y
+        return (float(y.min()), float(y.max())) if y.size else None
+
     def beyond(self, values: Range) -> Range | None:
         """Lowest and highest value of a wave that leaves a range; a wave passes its points."""
-        if not self.wave:
-            return None
-        low, high = float(self.line.y.min()), float(self.line.y.max())
-        return (low, high) if low < values[0] or high > values[1] else None
+        found = self.extremes if self.wave else None
+        return found if found and (found[0] < values[0] or found[1] > values[1]) else None
 
 
 def seen_of(

@@ -98,6 +98,11 @@ class Curves:
         return min(low, wave_low), max(high, wave_high)
 
     @property
+    def x_range(self) -> Range:
+        """Where they begin and end."""
+        return (float(self.x[0]), float(self.x[-1]))
+
+    @property
     def peak_words(self) -> tuple[str, ...]:
         """Peak of each name in one unit, as digits; none where curves keep their height."""
         factor = self.peak_unit.factor

@@ -47,6 +47,8 @@ class Navigation(QObject):
         super().__init__(parent)
         self._plot = plot
         self._pinned = False
+        # Where the pointer rests on the plot, px.
+        self._pointer: QPointF | None = None
         self._covering = False
         self._given_up = False
 
@@ -65,7 +67,7 @@ class Navigation(QObject):
         plot = self._plot
         if plot.curves is None:
             return
-        self._pinned = False
+        self._pinned, self._pointer = False, at
         if not plot.places.area.contains(at):
             plot.crosshair.put(None)
             return
@@ -74,8 +76,14 @@ class Navigation(QObject):
             plot.curves.nearest(plot.x_window.axis.value(plot.x_window.position(part)))
         )
 
+    def follow_view(self) -> None:
+        """Read what is under a pointer that rests: another part of the x axis is seen."""
+        if self._pointer is not None and not self._pinned:
+            self.follow_mouse(self._pointer)
+
     def leave(self) -> None:
         """Read nothing, unless keys put the crosshair where it is."""
+        self._pointer = None
         if not self._pinned:
             self._plot.crosshair.put(None)
 
@@ -153,7 +161,7 @@ class Navigation(QObject):
             self._covering, self._given_up = False, True
             self._plot.show_band(None)
         elif self._plot.crosshair.index is not None:
-            self._pinned = False
+            self._pinned, self._pointer = False, None
             self._plot.crosshair.put(None)
         else:
             event.ignore()

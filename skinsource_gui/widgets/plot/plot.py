@@ -55,8 +55,8 @@ class Plot(Canvas):
         Decides the range of values, by those of curves before.
     value_scale, unit
         Where values lie in a row; how they are written.
-    x_window, zoom, stacked
-        Visible part of the x axis; what was asked for; whether each curve has a row of its own.
+    x_window, zoom, stacked, fitted
+        Visible part of the x axis; the rest as `set_view` was told.
     words, words_font
         What is said around the curves, and how it is written.
     places
@@ -93,9 +93,8 @@ class Plot(Canvas):
         self.places = PlotLayout(width=1, height=1, left=0, top=0, right=1, bottom=1, n_rows=1)
         self.words_font = scaled(tabular(self.font()), _TEXT)
         self.zoom: Range | None = None
-        self.stacked = False
-        self.words = Words()
-        self.held = HeldRange()
+        self.stacked = self.fitted = False
+        self.words, self.held = Words(), HeldRange()
         self.columns = KeptColumns()
         self._content: tuple[Content, XWindow] | None = None
         self.crosshair = Crosshair(self, self)
@@ -128,12 +127,23 @@ class Plot(Canvas):
         self._colour()
         self.viewport().update()
 
-    def set_view(self, axis: XAxis, zoom: Range | None, *, stacked: bool) -> None:
-        """X axis, its visible part in SI (``None``: all), and one row for each curve or one."""
-        if (axis, zoom, stacked) != (self.x_window.axis, self.zoom, self.stacked):
-            self.x_window = x_window(axis, self._data_range(), zoom)
-            self.zoom, self.stacked = zoom, stacked
+    def set_view(
+        self, axis: XAxis, zoom: Range | None, *, stacked: bool, fitted: bool = False
+    ) -> None:
+        """X axis, its visible part in SI (``None``: all), one row for each curve or one.
+
+        Values are ``fitted`` to that part, or to all of it.
+        """
+        view = (self.x_window.axis, self.zoom, self.stacked, self.fitted)
+        if (axis, zoom, stacked, fitted) != view:
+            data = (0.0, 1.0) if self.curves is None else self.curves.x_range
+            self.x_window = x_window(axis, data, zoom)
+            fits_other = (fitted or self.fitted) and (fitted, zoom) != (self.fitted, self.zoom)
+            self.zoom, self.stacked, self.fitted = zoom, stacked, fitted
+            if self.curves is not None and fits_other:
+                self._fit(self.curves, self.curves.span or self.curves.reach)
             self.lay_out()
+            self.navigation.follow_view()
             self.reading_changed.emit()
 
     def set_words(self, words: Words) -> None:
@@ -149,16 +159,14 @@ class Plot(Canvas):
 
     def show_curves(self, curves: Curves) -> None:
         """Draw ``curves`` in place of those before; zoom and crosshair stay."""
-        low, high = curves.reach
-        if not (np.isfinite(low) and np.isfinite(high)):
+        reach = curves.reach
+        if not np.isfinite(reach).all():
             self.show_message(_NOT_FINITE)
             return
         self.crosshair.follow(curves)
         before, self.curves = self.curves, curves
-        values = self.held.follow(*(curves.span or (low, high)), curves.kind)
-        self.value_scale = ValueScale(values=values, edge=self.value_scale.edge)
-        self.unit = value_unit(curves.kind, *values)
-        self.x_window = x_window(self.x_window.axis, self._data_range(), self.zoom)
+        self._fit(curves, curves.span or reach)
+        self.x_window = x_window(self.x_window.axis, curves.x_range, self.zoom)
         self.lay_out()
         if before is None or (before.names, before.axes) != (curves.names, curves.axes):
             self._colour()
@@ -232,10 +240,6 @@ class Plot(Canvas):
             return ""
         return self.places.header.whole if y_px < self.places.top else self.x_window.axis.titles[0]
 
-    def _data_range(self) -> Range:
-        x = (0.0, 1.0) if self.curves is None else self.curves.x
-        return (float(x[0]), float(x[-1]))
-
     def lay_out(self) -> None:
         other_rows = self._place()
         if self.curves is None:
@@ -246,15 +250,20 @@ class Plot(Canvas):
         rows = [places.row(rank // each if self.stacked else 0) for rank in range(n_drawn)]
         ratio = PAPER_DOTS if self._on_paper else self.devicePixelRatioF()
         seen = seen_of(self.curves, self.x_window, n_drawn, rows[0], ratio, self.columns)
-        if beyond := seen.beyond(self.value_scale.values):
-            values = self.held.follow(*beyond, self.curves.kind)
-            self.value_scale = ValueScale(values=values, edge=self.value_scale.edge)
-            self.unit = value_unit(self.curves.kind, *values)
+        fitted = self.fitted and self.zoom is not None
+        if found := seen.extremes if fitted else seen.beyond(self.value_scale.values):
+            self._fit(self.curves, found)
             self._place()
         self.stack.show_points(curve_points(seen, self.value_scale, rows, ratio))
         if other_rows:  # only now has each row its curves
             self._colour()
         self.crosshair.draw()
+
+    def _fit(self, curves: Curves, found: Range) -> None:
+        """Have room for values that were found."""
+        values = self.held.follow(*found, curves.kind)
+        self.value_scale = ValueScale(values=values, edge=self.value_scale.edge)
+        self.unit = value_unit(curves.kind, *values)
 
     def _place(self) -> bool:  # whether there are more or fewer rows than before
         curves = self.curves

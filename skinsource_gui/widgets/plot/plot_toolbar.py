@@ -1,6 +1,6 @@
 """The row of switches above a plot."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.widgets.into_sight import bars_px
 from skinsource_gui.widgets.room.room_or_words import RoomOrWords
 from skinsource_gui.widgets.room.words_in_room import (
     fitting_font,
@@ -124,27 +125,61 @@ class PlotToolbar(QWidget):
         button.setVisible(shown)
 
     def _fit(self) -> None:
-        """Write smaller where there is too little room: cut words say less than small ones."""
+        """Write smaller where there is too little room: cut words say less than small ones.
+
+        The way out of a zoom comes and goes while somebody turns the wheel over the plot: it takes
+        the room that is left, and never makes a row fold.
+        """
         first = list(self._layout_buttons.values())
-        shown = [one for one in self.findChildren(QToolButton) if one.isVisibleTo(self)]
-        others = [one for one in shown if one not in first]
-        around, gap = self._rows.contentsMargins(), self._rows.spacing()
-        # Layouts stand close together.
-        room = self.width() - around.left() - around.right() - gap * len(others)
+        staying = [one for one in self._shown if one is not self._everything]
+        others = [one for one in staying if one not in first]
         smallest = smallest_of(self.font())
-        tight = width_in(readable_of(self.font()), shown) > room
+        # What a scroll bar took: a row that folded for it would be higher, and keep it.
+        unscrolled_px = self._room_px(others) + bars_px(self)
+        tight = width_in(readable_of(self.font()), staying) > unscrolled_px
         # Cut words say nothing, whatever a plot needs.
-        cut = width_in(smallest, shown) > room
+        with_exit = [*others, self._everything]
+        cut = width_in(smallest, [*first, *with_exit]) > self._room_px(with_exit)
         folds = bool(others) and (cut or (tight and self._may_fold))
-        rows = (first, others) if folds else (shown,)
-        write_in(fitting_font(rows, self.font(), room), shown)
+        self._write((first, others) if folds else (staying,), others)
         direction = _BELOW if folds else _BESIDE
         if direction != self._rows.direction():
             self._rows.setDirection(direction)
             self._rows.activate()
             self.updateGeometry()
-        least = max(width_in(smallest, row) for row in (first, others))
-        self.setMinimumWidth(least + around.left() + around.right() + gap * len(shown))
+        shown = [one for one in with_exit if one in self._shown]
+        least = max(width_in(smallest, row) for row in (first, shown))
+        around, gap = self._rows.contentsMargins(), self._rows.spacing()
+        around_px = around.left() + around.right() + gap * (len(first) + len(shown))
+        self.setMinimumWidth(least + around_px)
+
+    @property
+    def _shown(self) -> list[QToolButton]:
+        return [one for one in self.findChildren(QToolButton) if one.isVisibleTo(self)]
+
+    def _room_px(self, others: Sequence[QToolButton]) -> int:
+        """Width for words where layouts, which stand close together, have ``others`` beside."""
+        around, gap = self._rows.contentsMargins(), self._rows.spacing()
+        return self.width() - around.left() - around.right() - gap * len(others)
+
+    def _write(
+        self, rows: tuple[Sequence[QToolButton], ...], others: Sequence[QToolButton]
+    ) -> None:
+        """Write rows as large as they fit, and the way out of a zoom into what is left."""
+        room = self._room_px(others)
+        font = fitting_font(rows, self.font(), room)
+        everything = [self._everything]
+        if self._everything.isVisibleTo(self):
+            room = self._room_px([*others, *everything])
+            left = room - width_in(font, rows[-1])
+            if width_in(smallest_of(self.font()), everything) > left:
+                rows = (*rows[:-1], [*rows[-1], *everything])
+                font = fitting_font(rows, self.font(), room)
+                left = room - width_in(font, rows[-1][:-1])
+            left = min(left, width_in(font, everything))
+            write_in(fitting_font((everything,), self.font(), left), everything)
+        for row in rows:
+            write_in(font, [one for one in row if one is not self._everything])
 
     def _button(self, name: str, text: str, hint: str) -> QToolButton:
         button = QToolButton(self)

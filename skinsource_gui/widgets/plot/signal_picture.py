@@ -17,7 +17,7 @@ _SWATCH_PX, _GAP_PX = 16, 4
 
 def usual_size(plot: Plot) -> QSize:
     """Of a picture of what ``plot`` shows, px: twice as large as on the screen, with its legend."""
-    copy = _copy_of(plot, plot.size(), LIGHT)
+    copy = copy_of(plot, plot.size(), LIGHT)
     size = QSize(copy.width(), copy.height() + _head_px(copy)) * _SCALE
     copy.deleteLater()
     return size
@@ -31,12 +31,12 @@ def draw_signals(
     scale = min(width / usual.width(), height / usual.height())
     room = QSize(round(width / scale), round(height / scale))
     # As wide as it will be, so that the head takes as many lines as it needs there.
-    measured = _copy_of(plot, room, theme)
+    measured = copy_of(plot, room, theme)
     head_px = _head_px(measured)
     measured.deleteLater()
     # A plot that is not shown is laid out for the size in which it was made.
     left_px = max(room.height() - head_px, measured.minimumHeight())
-    copy = _copy_of(plot, QSize(room.width(), left_px), theme)
+    copy = copy_of(plot, QSize(room.width(), left_px), theme)
     painter.save()
     painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
     painter.scale(scale, scale)
@@ -49,12 +49,13 @@ def draw_signals(
     copy.deleteLater()
 
 
-def _copy_of(plot: Plot, size: QSize, theme: Theme) -> Plot:
+def copy_of(plot: Plot, size: QSize, theme: Theme) -> Plot:
+    """What ``plot`` shows, in another size and on paper."""
     # A plot of its own: the one on the screen keeps its colours, its crosshair and its picture.
     copy = Plot(on_paper=True)
     copy.set_theme(theme)
     copy.resize(size)
-    copy.set_view(plot.x_window.axis, plot.zoom, stacked=plot.stacked)
+    copy.set_view(plot.x_window.axis, plot.zoom, stacked=plot.stacked, fitted=plot.fitted)
     copy.set_words(replace(plot.words, stale=False))
     copy.held = plot.held.copied()
     if plot.curves is not None:

@@ -96,9 +96,11 @@ class SignalView(QWidget):
         self.legend.set_theme(theme)
         self.plot.set_theme(theme)
 
-    def set_view(self, axis: XAxis, zoom: Range | None, *, stacked: bool) -> None:
-        """X axis, its visible part in SI (``None``: all), and one row for each curve or one."""
-        self.plot.set_view(axis, zoom, stacked=stacked)
+    def set_view(
+        self, axis: XAxis, zoom: Range | None, *, stacked: bool, fitted: bool = False
+    ) -> None:
+        """X axis, its visible part in SI (``None``: all), and rows, as `Plot.set_view` has it."""
+        self.plot.set_view(axis, zoom, stacked=stacked, fitted=fitted)
 
     def show_curves(self, curves: Curves, *, synthetic: bool, notes: tuple[str, ...] = ()) -> None:
         """Draw ``curves``, and the longest of ``notes`` that fits.

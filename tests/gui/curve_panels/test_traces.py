@@ -12,6 +12,8 @@ from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.state.start_design import start_design
+from skinsource_gui.theme import LIGHT
+from skinsource_gui.widgets.plot.signal_picture import copy_of
 from skinsource_gui.widgets.plot.signal_table import save_table
 from skinsource_gui.widgets.plot.signal_view import SignalView
 from tests.gui.curve_panels.bench import click, plot_of, said_above
@@ -229,6 +231,43 @@ def test_what_is_known_is_drawn_anew_once_it_shall_be_relative_and_nothing_is_co
     settings = replace(settings_of(panel._view, "traces", TracesSettings), relative=True)
     panel.show_state(panel._design, with_settings(panel._view, "traces", settings))
     assert np.allclose(np.abs(plot_of(panel).curves.y).max(axis=-1), 1.0)
+
+
+def test_zoomed_in_values_fit_what_is_seen_if_that_is_chosen(show):
+    panel = show(SIGNED)
+    plot = plot_of(panel)
+    results = results_for(SIGNED)
+    results["selected_traces"] = results["selected_traces"] * np.linspace(1.0, 1e-3, 651)
+    panel.show_results(results)
+    whole, late = plot.value_scale.values, (0.45, 0.5)
+    panel.show_state(panel._design, replace(panel._view, time_range_s=late))
+    assert plot.value_scale.values == whole
+    settings = replace(settings_of(panel._view, "traces", TracesSettings), fitted=True)
+    panel.show_state(panel._design, with_settings(panel._view, "traces", settings))
+    seen = np.abs(plot.curves.y[:, plot.curves.x >= late[0]]).max()
+    assert seen <= plot.value_scale.values[1] < 2.0 * seen < 0.2 * whole[1]
+    heights = [curve.points.y for row in plot.stack.rows for curve in row.curves[: row.n_curves]]
+    assert np.ptp(np.concatenate(heights)) > 0.5
+    # A picture has the same range; new results and the whole have theirs.
+    copy = copy_of(plot, plot.size(), LIGHT)
+    assert copy.value_scale.values == plot.value_scale.values
+    copy.deleteLater()
+    panel.show_results(results)
+    assert plot.value_scale.values == copy.value_scale.values
+    panel.show_state(panel._design, replace(panel._view, time_range_s=None))
+    assert plot.value_scale.values == whole
+
+
+def test_that_values_fit_is_chosen_in_the_menu_and_left_above_the_plot(show):
+    panel = show()
+    switch = panel.findChild(QToolButton, "fitted")
+    assert not switch.isVisible()
+    switch.click()
+    assert settings_of(panel.views[-1], "traces", TracesSettings).fitted
+    assert switch.isVisible()
+    click(panel, "fitted")
+    assert not settings_of(panel.views[-1], "traces", TracesSettings).fitted
+    assert not switch.isVisible()
 
 
 def test_silence_has_no_peak_to_be_relative_to(show):

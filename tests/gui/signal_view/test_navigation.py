@@ -27,6 +27,26 @@ def test_the_crosshair_reads_exact_samples_and_leaves_with_the_mouse(signals):
     assert signals.legend.text.readings == ()
 
 
+def test_the_crosshair_reads_what_is_under_a_pointer_that_rests_while_the_wheel_zooms(signals):
+    signals.show_curves(waves(2), synthetic=False)
+    signals.zoom_requested.connect(lambda part: signals.set_view(TIME, part, stacked=False))
+    plot, at = signals.plot, QPoint(200, 60)
+    QTest.mouseMove(plot.viewport(), at)
+    signals.set_view(TIME, (0.1, 0.2), stacked=False)
+    left, width = left_and_width(signals)
+    under = 0.1 + 0.1 * (at.x() - left) / width
+    assert plot.curves.x[plot.crosshair.index] == pytest.approx(under, abs=1 / 1300)
+    assert signals.legend.text.where == f"{plot.curves.x[plot.crosshair.index] * 1e3:.1f} ms"
+    # Keys keep their place, and what left reads nothing.
+    QTest.keyClick(plot, Qt.Key.Key_Right)
+    pinned = plot.crosshair.index
+    signals.set_view(TIME, None, stacked=False)
+    assert plot.crosshair.index == pinned
+    QTest.keyClick(plot, Qt.Key.Key_Escape)
+    signals.set_view(TIME, (0.1, 0.3), stacked=False)
+    assert plot.crosshair.index is None
+
+
 def test_the_crosshair_is_drawn_at_once_where_it_reads(signals):
     signals.show_curves(waves(2), synthetic=False)
     crosshair, line = signals.plot.crosshair, signals.plot.stack.rows[0].line
