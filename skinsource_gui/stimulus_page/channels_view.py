@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from skinsource.arrays import Floats
 from skinsource.stimulus_export import ChannelOverview, Overview
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
+from skinsource_gui.widgets.over.veil import PALE
 
 _ROW_PX, _GAP_PX = 58, 6
 _WORDS_PX = 208
@@ -63,7 +64,7 @@ class ChannelsView(QWidget):
         if self._overview is None:
             return
         painter = QPainter(self)
-        painter.setOpacity(0.45 if self._pale else 1.0)
+        painter.setOpacity(PALE if self._pale else 1.0)
         for row, one in enumerate(self._overview.channels):
             top = row * (_ROW_PX + _GAP_PX)
             if event.rect().intersects(QRectF(0, top, self.width(), _ROW_PX).toRect()):

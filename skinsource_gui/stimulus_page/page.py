@@ -8,6 +8,7 @@ from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QFrame,
+    QGraphicsOpacityEffect,
     QHBoxLayout,
     QLabel,
     QScrollArea,
@@ -23,10 +24,12 @@ from skinsource.stimulus_export import Overview
 from skinsource.view import View
 from skinsource_gui.stimulus_page.channels_view import ChannelsView
 from skinsource_gui.stimulus_page.order import Order
+from skinsource_gui.stimulus_page.preparing_row import PreparingRow
 from skinsource_gui.stimulus_page.preparing_worker import PreparingWorker
 from skinsource_gui.stimulus_page.remembering import recall, remembered
 from skinsource_gui.stimulus_page.stimulus_form import StimulusForm
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.over.veil import PALE
 
 _LEFT_PX = 300
 
@@ -70,6 +73,7 @@ class StimulusPage(QDialog):
         self.form = StimulusForm(design, view)
         self.channels = ChannelsView()
         self._summary, self._loses, self._problem = QLabel(), QLabel(), QLabel()
+        self._preparing = PreparingRow()
         self._confirm = QCheckBox("Write it all the same")
         self._buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
@@ -96,8 +100,9 @@ class StimulusPage(QDialog):
         """Close it, with or without an export."""
         shown, confirmed = self._shown, self._confirm.isChecked()
         kept = remembered(self.form, self._machine_rig)
-        self._worker.close()
+        # It is gone at once, whatever is still computed.
         super().done(result)
+        self._worker.close()
         if result == QDialog.DialogCode.Accepted and shown is not None:
             self.chosen.emit(*shown, confirmed, kept)
 
@@ -136,7 +141,11 @@ class StimulusPage(QDialog):
         columns.addLayout(right, 1)
         rows = QVBoxLayout(self)
         rows.addLayout(columns, 1)
-        rows.addWidget(self._buttons)
+        foot = QHBoxLayout()
+        foot.addSpacing(_LEFT_PX + columns.spacing())
+        foot.addWidget(self._preparing, 1)
+        foot.addWidget(self._buttons)
+        rows.addLayout(foot)
         self.form.show_theme(self._theme)
         self.channels.show_theme(self._theme)
 
@@ -144,6 +153,7 @@ class StimulusPage(QDialog):
         self.form.changed.connect(self._want)
         self.form.refused.connect(self._show_refused)
         self._worker.ready.connect(self._show_ready)
+        self._worker.progressed.connect(self._show_progress)
         self._worker.failed.connect(self._show_failed)
         self._confirm.toggled.connect(self._show_button)
         self._buttons.accepted.connect(self.accept)
@@ -153,7 +163,8 @@ class StimulusPage(QDialog):
         self._wanted, self._shown = order, None
         # What was confirmed was about something else.
         self._confirm.setChecked(False)
-        self.channels.set_pale(True)
+        self._set_pale(True)
+        self._preparing.begin()
         self._export_button.setEnabled(False)
         self._worker.prepare(order)
 
@@ -161,6 +172,8 @@ class StimulusPage(QDialog):
         if order is not self._wanted:
             return
         self._shown = order, overview
+        self._preparing.end()
+        self._set_pale(False)
         self.channels.show_overview(overview, self._colours)
         self._summary.setText(summary_of(overview))
         self._loses.setText(
@@ -168,12 +181,28 @@ class StimulusPage(QDialog):
         )
         self._show_problem(" ".join(overview.objections), ask=bool(overview.objections))
 
+    def _show_progress(self, order: Order, done: int, total: int) -> None:
+        if order is self._wanted:
+            self._preparing.show_progress(done, total)
+
+    def _set_pale(self, pale: bool) -> None:
+        """Say whether what is shown and said is about to change."""
+        self.channels.set_pale(pale)
+        for label in (self._summary, self._loses, self._problem):
+            effect = label.graphicsEffect()
+            if not isinstance(effect, QGraphicsOpacityEffect):
+                effect = QGraphicsOpacityEffect(label, opacity=PALE)
+                label.setGraphicsEffect(effect)
+            effect.setEnabled(pale)
+
     def _show_failed(self, order: Order, words: str) -> None:
         if order is self._wanted:
             self._show_refused(words)
 
     def _show_refused(self, words: str) -> None:
         self._wanted = self._shown = None
+        self._preparing.end()
+        self._set_pale(False)
         self.channels.show_overview(None, {})
         self._summary.setText("")
         self._loses.setText("")

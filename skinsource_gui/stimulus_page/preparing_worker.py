@@ -22,6 +22,8 @@ class PreparingWorker(LatestWins):
 
     #: The `Order` and its `skinsource.stimulus_export.Overview`.
     ready = Signal(object, object)
+    #: The `Order`, and how much of its work is done and how much there is.
+    progressed = Signal(object, int, int)
 
     def __init__(self, design: Design, parent: QObject | None = None) -> None:
         super().__init__("skinsource-stimulus", parent)
@@ -32,6 +34,9 @@ class PreparingWorker(LatestWins):
         self.want(order, partial(self._prepare, order))
 
     def _prepare(self, order: Order) -> None:
+        def stop() -> bool:
+            return self.outdated
+
         made = prepared(
             self._design,
             Path(f"stimulus{order.format.suffix}"),
@@ -40,6 +45,12 @@ class PreparingWorker(LatestWins):
             order.options,
             rig=order.rig,
             equaliser=order.equaliser,
-            stop=lambda: self.outdated,
+            progress=partial(self._tell_progress, order, 0),
+            stop=stop,
         )
-        self.tell(self.ready, order, overview_of(made))
+        looked_at = overview_of(made, progress=partial(self._tell_progress, order, 1), stop=stop)
+        self.tell(self.ready, order, looked_at)
+
+    def _tell_progress(self, order: Order, half: int, done: int, total: int, _text: str) -> None:
+        """Tell how far it is: channels are made, and then looked at."""
+        self.tell(self.progressed, order, half * total + done, 2 * total)

@@ -23,6 +23,6 @@ def scaled(stimulus: Stimulus, factor: float) -> Stimulus:
     """Multiply the channels that drive an actuator with ``factor``."""
     if factor == 1.0:
         return stimulus
-    samples = stimulus.samples.copy()
-    samples[list(stimulus.driving)] *= factor
-    return stimulus.with_samples(samples)
+    factors = np.ones((len(stimulus.channels), 1))
+    factors[list(stimulus.driving)] = factor
+    return stimulus.with_samples(stimulus.samples * factors)

@@ -15,7 +15,7 @@ from skinsource.counting import counted
 from skinsource.design import Design, Input, audible_inputs
 from skinsource.effects import played
 from skinsource.errors import InvalidInputError
-from skinsource.job import Stop, never, stop_if
+from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.limb import Limb, check_input_location
 from skinsource.locations import input_words
 from skinsource.quoting import quoted
@@ -42,6 +42,7 @@ def stimulus_of(
     stages: Sequence[Stage] = (),
     limb: Limb | None = None,
     lead_in_s: float = 0.0,
+    progress: Progress = silent,
     stop: Stop = never,
 ) -> Stimulus:
     """Return what the actuators get to play a design.
@@ -67,8 +68,9 @@ def stimulus_of(
         Of the design, where it is open already.
     lead_in_s
         How long before time 0 it begins: silence, but for what rings there at another rate.
-    stop
-        Asked now and then; once true, `skinsource.errors.Stopped` is raised.
+    progress, stop
+        Told how many channels have their rate; asked now and then: once true,
+        `skinsource.errors.Stopped` is raised.
 
     Raises
     ------
@@ -85,7 +87,8 @@ def stimulus_of(
     ('Digit II, pad', (1, 9600))
     """
     heard = _taking_part(design, inputs, clips)
-    found = _made(design, limb, heard, one_of("per", per, _PER), sample_rate_hz, lead_in_s, stop)
+    job = (progress, stop)
+    found = _made(design, limb, heard, one_of("per", per, _PER), sample_rate_hz, lead_in_s, job)
     for stage in stages:
         stop_if(stop)
         found = stage(found)
@@ -99,7 +102,7 @@ def _made(
     per: str,
     sample_rate_hz: int | None,
     lead_in_s: float,
-    stop: Stop,
+    job: tuple[Progress, Stop],
 ) -> Stimulus:
     """What ``heard`` plays."""
     if sample_rate_hz is not None:
@@ -113,7 +116,7 @@ def _made(
     lead = lead_in_samples(lead_in_s, rate_hz)
     return Stimulus(
         channels=channels,
-        samples=_sampled(heard, channels, own_rate_hz, rate_hz, lead, stop),
+        samples=_sampled(heard, channels, own_rate_hz, rate_hz, lead, *job),
         sample_rate_hz=rate_hz,
         start_s=-lead / rate_hz if lead else 0.0,
         limb=design.limb,
@@ -164,6 +167,7 @@ def _sampled(
     own_rate_hz: float,
     rate_hz: float,
     lead: int,
+    progress: Progress,
     stop: Stop,
 ) -> Floats:
     """Samples at ``rate_hz`` from ``lead`` before time 0, (n_channels, n_times); at least one."""
@@ -192,7 +196,13 @@ def _sampled(
     stop_if(stop)
     if ratio == 1:
         return total
-    return by_ratio(total, ratio, min(own_rate_hz, rate_hz))[:, surplus:]
+    found = np.empty((len(channels), -(-n * ratio.numerator // ratio.denominator)))
+    for row, samples in enumerate(total):
+        # A minute at the rate of a sound card takes a while.
+        stop_if(stop)
+        progress(row, len(channels), "Computing")
+        found[row] = by_ratio(samples, ratio, min(own_rate_hz, rate_hz))
+    return found[:, surplus:]
 
 
 def _refuse_too_long(n_channels: int, n_times: int, rate_hz: float) -> None:

@@ -104,6 +104,7 @@ def export_stimulus(
         The folder cannot be written, or the disk is full.
     """
     target = Path(path)
+    progress(0, 0, "Computing")
     ready = prepared(
         design,
         target,
@@ -113,7 +114,6 @@ def export_stimulus(
         stages=stages,
         rig=rig,
         equaliser=equaliser,
-        progress=progress,
         stop=stop,
     )
     return write_prepared(ready, confirmed=confirmed, limits=limits, progress=progress, stop=stop)

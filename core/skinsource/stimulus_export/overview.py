@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from skinsource.arrays import Floats
+from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.stimulus_export.notes import calibration_of, edges_of, loses_of
 from skinsource.stimulus_export.preparing import Prepared, clipped_samples
 from skinsource.stimulus_export.safety import Limit, objections
@@ -86,9 +87,16 @@ class Overview:
         return len(self.marks)
 
 
-def overview_of(ready: Prepared, limits: Sequence[Limit] = ()) -> Overview:
-    """Look at what is ready to be written."""
-    channels = []
+def overview_of(
+    ready: Prepared,
+    limits: Sequence[Limit] = (),
+    *,
+    progress: Progress = silent,
+    stop: Stop = never,
+) -> Overview:
+    """Look at what is ready to be written; ``progress`` and ``stop`` are those of a job."""
+    channels: list[ChannelOverview] = []
+    n_channels = sum(len(outgoing.stimulus.channels) for _, outgoing in ready.files)
     for path, outgoing in ready.files:
         stimulus = outgoing.stimulus
         counts = (
@@ -97,6 +105,8 @@ def overview_of(ready: Prepared, limits: Sequence[Limit] = ()) -> Overview:
             else np.zeros(len(stimulus.channels))
         )
         for one, samples, count in zip(stimulus.channels, stimulus.samples, counts, strict=True):
+            stop_if(stop)
+            progress(len(channels), n_channels, "Computing")
             channels.append(
                 ChannelOverview(
                     file=path.name,

@@ -15,7 +15,7 @@ from skinsource.counting import counted
 from skinsource.design import Design, audible_inputs
 from skinsource.equalising import Equaliser
 from skinsource.errors import InvalidInputError
-from skinsource.job import Progress, Stop, never, silent
+from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.rigs import Rig
 from skinsource.stimulus import (
     Stage,
@@ -113,6 +113,8 @@ def prepared(
     stages, rig, equaliser
         What is done at that rate; what the channels are wired to; what makes volts of
         accelerations: full scale is then that of each channel, not the largest sample.
+    progress, stop
+        Told how many channels have that rate; as of a job.
 
     Raises
     ------
@@ -126,8 +128,8 @@ def prepared(
     if not cut and options.fade_in_s == 0.0:
         # What rings before time 0 is kept where nothing is cut off or faded in.
         lead_in_s, options = options.lead_in_s, replace(options, lead_in_s=0.0)
-    progress(0, 0, "Computing")
-    made = _made(design, rate_hz, options, stages, lead_in_s, stop)
+    made = _made(design, rate_hz, options, stages, lead_in_s, (progress, stop))
+    stop_if(stop)
     drives = _cut(_for_rig(made, rig, equaliser, options, design.actuated), options)
     gain = 1.0 if drives.unit == FULL_SCALE_UNIT else _gain(drives, options)
     apart = parts(drives, gain, format, options)
@@ -154,7 +156,7 @@ def _made(
     options: StimulusOptions,
     stages: Sequence[Stage],
     lead_in_s: float,
-    stop: Stop,
+    job: tuple[Progress, Stop],
 ) -> Stimulus:
     """What the design plays of what was chosen."""
     made = stimulus_of(
@@ -165,7 +167,8 @@ def _made(
         clips=options.clips,
         stages=stages,
         lead_in_s=lead_in_s,
-        stop=stop,
+        progress=job[0],
+        stop=job[1],
     )
     if not made.channels:
         raise InvalidInputError(

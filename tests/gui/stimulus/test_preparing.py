@@ -1,0 +1,98 @@
+"""A stimulus that takes long to compute is waited for with words, and given up at once."""
+
+from threading import Event
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLabel, QProgressBar
+
+import skinsource as ss
+from skinsource.errors import Stopped
+from skinsource.job import stop_if
+from skinsource_gui.stimulus_page import preparing_worker
+from tests.gui.stimulus.stimulus_bench import WAIT_MS, label
+
+
+@pytest.fixture
+def gate(monkeypatch):
+    """Set it, and a stimulus is prepared; nothing is before."""
+    gate, whole = Event(), preparing_worker.prepared
+
+    def held(*arguments, progress, stop, **options):
+        progress(1, 4, "Computing")
+        while not gate.wait(0.01):
+            stop_if(stop)
+        return whole(*arguments, progress=progress, stop=stop, **options)
+
+    monkeypatch.setattr(preparing_worker, "prepared", held)
+    yield gate
+    gate.set()
+
+
+def told(page):
+    return page.findChild(QLabel, "stimulus_computing")
+
+
+def pale(page, name):
+    effect = page.findChild(QLabel, f"stimulus_{name}").graphicsEffect()
+    return effect is not None and effect.isEnabled()
+
+
+def test_the_page_says_that_it_computes_and_how_far_it_is(desk, qtbot, gate):
+    desk.stimuli.show()
+    page = desk.stimuli.page
+    qtbot.waitExposed(page)
+    qtbot.waitUntil(lambda: told(page).isVisible() and told(page).text() == "Computing… 12 %")
+    bar = page.findChild(QProgressBar, "stimulus_progress")
+    assert bar.isVisible()
+    assert (bar.value(), bar.maximum()) == (1, 8)
+    gate.set()
+    qtbot.waitUntil(lambda: page.ready, timeout=WAIT_MS)
+    assert not told(page).isVisible()
+    assert not bar.isVisible()
+    desk.stimuli.end()
+
+
+def test_escape_leaves_the_page_while_it_computes(desk, qtbot, gate):
+    desk.stimuli.show()
+    page = desk.stimuli.page
+    qtbot.waitUntil(lambda: told(page).isVisible())
+    with qtbot.waitSignal(page.finished):
+        QTest.keyClick(page, Qt.Key.Key_Escape)
+    assert not gate.is_set()
+
+
+def test_what_is_said_of_another_order_is_as_pale_as_its_picture(page, qtbot, gate):
+    assert not pale(page, "summary")
+    page.form.field("rate").choose("8000")
+    assert page.busy
+    assert "at 48 000 Hz" in label(page, "summary")
+    assert pale(page, "summary")
+    assert pale(page, "loses")
+    gate.set()
+    qtbot.waitUntil(lambda: page.ready, timeout=WAIT_MS)
+    assert not pale(page, "summary")
+    assert "at 8 000 Hz" in label(page, "summary")
+
+
+def test_a_refusal_is_not_pale(page, qtbot):
+    page.form.field("map").setText("1")
+    qtbot.waitUntil(lambda: "each channel" in label(page, "problem"), timeout=WAIT_MS)
+    assert not pale(page, "problem")
+    assert not told(page).isVisible()
+
+
+def test_a_stimulus_is_given_up_between_two_of_its_channels():
+    design = ss.Design(limb="synthetic-1", inputs=tuple(ss.track(place) for place in (7, 8, 9)))
+    seen = []
+
+    def note(done, total, text):
+        seen.append((done, total))
+
+    ss.stimulus_of(design, 48_000, progress=note)
+    assert seen == [(0, 3), (1, 3), (2, 3)]
+    seen.clear()
+    with pytest.raises(Stopped):
+        ss.stimulus_of(design, 48_000, progress=note, stop=lambda: len(seen) > 1)
+    assert seen == [(0, 3), (1, 3)]
