@@ -5,7 +5,6 @@ from functools import partial
 
 from PySide6.QtCore import QEventLoop, QObject
 from PySide6.QtGui import QAction, QCloseEvent
-from PySide6.QtWidgets import QMainWindow
 
 from skinsource.design import Design
 from skinsource.quantities import graphs_that_share
@@ -66,7 +65,7 @@ from skinsource_gui.theme import Theme
 _LARGEST_AT_FIRST = (1600, 940)
 
 
-class MainWindow(QMainWindow):
+class MainWindow(docks.ListsPanels):
     """Puts document, engine, panels and actions together; decides nothing else."""
 
     def __init__(
@@ -207,8 +206,8 @@ class MainWindow(QMainWindow):
         actions = self.actions_by_name
         recent = RecentMenu(self.files.recent, self)
         recent.chosen.connect(self.files.open)
-        shown = docks.menu_toggles(self.docks.values(), self)
-        fill_menu_bar(self.menuBar(), ACTIONS, actions, recent, shown)
+        self.panel_toggles = docks.menu_toggles(self.docks.values(), self)
+        fill_menu_bar(self.menuBar(), ACTIONS, actions, recent, self.panel_toggles)
         groups = [[actions["undo"], actions["redo"]], [actions["find_action"]]]
         self._bar = StudioBar(self.setup_bar, self.playback.bar, groups, self)
         self.statusBar().addWidget(self.status_line, 1)

@@ -1,6 +1,7 @@
 """Trains of wavelets, and the sweeps of frequencies that they are made of."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ from hypothesis import strategies as st
 
 from skinsource.errors import InvalidInputError
 from skinsource.waveforms import WaveletTrain, frequency_sweep
+from skinsource.waveforms.wavelet_train import EQUALISE
 from tests.core.wavelets_bench import FINE_HZ, RATE_HZ, at_all_frequencies
 
 FIVE_HZ = (50.0, 84.1, 141.4, 237.8, 400.0)
@@ -98,3 +100,10 @@ def test_a_sweep_never_turns_back(low_hz, factor, count, spacing):
 def test_a_sweep_that_is_none_is_refused(given, what):
     with pytest.raises(InvalidInputError, match=what):
         frequency_sweep(*given)
+
+
+def test_what_is_equalised_has_the_same_word_in_the_window_and_in_files():
+    for name, title in EQUALISE.options:
+        assert title.lower() == name
+    page = (Path(__file__).parents[2] / "docs" / "words.md").read_text("utf-8")
+    assert "| equalise | what is made alike of all wavelets of a train: none, " in page

@@ -5,7 +5,7 @@ import random
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QImage, QPainter
-from PySide6.QtWidgets import QApplication, QStyle, QStyleOptionFrame
+from PySide6.QtWidgets import QApplication, QMenu, QStyle, QStyleOptionFrame
 
 from skinsource.catalogue import available_limbs
 from skinsource.design_file import save_design
@@ -25,6 +25,19 @@ def wanted(window):
     requests = []
     window.conductor.delivered.connect(lambda outcome: requests.append(outcome.request.wanted))
     return lambda: requests[-1]
+
+
+def test_the_menu_of_a_title_lists_panels_as_view_panels_does(window):
+    listed = next(
+        one
+        for one in window.menuBar().findChildren(QMenu)
+        if one.title().replace("&", "") == "Panels"
+    )
+    menu = window.createPopupMenu()
+    titles_of = [one.text() for one in menu.actions()]
+    assert titles_of == [one.panel.title for one in PANELS]
+    assert [one.text() for one in listed.actions()][: len(titles_of)] == titles_of
+    menu.deleteLater()
 
 
 @pytest.mark.parametrize("name", GUESTS)

@@ -21,6 +21,7 @@ from skinsource.edits.clips import (
     short,
 )
 from skinsource.edits.edit import Edit, Refusal, refused, with_clips
+from skinsource.edits.uncut import why_uncut
 from skinsource.effects import Effect, Fade, Stretch, Trim, played_s
 from skinsource.errors import InvalidInputError
 from skinsource.fields import specs_of
@@ -47,10 +48,7 @@ def split_clips(design: Design, view: View, ids: Iterable[int], at_s: float) -> 
     if isinstance(cut, Refusal):
         return cut
     if not cut:
-        return Refusal(
-            sentence=f"None of the selected clips plays at {at_s:.6g} s; put the playhead "
-            "inside one of them."
-        )
+        return Refusal(sentence=why_uncut(chosen, at_s, SAME_S))
     after = with_parts(design, cut)
     if isinstance(after, Refusal):
         return after

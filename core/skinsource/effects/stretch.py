@@ -28,6 +28,7 @@ TO = NumberSpec(
     maximum=600.0,
     step=0.01,
     hint="Length afterwards, whatever it was before; 0: by the factor",
+    unset="by factor",
 )
 PITCH = ChoiceSpec(
     label="Frequencies",

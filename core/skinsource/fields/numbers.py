@@ -36,6 +36,8 @@ class NumberSpec(Spec):
     felt_hz
         Of a frequency of the motion itself: the band in which it was measured, None where it is not
         known.  None of all else, too.
+    unset
+        What 0 means, where it is no number: said in its place.
     """
 
     unit: str = ""
@@ -46,6 +48,7 @@ class NumberSpec(Spec):
     whole: bool = False
     below_half_rate: bool = False
     felt_hz: Band | None = None
+    unset: str = ""
 
     def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "NumberSpec":
         """What is allowed on a limb of this rate: whole hertz below half of it, where that counts.

@@ -53,10 +53,8 @@ def stimulus_of(
 
     Parameters
     ----------
-    design
-        Inputs that are not heard are left out.
-    sample_rate_hz
-        A whole number of hertz; None: the rate of the limb.
+    design, sample_rate_hz
+        Inputs that are not heard are left out; whole hertz, None: the rate of the limb.
     per
         ``"place"``: one channel for each place in use, in the order of first use, so that inputs
         at one place add up.  ``"input"``: one channel for each input.
@@ -69,8 +67,7 @@ def stimulus_of(
     lead_in_s
         How long before time 0 it begins: silence, but for what rings there at another rate.
     progress, stop
-        Told how many channels have their rate; asked now and then: once true,
-        `skinsource.errors.Stopped` is raised.
+        As of a job: told how many channels have their rate; `Stopped` is raised.
 
     Raises
     ------
@@ -87,8 +84,8 @@ def stimulus_of(
     ('Digit II, pad', (1, 9600))
     """
     heard = _taking_part(design, inputs, clips)
-    job = (progress, stop)
-    found = _made(design, limb, heard, one_of("per", per, _PER), sample_rate_hz, lead_in_s, job)
+    one_of("per", per, _PER)
+    found = _made(design, limb, heard, per, sample_rate_hz, lead_in_s, (progress, stop))
     for stage in stages:
         stop_if(stop)
         found = stage(found)

@@ -43,8 +43,8 @@ FAMILY = ChoiceSpec(
 )
 EQUALISE = ChoiceSpec(
     label="Equalise",
-    options=(("none", "Peaks"), ("energy", "Energies")),
-    hint="What is alike of all wavelets, before their own gains",
+    options=(("none", "None"), ("energy", "Energy")),
+    hint="What is made alike of all wavelets, before their own gains: with None their peaks are",
 )
 #: Least gain of a wavelet.
 SOFTEST_DB = -120.0

@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QMenu, QSizePolicy, QWidget
 
 from skinsource.comparing import gain_words
-from skinsource_gui.compared import Compared
+from skinsource_gui.compared import Compared, is_silent
 from skinsource_gui.panels.compare.card_words import level_words, sentence
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
 from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
@@ -152,7 +152,9 @@ class Card(QAbstractButton):
             room = area.adjusted(0, line + _RINGS_PX, 0, -2 * line - _RINGS_PX)
             design, scale = compared.snapshot.design, self._scale
             table = colour_table(scale.colours)
-            paint_small_map(painter, room, self._map, design, theme, scale.range_db, table)
+            # Silence has no level, and no colour: the lowest one would be a level.
+            shown = SmallMap(limb_map=self._map.limb_map) if is_silent(compared) else self._map
+            paint_small_map(painter, room, shown, design, theme, scale.range_db, table)
 
     def _act(self) -> None:
         self.wanted.emit(self.number, "show" if self._compared else "store")

@@ -3,11 +3,12 @@
 from collections.abc import Mapping
 from typing import Any, ClassVar
 
+import numpy as np
 from PySide6.QtWidgets import QWidget
 
 from skinsource.design import Design
 from skinsource.view import View
-from skinsource_gui.figure_panel import FigurePanel
+from skinsource_gui.figure_panel import SILENT, FigurePanel
 from skinsource_gui.panels.main_axis.picture import MainAxisPicture, Shown
 from skinsource_gui.widgets.copied_numbers import copied
 
@@ -48,6 +49,8 @@ class MainAxisPanel(FigurePanel):
             self.say_instead(self.no_outputs)
         elif results["output_main_axes"] is None:
             self.say_instead(_SINGLE if results["limb_data"].n_axes > 1 else _ALONG_ONE)
+        elif np.isnan(results["output_main_axes"].share).all():
+            self.say_instead(SILENT)
         else:
             limb = results["limb_data"]
             self.copy.offer(True)

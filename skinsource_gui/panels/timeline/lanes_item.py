@@ -25,6 +25,8 @@ from skinsource_gui.theme import LIGHT, Theme
 # so far inside it does not reach the next lane.
 # The last line of the grid stands there; words end before it.
 _SIDE_PX = 14.0
+# Between words and the lines that stop around them.
+_AROUND_PX = 3.0
 _INSIDE_PX = MARGIN_PX - 1.0
 
 
@@ -102,6 +104,7 @@ class LanesItem(pyqtgraph.GraphicsObject):
         painter.drawLines(grid_lines(content.scale, lanes))
         self._paint_after_end(painter, content, lanes)
         for lane in shown:
+            self._paint_why_silent(painter, lane)
             self._paint_clips(painter, content, lane, lanes)
             found = content.overlaps.of(lane.track)
             paint_overlaps(painter, lane, found, content.scale, self._theme)
@@ -127,23 +130,42 @@ class LanesItem(pyqtgraph.GraphicsObject):
             ):
                 self.update(self._strip(now).adjusted(0, _INSIDE_PX, 0, -_INSIDE_PX))
 
+    @property
+    def _ground(self) -> QColor:
+        """Of the lanes."""
+        return QColor(self._theme.base)
+
+    @property
+    def _tint(self) -> QColor:
+        """What lies over the ground of lanes that are selected."""
+        tint = QColor(self._theme.accent)
+        tint.setAlpha(18)
+        return tint
+
     def _strip(self, lane: Lane) -> QRectF:
         return QRectF(self._rect.left(), lane.top_px, self._rect.width(), lane.height_px)
 
     def _paint_ground(self, painter: QPainter, lane: Lane) -> None:
         strip = self._strip(lane)
         if lane.selected:
-            tint = QColor(self._theme.accent)
-            tint.setAlpha(18)
-            painter.fillRect(strip, tint)
+            painter.fillRect(strip, self._tint)
         painter.setPen(QPen(QColor(self._theme.border), 1))
         painter.drawLine(
             QLineF(strip.left(), strip.bottom() - 0.5, strip.right(), strip.bottom() - 0.5)
         )
-        if lane.silent:
-            painter.setPen(QColor(self._theme.dim))
-            flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
-            painter.drawText(strip.adjusted(0, 0, -_SIDE_PX, -3), flags, lane.silent)
+
+    def _paint_why_silent(self, painter: QPainter, lane: Lane) -> None:
+        """Say it over the grid, whose lines stop around the words."""
+        if not lane.silent:
+            return
+        flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
+        room = self._strip(lane).adjusted(0, 0, -_SIDE_PX, -3)
+        words = QRectF(painter.boundingRect(room, flags, lane.silent))
+        painter.fillRect(words.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._ground)
+        if lane.selected:
+            painter.fillRect(words.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._tint)
+        painter.setPen(QColor(self._theme.dim))
+        painter.drawText(room, flags, lane.silent)
 
     def _paint_after_end(self, painter: QPainter, content: Content, lanes: QRectF) -> None:
         if content.design.loop_s is None:

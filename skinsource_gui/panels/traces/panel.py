@@ -182,10 +182,7 @@ class TracesPanel(SignalPanel):
             self._plot.plot.navigation.bring(time_s)
 
     def _zoom(self, shown: tuple[float, float] | None) -> None:
-        self._change(time_range_s=shown)
-
-    def _change(self, **changes: Any) -> None:
-        changed = replace(self._view, **changes)
+        changed = replace(self._view, time_range_s=shown)
         if changed != self._view:
             self.view_changed.emit(changed)
 

@@ -4,7 +4,8 @@ from dataclasses import dataclass, replace
 
 from skinsource.analysis import Extent, Windows
 from skinsource.arrays import Floats
-from skinsource.design import Design
+from skinsource.design import Design, audible_inputs
+from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.map.level_look import USUAL_LOOK, LevelLook
 from skinsource_gui.widgets.map.scale_row import Scale, scale_of_levels
 from skinsource_gui.widgets.map.small_map import SmallMap
@@ -66,23 +67,23 @@ class WindowedContent:
     @property
     def begin_phrases(self) -> tuple[str, ...]:
         """What is said where windows have only their begins above them, the longest first."""
-        length_ms = 1e3 * self.windows.window_samples / self.sample_rate_hz
-        length = f"{length_ms:.0f} ms" if length_ms >= 100.0 else f"{length_ms:.3g} ms"
+        length = length_words(self.windows.window_samples / self.sample_rate_hz)
+        unit, _ = axis_unit(self.bounds_s[-1][1])
         plain = (
-            f"Windows of {length}, begins in ms",
-            f"{length} each, begins in ms",
+            f"Windows of {length}, begins in {unit}",
+            f"{length} each, begins in {unit}",
             f"{length} each",
         )
-        whole = f"Windows of {length}; above each when it begins, in ms of the stimulus"
+        whole = f"Windows of {length}; above each when it begins, in {unit} of the stimulus"
         if not self.traces_late_s:
-            return whole, *plain, "ms"
+            return whole, *plain, unit
         late = f"{self.traces_late_s * 1e3:.0f} ms"
         return (
             f"{whole}; the traces show it about {late} later",
             f"{plain[0]}; traces {late} later",
             *(f"{one}; traces +{late}" for one in plain[1:]),
             *plain,
-            "ms",
+            unit,
         )
 
     @property
@@ -97,7 +98,13 @@ class WindowedContent:
         """The measures of a window, for a tooltip."""
         if self.in_noise and self.in_noise[window]:
             return "Mostly noise of the measurement: its extent means nothing"
-        return _extent_words(self.extents[window])
+        return _extent_words(self.extents[window], self.origin)
+
+    @property
+    def origin(self) -> str:
+        """From where distances are."""
+        places = {one.location for one in audible_inputs(self.design.inputs)}
+        return "the nearest input" if len(places) > 1 else "the input"
 
     @property
     def scale(self) -> Scale:
@@ -126,17 +133,34 @@ class WindowedContent:
         return None
 
 
-def window_words(bounds_s: tuple[float, float]) -> str:
-    """``"0–120 ms"``."""
-    begin, end = (round(1e3 * one) for one in bounds_s)
-    return f"{begin}–{end} ms"
+def window_words(bounds_s: tuple[float, float], until_s: float) -> str:
+    """``"0–120 ms"``; in s where the last window ends a second and more after 0."""
+    begin, end = (time_number(one, until_s) for one in bounds_s)
+    return f"{begin}–{end} {axis_unit(until_s)[0]}"
 
 
-def _extent_words(extent: Extent | None) -> str:
+def time_number(time_s: float, until_s: float) -> str:
+    """A time to the millisecond, in the unit of times up to another one."""
+    return f"{time_s:.3f}".rstrip("0").rstrip(".") if _in_s(until_s) else f"{1e3 * time_s:.0f}"
+
+
+def _in_s(until_s: float) -> bool:
+    return axis_unit(until_s)[0] == "s"
+
+
+def length_words(length_s: float) -> str:
+    """How long a window is."""
+    if _in_s(length_s):
+        return f"{length_s:.4g} s"
+    length_ms = 1e3 * length_s
+    return f"{length_ms:.0f} ms" if length_ms >= 100.0 else f"{length_ms:.3g} ms"
+
+
+def _extent_words(extent: Extent | None, origin: str) -> str:
     if extent is None:
         return "Silent: nothing has an extent"
     return (
-        f"Mean distance from the input {extent.mean_distance_mm:.1f} mm\n"
+        f"Mean distance from {origin} {extent.mean_distance_mm:.1f} mm\n"
         f"90 % of the energy within {extent.d90_mm:.1f} mm\n"
         f"Outputs less than 12 dB below the loudest {100 * extent.share_above_12_db:.0f} %, "
         f"20 dB {100 * extent.share_above_20_db:.0f} %\n"

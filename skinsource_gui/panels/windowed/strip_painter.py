@@ -25,7 +25,7 @@ CURVES = (
     (("mean distance", "mean", "mean"), 0),
     (("90 % of the energy within", "90 % within", "90 %"), 1),
 )
-_BELOW = ("mm from the input, window by window", "mm from the input", "mm")
+_BELOW = ("mm from {}, window by window", "mm from {}", "mm")
 
 
 def paint_strip(
@@ -77,7 +77,7 @@ def _paint_extent(painter: QPainter, area: QRectF, content: WindowedContent, the
     known = [one for one in content.told_extents if one is not None]
     top = _rounded_up(max((max(one.mean_distance_mm, one.d90_mm) for one in known), default=1.0))
     line = painter.fontMetrics().height()
-    _paint_axis(painter, area, top, theme)
+    _paint_axis(painter, area, top, content.origin, theme)
     n = max(len(content.extents), 1)
     for _, rank in CURVES:
         colour = theme.output_colour(rank)
@@ -113,7 +113,7 @@ def curve_names(
     return tuple(zip(names, (rank for _, rank in CURVES), strict=True))
 
 
-def _paint_axis(painter: QPainter, area: QRectF, top: float, theme: Theme) -> None:
+def _paint_axis(painter: QPainter, area: QRectF, top: float, origin: str, theme: Theme) -> None:
     line = painter.fontMetrics().height()
     for part in (0.0, 0.5, 1.0):
         y = area.bottom() - part * area.height()
@@ -125,8 +125,9 @@ def _paint_axis(painter: QPainter, area: QRectF, top: float, theme: Theme) -> No
     painter.setPen(QColor(theme.dim))
     below = QRectF(area.left(), area.bottom() + 0.15 * line, area.width(), line)
     width_of = painter.fontMetrics().horizontalAdvance
-    fitting = (words for words in _BELOW if width_of(words) <= below.width())
-    painter.drawText(below, _CENTRE, next(fitting, _BELOW[-1]))
+    said = [words.format(origin) for words in _BELOW]
+    fitting = (words for words in said if width_of(words) <= below.width())
+    painter.drawText(below, _CENTRE, next(fitting, said[-1]))
 
 
 def _rounded_up(value: float) -> float:

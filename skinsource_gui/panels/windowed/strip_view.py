@@ -133,7 +133,8 @@ class StripView(QWidget):
         if window is None or self.content is None or self.message:
             return ""
         about = self.content.extent_words(window)
-        return f"{window_words(self.content.bounds_s[window])}\n{about}"
+        bounds_s = self.content.bounds_s
+        return f"{window_words(bounds_s[window], bounds_s[-1][1])}\n{about}"
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         window = self.window_under(event.position())

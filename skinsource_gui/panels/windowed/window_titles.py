@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QRectF
 
-from skinsource_gui.panels.windowed.content import WindowedContent, window_words
+from skinsource_gui.panels.windowed.content import WindowedContent, time_number, window_words
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,7 +17,7 @@ class WindowTitles:
     words
         For each window; empty where there is no room for them.
     by_begin
-        Whether they are only when windows begin, in ms: how long they are is said elsewhere.
+        Whether they are only when windows begin: how long they are is said elsewhere.
     """
 
     words: tuple[str, ...]
@@ -40,11 +40,12 @@ def window_titles(
     width_of
         Width of words, px.
     """
-    whole = tuple(map(window_words, bounds_s))
+    until_s = max((end for _, end in bounds_s), default=0.0)
+    whole = tuple(window_words(one, until_s) for one in bounds_s)
     least = min((cell.width() for cell in cells), default=0.0)
     if all(width_of(words) <= least for words in whole):
         return WindowTitles(whole, by_begin=False)
-    begins = tuple(f"{1e3 * begin:.0f}" for begin, _ in bounds_s)
+    begins = tuple(time_number(begin, until_s) for begin, _ in bounds_s)
     widest = max(map(width_of, begins)) + width_of(" ")
     every = next(n for n in range(1, len(cells) + 1) if widest <= n * least or n == len(cells))
     columns = sum(cell.top() == cells[0].top() for cell in cells)

@@ -262,7 +262,7 @@ class NumberField(QLineEdit):
         painter = QPainter(self)
         has_own_unit = self.editing and any(c.isalpha() or c in "°×²" for c in self.text())
         if not has_own_unit:
-            self._unit.paint(painter, self._number.symbol, self._theme)
+            self._unit.paint(painter, self._number.beside(editing=self.editing), self._theme)
         if self.problem and self.editing:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.setPen(QPen(QColor(self._theme.error), 2))

@@ -44,6 +44,14 @@ class ShownNumber:
         """Unit in which it is shown."""
         return display_unit(self.spec.unit, self.value_si).symbol
 
+    def beside(self, *, editing: bool) -> str:
+        """What stands beside it: words for what is no number have no unit."""
+        return "" if self._unset and not editing else self.symbol
+
+    @property
+    def _unset(self) -> bool:
+        return bool(self.spec.unset) and self.value_si == 0.0
+
     @property
     def long_text(self) -> str:
         """As it is edited."""
@@ -59,6 +67,8 @@ class ShownNumber:
 
         A number whose first digits are out of sight is another number: rather none is shown.
         """
+        if self._unset and metrics.horizontalAdvance(self.spec.unset) <= room_px:
+            return self.spec.unset
         texts = [
             minus(number_text(self.value_si, self.spec.unit, digits))
             for digits in range(SHOWN_DIGITS, 0, -1)

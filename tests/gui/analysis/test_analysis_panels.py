@@ -14,6 +14,7 @@ from skinsource.edits import Edit
 from skinsource.evaluation import evaluate
 from skinsource.panel_settings import settings_of
 from skinsource.waveforms import Tap
+from skinsource_gui.figure_panel import SILENT
 from skinsource_gui.state.engine import FIRST_SLOT
 
 #: Panels, and the rule that each has for itself.
@@ -107,6 +108,16 @@ def test_silence_and_a_hundred_inputs_are_shown_without_a_fault(show, window, se
         copy = getattr(panel, "copy", None)
         assert name == "statistics" or copy is None or not (message_of(panel) and copy.isEnabled())
         window.docks[name].hide()
+
+
+def test_silence_has_no_main_axes_to_be_copied(show, window, settle):
+    panel = show("main_axis")
+    document = window.document
+    silent = replace(document.design, inputs=(replace(document.design.inputs[0], muted=True),))
+    document.apply(changed("Mute", silent, document.view))
+    settle()
+    assert message_of(panel) == SILENT
+    assert not panel.copy.isEnabled()
 
 
 def test_the_table_is_copied_with_numbers_that_read_back(show, window):

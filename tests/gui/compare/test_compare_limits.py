@@ -4,11 +4,13 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QEvent
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication
 
 from skinsource.design import Design, track
-from skinsource_gui.compared import SILENCE
+from skinsource_gui.compared import SILENCE, is_silent
 from skinsource_gui.panels.compare.card_words import matching_words
+from skinsource_gui.widgets.map.colour_maps import colour_table
 
 
 @pytest.fixture
@@ -73,3 +75,21 @@ def test_what_is_silent_is_not_said_to_be_as_loud(window, settle, panel):
     window.do("store_snapshot_2")
     settle()
     assert panel.map.difference.words != SILENCE
+
+
+def test_a_silent_snapshot_has_no_colours(window, settle, panel):
+    window.document.edit("a", Design(limb="synthetic-1"))
+    window.do("store_snapshot_1")
+    settle()
+    one = card(panel, 1)
+    assert is_silent(one.compared)
+    one.resize(140, 200)
+    lowest = colour_table(one._scale.colours)[0]
+    lowest = QColor(int(lowest)).rgb()
+    picture = one.grab().toImage()
+    seen = {
+        picture.pixel(x, y)
+        for x in range(0, picture.width(), 2)
+        for y in range(picture.height() // 4, picture.height() * 3 // 4)
+    }
+    assert lowest not in seen

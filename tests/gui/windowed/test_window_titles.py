@@ -98,7 +98,32 @@ def test_with_begin_and_end_above_each_map_only_what_times_they_are_is_said(stud
     assert "Windows of" not in printed
 
 
-def test_long_windows_are_said_in_whole_ms(studio):
+def test_times_of_a_second_and_more_are_said_in_s():
+    long_s = [(0.0, 12.0), (12.0, 24.0), (24.0, 36.5)]
+    assert window_titles(long_s, cells(3, 100.0), width_of).words == (
+        "0–12 s",
+        "12–24 s",
+        "24–36.5 s",
+    )
+    assert window_titles(long_s, cells(3, 40.0), width_of).words == ("0", "12", "24")
+
+
+def test_with_several_places_distances_are_from_the_nearest_input(studio, tmp_path):
+    panel = studio(5)
+    content = panel.strip.content
+    assert "Mean distance from the input" in content.extent_words(0)
+    design = replace(TRAIN, inputs=(*TRAIN.inputs, track(12, WaveletTrain())))
+    several = replace(content, design=design)
+    assert "Mean distance from the nearest input" in several.extent_words(0)
+    twice = tuple(replace(TRAIN.inputs[0], id=id, clips=()) for id in (1, 2))
+    again = replace(content, design=replace(TRAIN, inputs=twice))
+    assert "Mean distance from the input" in again.extent_words(0)
+    panel.strip.content = several
+    save_drawing(tmp_path / "a.svg", panel.draw_picture, 1400, 900)
+    assert "mm from the nearest input" in (tmp_path / "a.svg").read_text("utf-8")
+
+
+def test_long_windows_are_said_in_s(studio):
     content = studio(5).strip.content
     longer = replace(content, windows=replace(content.windows, window_samples=156_000))
-    assert "Windows of 120000 ms, begins in ms" in longer.begin_phrases
+    assert "Windows of 120 s, begins in s" in longer.begin_phrases
