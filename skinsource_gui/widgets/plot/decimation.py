@@ -89,17 +89,17 @@ def _with_crests(y: Floats, extremes: Extremes) -> Floats:
     """Samples, of which those beside a crest between two of them are as high as it is."""
     low, high = extremes.low[:, :-1] * extremes.sizes, extremes.high[:, :-1] * extremes.sizes
     rounding = _ROUNDING * extremes.sizes
-    upper, lower = np.maximum(y[:, :-1], y[:, 1:]), np.minimum(y[:, :-1], y[:, 1:])
-    crest = np.where(high > upper + rounding, high, -np.inf)
-    dip = np.where(low < lower - rounding, low, np.inf)
-    falling = y[:, :-1] >= y[:, 1:]
-    raised, lowered = y.copy(), y.copy()
-    # The nearer of the two in height takes it.
-    np.maximum(y[:, :-1], crest, out=raised[:, :-1], where=falling)
-    np.maximum(raised[:, 1:], crest, out=raised[:, 1:], where=~falling)
-    np.minimum(y[:, 1:], dip, out=lowered[:, 1:], where=falling)
-    np.minimum(lowered[:, :-1], dip, out=lowered[:, :-1], where=~falling)
-    return np.where(raised > y, raised, lowered)
+    left, right, values = y[:, :-1], y[:, 1:], y.copy()
+    dips = low < np.minimum(left, right) - rounding
+    crests = high > np.maximum(left, right) + rounding
+    # The one that is nearer in height takes it.
+    for beyond, reached, further, of_two in (
+        (dips, low, right < left, np.minimum),
+        (crests, high, right > left, np.maximum),
+    ):
+        row, at = np.nonzero(beyond)
+        of_two.at(values, (row, at + further[row, at]), reached[row, at])
+    return values
 
 
 def _strokes(low: Floats, high: Floats) -> Floats:
