@@ -135,7 +135,7 @@ def hand_pixmap(
     return pixmap
 
 
-#: The same for the screen: to and fro between two arrangements it is drawn once for each.
+#: The same for the screen: a window that opens in a size there was before does not draw it anew.
 kept_hand_pixmap = lru_cache(maxsize=2)(hand_pixmap)
 
 

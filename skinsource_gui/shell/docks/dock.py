@@ -58,8 +58,11 @@ class Dock(QDockWidget):
         self._panels = panels
         self._tabbed = self._behind = False
         self.setObjectName(name)
-        # Made with the panel: other colours and letters go through all widgets there are.
-        self._area: SteadyArea | None = None
+        self._area = area = SteadyArea()
+        area.setObjectName(f"{name}_area")
+        area.setFrameShape(QFrame.Shape.NoFrame)
+        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setWidget(area)
         _draw_buttons(self)
         self.topLevelChanged.connect(self._follow)
         # The menu of Qt, with the right button on a title, would leave it behind others.
@@ -82,10 +85,6 @@ class Dock(QDockWidget):
 
     def hold(self, panel: Panel) -> None:
         """Take its panel, which was just made and knows all that panels are told."""
-        if self._area is None:
-            self._area = _area(f"{panel.name}_area")
-            self.setWidget(self._area)
-            self._area.show()  # in a dock that is in sight Qt would only do so later
         self._area.setWidget(panel)
         panel.setVisible(not self._behind)
         self.sight_changed.emit()
@@ -94,8 +93,7 @@ class Dock(QDockWidget):
     def lent(self) -> Iterator[Panel]:
         """Its panel without a place in the window, to be shown elsewhere; it is taken back."""
         panel = self.panel
-        if self._area is not None:
-            self._area.takeWidget()
+        self._area.takeWidget()
         try:
             yield panel
         finally:
@@ -154,15 +152,6 @@ class Dock(QDockWidget):
     def _raise_shown(self) -> None:
         if not self.isHidden():
             self.raise_()
-
-
-def _area(name: str) -> SteadyArea:
-    """What scrolls a panel; without a frame, and no stop for the keyboard."""
-    area = SteadyArea()
-    area.setObjectName(name)
-    area.setFrameShape(QFrame.Shape.NoFrame)
-    area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-    return area
 
 
 def _draw_buttons(dock: QDockWidget) -> None:
