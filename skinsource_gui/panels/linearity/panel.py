@@ -42,6 +42,7 @@ from skinsource_gui.panels.linearity.settings import (
 )
 from skinsource_gui.panels.linearity.strength import of_amplitudes, of_velocities
 from skinsource_gui.panels.linearity.table import tab_separated
+from skinsource_gui.widgets.room.button_row import ButtonRow
 from skinsource_gui.widgets.tool_button import tool_button
 
 _NEEDS = frozenset(
@@ -90,7 +91,8 @@ class LinearityPanel(FigurePanel):
         self.velocity = self._switch(VELOCITY, lambda on: self._change(velocity=on))
         self.bands = self._switch(BANDS, lambda on: self._change(bands=on))
         self.every_output = self._switch(EVERY_OUTPUT, lambda on: self._change(every_output=on))
-        self.choices.addStretch(1)
+        switches = self.velocity, self.bands, self.every_output
+        self.choices.addWidget(ButtonRow(switches, self), 1)
         self.copy = self.add_copy(self.table)
         self.heads.addWidget(self.about)
         self.say_instead(NEITHER)
@@ -172,7 +174,6 @@ class LinearityPanel(FigurePanel):
         switch = tool_button(None, name, spec.label, spec.hint, checkable=True)
         switch.clicked.connect(chosen)
         switch.hide()
-        self.choices.addWidget(switch)
         return switch
 
     def _change(self, **changes: Any) -> None:

@@ -30,11 +30,11 @@ class ButtonRow(QWidget):
         for one in self._buttons:
             row.addWidget(one)
         row.addStretch(1)
-        self._gaps_px = row.spacing() * len(self._buttons)
+        self._gap_px = row.spacing()
         RoomOrWords(self).changed.connect(self._fit)
 
     def _fit(self) -> None:
-        rows = (self._buttons,)
-        write_in(fitting_font(rows, self.font(), self.width() - self._gaps_px), self._buttons)
-        least = width_in(smallest_of(self.font()), self._buttons)
-        self.setMinimumWidth(least + self._gaps_px)
+        shown = [one for one in self._buttons if not one.isHidden()]
+        gaps_px = self._gap_px * len(shown)
+        write_in(fitting_font((shown,), self.font(), self.width() - gaps_px), self._buttons)
+        self.setMinimumWidth(width_in(smallest_of(self.font()), shown) + gaps_px)
