@@ -169,31 +169,31 @@ def test_the_way_out_of_a_zoom_moves_nothing(qtbot, scale, high):
     assert seen == {1, 2}
 
 
-def test_switches_that_went_below_come_back_beside_although_there_is_a_scroll_bar(qtbot):
+def test_a_scroll_bar_sends_no_switches_below(qtbot):
     area, view = QScrollArea(), SignalView("plot", "Plot")
     qtbot.addWidget(area)
     area.setWidget(view)
     area.setWidgetResizable(True)
-    usual = view.font()
     for name in ("Remove 52 ms delay", "Each to its peak"):
         view.toolbar.add_switch(name, name, name, lambda wanted: None)
     view.toolbar.show_state(layout="overlaid", zoomed=False)
     area.show()
     settle()
     shown = [one for one in view.toolbar.findChildren(QToolButton) if one.isVisibleTo(view)]
-    width = width_in(scaled(view.toolbar.font(), 0.8), shown) + 4 * UNIT_PX
-    high = 12 * view.fontMetrics().lineSpacing() + 4
-    area.resize(width, high)
-    settle()
-    assert rows_of(shown) == 1
-    # What a plot needs at least, with one row and with two.
-    view.plot.setMinimumHeight(view.plot.height() - 10)
-    view.setFont(scaled(usual, 1.4))
-    settle()
-    view.setFont(usual)
+    # The least width at which they stand beside each other in words that are read easily.
+    for width in range(1200, 150, -1):
+        area.resize(width, 900)
+        settle()
+        if rows_of(shown) > 1:
+            break
+    area.resize(width + 2, 900)
     settle()
     assert rows_of(shown) == 1
     assert not area.verticalScrollBar().isVisible()
+    view.setMinimumHeight(1000)
+    settle()
+    assert area.verticalScrollBar().isVisible()
+    assert rows_of(shown) == 1
 
 
 def test_large_words_are_written_still_smaller_before_they_are_cut(qtbot):
