@@ -15,14 +15,15 @@ from skinsource.own_limbs import facts_of
 from skinsource.plot.paper import DIM, SYNTHETIC, axes_of, style
 from skinsource.plot.rows import Row, common_size, draw_rows, say_scale
 from skinsource.quoting import quoted
-from skinsource.resampling import finer
+from skinsource.resampling import extremes_between, finer
 from skinsource.spectra import mean_of_bins as moving_mean
 from skinsource.view import View
 
 _WIDTH_MM, _ROW_MM, _AROUND_MM = 130.0, 13.0, 26.0
 _NEEDS = "response_time_s", "axis_traces", "selected_projection"
-# Of more samples a page shows no single wave.
-_MOST_JOINED = 20_000
+# Of more samples a page shows no single wave, but how far waves reach: in more columns than a page
+# of two columns has dots of 600 in an inch.
+_MOST_JOINED, _N_COLUMNS = 20_000, 4096
 
 
 def traces(
@@ -37,7 +38,8 @@ def traces(
 ) -> Any:
     """Draw what outputs do over time, a row for each.
 
-    Up to 20 000 samples are joined by the band-limited wave through them, not by straight lines.
+    Up to 20 000 samples are joined by the band-limited wave through them, not by straight lines;
+    of more, how far that wave reaches is drawn in 4096 columns.
 
     Parameters
     ----------
@@ -171,16 +173,27 @@ def _waves(
             f"{time_s[0]:g} and {time_s[-1]:g} s"
         )
     first, end = int(within[0]), int(within[-1]) + 1
-    joined = end - first <= _MOST_JOINED
-    instants, curves = time_s[first:end], []
-    for one in found:
-        axes = _filled(one["axis_traces"], time_s.size)
-        if joined:
-            instants, axes = finer(time_s, axes, first, end)
-        else:
-            axes = axes[..., first:end]
-        curves.append(one["selected_projection"].signals(axes))
-    return instants, curves
+    drawn = _joined if end - first <= _MOST_JOINED else _reached
+    each = [drawn(one, time_s, first, end) for one in found]
+    return each[0][0], [curves for _, curves in each]
+
+
+def _joined(one: Mapping[str, Any], time_s: Floats, first: int, end: int) -> tuple[Floats, Floats]:
+    """Points of the waves between samples."""
+    axes = _filled(one["axis_traces"], time_s.size)
+    instants, axes = finer(time_s, axes, first, end)
+    return instants, one["selected_projection"].signals(axes)
+
+
+def _reached(one: Mapping[str, Any], time_s: Floats, first: int, end: int) -> tuple[Floats, Floats]:
+    """Lowest and highest value of the waves in columns, in turn."""
+    axes, projection = _filled(one["axis_traces"], time_s.size), one["selected_projection"]
+    # A magnitude is the length of the wave along the axes.
+    waves = axes if projection.directions is None else projection.signals(axes)
+    starts = np.arange(_N_COLUMNS) * (end - first) // _N_COLUMNS
+    low, high = extremes_between(waves, first, end).of_columns(starts)
+    curves = np.stack((low, high), axis=-1).reshape(len(low), -1)
+    return np.repeat(time_s[first + starts], 2), curves
 
 
 def _rows(
