@@ -21,7 +21,7 @@ from skinsource.scenes.paper_scene import Condition, OpenedScene, Scene
 from skinsource.view import View
 
 # Units of what probes do, at the end of a label.
-_OF_PROBES = ("m/s²", "mm/s")
+OF_PROBES = ("m/s²", "mm/s")
 
 
 def reason_against(known: Scene, designs: tuple[Design, ...], view: View, limb: str) -> str:
@@ -175,7 +175,7 @@ def _label(label: str, design: Design, places: Mapping[int, int], unit: str) -> 
 
     No strength is told in m/s² or mm/s where it is not known how the probe moves.
     """
-    if unit == ARBITRARY_UNIT and label.endswith(_OF_PROBES):
+    if unit == ARBITRARY_UNIT and label.endswith(OF_PROBES):
         return f"{design.inputs[0].amplitude:.3g} {unit}"
     words, _, number = label.rpartition(" ")
     old = int(number) if words and number.isdecimal() else 0

@@ -6,10 +6,12 @@ from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 
+from skinsource.chain import ARBITRARY_UNIT, amplitude_unit
 from skinsource.design import Design
 from skinsource.design_file import open_design
 from skinsource.errors import SkinSourceError
 from skinsource.limb import PUBLISHED
+from skinsource.scenes.on_limb import OF_PROBES
 from skinsource.scenes.paper_scene import Scene
 from skinsource.scenes.shelf import compared, path_of, scene
 
@@ -54,6 +56,8 @@ def _beginning(figure: str, titles: Sequence[str], said: str) -> str:
 
 def _is_as_made(known: Scene, designs: tuple[Design, ...], design: Design) -> bool:
     """Whether it plays what the scene plays under this title, where the title says so."""
+    if _is_of_other_drives(design):
+        return False
     people = len({one.limb for one in designs}) > 1
     named = [one for one in designs if one.title == design.title]
     if named and (people or _LIMB.search(known.title)) and not _is_on(named[0], design):
@@ -62,6 +66,13 @@ def _is_as_made(known: Scene, designs: tuple[Design, ...], design: Design) -> bo
     moved = design.limb not in PUBLISHED
     played = _played(design, moved=moved)
     return any(_played(one, moved=moved) == played for one in named or designs)
+
+
+def _is_of_other_drives(design: Design) -> bool:
+    """Whether the title tells a strength in a unit that the drive does not have on this limb."""
+    if amplitude_unit(design) == ARBITRARY_UNIT:
+        return design.title.endswith(OF_PROBES)
+    return design.title.endswith(f" {ARBITRARY_UNIT}")
 
 
 def _is_on(known: Design, design: Design) -> bool:

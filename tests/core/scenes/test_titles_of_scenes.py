@@ -64,6 +64,23 @@ def test_another_limb_or_colour_leaves_the_title_of_a_scene_that_names_none():
     assert title_of(design.with_input(0, colour=7)) == design.title
 
 
+def test_no_title_tells_a_strength_in_a_unit_that_the_drive_of_another_limb_does_not_have(
+    user_data,
+):
+    installed()
+    paper, lab = (opened("5D", limb=limb).design for limb in ("synthetic-1", "lab-1"))
+    assert (title_of(paper)[-6:], title_of(lab)[-6:]) == ("6 m/s²", "6 a.u.")
+    elsewhere = paper.inputs[0].location, lab.inputs[0].location
+    assert elsewhere[0] != elsewhere[1]
+    moved = replace(paper, limb="lab-1").with_input(0, location=elsewhere[1])
+    back = replace(lab, limb="synthetic-1").with_input(0, location=elsewhere[0])
+    edited = "Fig. 5D: Output against input · edited"
+    assert title_of(moved) == title_of(back) == edited
+    velocities = opened("5A", limb="synthetic-1").conditions[0].design
+    assert title_of(velocities).endswith(" mm/s")
+    assert title_of(replace(velocities, limb="lab-1")).endswith(" · edited")
+
+
 def test_words_of_the_user_stay_whatever_numbers_they_hold():
     for title in ("", "My 50 Hz", "Fig. 2B: mine · 50 Hz", "Fig. 99: A", "Fig. 3 of my thesis"):
         inputs = (ss.track(7, ss.waveforms.Tone()),)
