@@ -46,10 +46,8 @@ class FieldImage:
         self._targets = np.flatnonzero(source >= 0)
         self._sources = source.ravel()[self._targets]
         self._pixels = np.zeros(source.shape, np.uint32)
-        rows, columns = source.shape
-        self._image = QImage(
-            self._pixels.data, columns, rows, 4 * columns, QImage.Format.Format_ARGB32_Premultiplied
-        )
+        rows, columns = self._size = source.shape
+        self._image = self._of_pixels()
         self._drawn: tuple[Floats, tuple[float, float], NDArray[np.uint32]] | None = None
         (dx, dy), (x0, y0) = self._step_mm, self._origin_mm
         self.rect = QRectF(
@@ -64,7 +62,7 @@ class FieldImage:
     ) -> QImage:
         """Picture of levels, (rows, columns); its first line is the highest y.
 
-        The picture is this object's own and changes with the next call.
+        Its pixels are this object's own and change with the next call.
         """
         drawn = self._drawn
         if (
@@ -76,7 +74,14 @@ class FieldImage:
             codes = colour_indices(levels_db.ravel().take(self._sources), range_db)
             self._pixels.ravel()[self._targets] = table.take(codes)
             self._drawn = levels_db, range_db, table
+            self._image = self._of_pixels()
         return self._image
+
+    def _of_pixels(self) -> QImage:
+        """A picture with a key of its own: a PDF holds those of one key for the same picture."""
+        rows, columns = self._size
+        depth = QImage.Format.Format_ARGB32_Premultiplied
+        return QImage(self._pixels.data, columns, rows, 4 * columns, depth)
 
     def level_at(self, levels_db: Floats, x_px: float, y_px: float) -> float | None:
         """Level of the pixel at a place of the outline, dB; None outside."""

@@ -1,0 +1,33 @@
+"""Maps of one surface, one after the other in a PDF, each in its own colours."""
+
+import numpy as np
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QPainter, QPdfWriter
+
+from skinsource_gui.widgets.map.colour_maps import colour_table
+from skinsource_gui.widgets.map.field_image import FieldImage
+from tests.gui.pages_of_paper import Paper
+
+
+def test_maps_that_share_a_surface_are_as_many_pictures_in_a_pdf(qapp, tmp_path):
+    spacing = np.arange(5.0, 25.0)
+    field = FieldImage(np.ones((20, 20), bool), spacing, spacing, px_per_mm=2.0)
+    falling, rising = np.full((20, 20), 10.0), np.full((20, 20), 30.0)
+    writer = QPdfWriter(str(tmp_path / "maps.pdf"))
+    painter = QPainter(writer)
+    table = colour_table()
+    for rank, levels in enumerate((falling, rising, rising)):
+        place = QRectF(200.0 * rank, 0.0, 150.0, 150.0)
+        painter.drawImage(place, field.image(levels, (0.0, 40.0), table))
+    painter.end()
+    # What is drawn twice is kept once.
+    assert len(Paper(tmp_path / "maps.pdf").images()) == 2
+
+
+def test_a_map_that_is_the_same_is_not_coloured_anew(qapp):
+    spacing = np.arange(5.0, 25.0)
+    field = FieldImage(np.ones((20, 20), bool), spacing, spacing, px_per_mm=2.0)
+    levels, table = np.full((20, 20), 10.0), colour_table()
+    keys = [field.image(levels, (0.0, 40.0), table).cacheKey() for _ in range(2)]
+    assert keys[0] == keys[1]
+    assert field.image(levels, (0.0, 20.0), table).cacheKey() != keys[0]
