@@ -13,7 +13,7 @@ from skinsource_gui.panel import Panel
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.carrying import Carrying
-from skinsource_gui.shell.docks import Dock, staged, usual_size
+from skinsource_gui.shell.docks import Dock, PanelInUse, staged, usual_size
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Engine
 from skinsource_gui.theme import LIGHT, Theme, apply_theme
@@ -47,6 +47,8 @@ class PanelPictures:
         Waits until the panels in sight show the present design.
     docks
         Where panels stand, by name.
+    in_use
+        Knows which of them is.
     """
 
     def __init__(
@@ -58,16 +60,18 @@ class PanelPictures:
         appearance: Appearance,
         catch_up: Callable[[], None],
         docks: Mapping[str, Dock],
+        in_use: PanelInUse,
     ) -> None:
         self._frame, self._panels = frame, panels
         self._carrying = Carrying(document, engine, panels)
         self._appearance, self._catch_up, self._docks = appearance, catch_up, docks
+        self._in_use = in_use
 
     def picture_of(self, name: str) -> WholePicture:
         """The picture of a panel, `IN_USE` or `ALL_IN_SIGHT`, with its caption."""
         panel: Panel | None = None
         if name != ALL_IN_SIGHT:
-            panel = self._in_use() if name == IN_USE else self._panels[name]
+            panel = self._in_use.panel if name == IN_USE else self._panels[name]
         self._catch_up()
         caption = self._carrying.caption(*((panel,) if panel else self._in_the_window()))
         size: tuple[int, int] | None = None
@@ -94,15 +98,6 @@ class PanelPictures:
     def _in_the_window(self) -> list[Panel]:
         """Panels in sight that stand in no window of their own."""
         return [one for one in self._panels if one.isVisible() and one.window() is self._frame]
-
-    def _in_use(self) -> Panel:
-        """The panel that has the keyboard, or had it before a page or the palette; or the first."""
-        in_sight = [panel for panel in self._panels if panel.isVisible()]
-        for focused in (QApplication.focusWidget(), self._frame.focusWidget()):
-            for panel in in_sight:
-                if focused is not None and panel.isAncestorOf(focused):
-                    return panel
-        return (in_sight or list(self._panels))[0]
 
     def _draw_one(
         self, panel: Panel, painter: QPainter, width: int, height: int, theme: Theme = LIGHT

@@ -149,7 +149,8 @@ class MainWindow(docks.ListsPanels):
         content = self.layout_of_docks.content
         self.files = FileActions(self.document, self.preferences, self, content)
         saving = self.document, self.preferences, self.files
-        own = self.engine, self.panels, self.appearance, self.catch_up, self.docks
+        in_use = docks.PanelInUse(self, self.docks, self.panels, self.dock_tabs)
+        own = self.engine, self.panels, self.appearance, self.catch_up, self.docks, in_use
         self.pictures = PanelPictures(self, self.document, *own)
         self.exports = ExportActions(*saving, self.runner, self.pictures.picture_of, self)
         self.stimuli = StimulusActions(*saving, self.runner, lambda: self.theme, self)

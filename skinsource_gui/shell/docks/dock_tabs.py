@@ -26,6 +26,8 @@ class DockTabs(QObject):
 
     #: What came of it, where that cannot be seen.
     done = Signal(str)
+    #: The name of a panel that was brought to the front, or whose tab was clicked.
+    meant = Signal(str)
 
     def __init__(self, window: QMainWindow, docks: Mapping[str, Dock]) -> None:
         super().__init__(window)
@@ -72,7 +74,7 @@ class DockTabs(QObject):
     def _take_keyboard(self, title: str) -> None:
         dock = self._called(title)
         if dock.in_sight:
-            focus_into(dock.panel, Qt.FocusReason.MouseFocusReason)
+            self._enter(dock, Qt.FocusReason.MouseFocusReason)
 
     def _tell(self) -> None:
         names = frozenset(name for name, dock in self._docks.items() if dock.in_sight)
@@ -94,7 +96,11 @@ class DockTabs(QObject):
     def _bring(self, title: str) -> None:
         dock = self._called(title)
         dock.bring_forward()
-        focus_into(dock.panel, Qt.FocusReason.ShortcutFocusReason)
+        self._enter(dock, Qt.FocusReason.ShortcutFocusReason)
+
+    def _enter(self, dock: Dock, reason: Qt.FocusReason) -> None:
+        focus_into(dock.panel, reason)
+        self.meant.emit(dock.objectName())
 
     def _called(self, title: str) -> Dock:
         return next(one for one in self._docks.values() if one.windowTitle() == title)
