@@ -183,11 +183,18 @@ def diagrams_of_superposition(
     )
 
 
-def part_words(shown_s: tuple[float, float], time_s: Floats) -> str:
-    """Which part is drawn over time where no zoom says so; "" for all of it."""
+def part_words(
+    shown_s: tuple[float, float], time_s: Floats, zoom: tuple[float, float] | None = None
+) -> str:
+    """Which part is drawn over time where that is not all there is, or not all of the zoom."""
+    first, last = (f"{1e3 * one:.0f}" for one in shown_s)
+    if zoom is not None:
+        step_s = float(time_s[-1] - time_s[0]) / max(time_s.size - 1, 1)
+        if min(zoom[1], float(time_s[-1])) - shown_s[1] < 1.5 * step_s:
+            return ""
+        return f"over time of what is in sight {first} to {last} ms: zoom Traces further in"
     if shown_s[0] <= time_s[0] and time_s[-1] <= shown_s[1]:
         return ""
-    first, last = (f"{1e3 * one:.0f}" for one in shown_s)
     return f"over time the loudest part, {first} to {last} ms: zoom Traces for another"
 
 

@@ -232,7 +232,7 @@ class LinearityPanel(FigurePanel):
         self.copy.offer(True)
         said = [f"Along {along}: linear by construction", held.words]
         said.append("synthetic limb" * limb.synthetic)
-        said.append("" if zoom else part_words(drawing[0].x.shown, time_s))
+        said.append(part_words(drawing[0].x.shown, time_s, zoom))
         self.about.say(" · ".join(filter(None, said)))
 
     def _time_s(self, results: Mapping[str, Any], delay_s: float) -> Floats:

@@ -7,6 +7,7 @@ import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter
 
+from skinsource_gui.panels.linearity.content import part_of, part_words
 from skinsource_gui.panels.linearity.curve import Curve
 from skinsource_gui.panels.linearity.end_labels import places_of_labels, x_with_room_for_labels
 from skinsource_gui.theme import LIGHT
@@ -106,3 +107,14 @@ def test_it_says_which_part_is_drawn_over_time_and_how_to_see_another(show):
     _, panel = show(STRENGTHS, time_range_s=(0.05, 0.1))
     assert "loudest part" not in panel.about.text
     assert panel.picture.diagrams[0].x.shown == pytest.approx((0.05, 0.1), abs=2e-3)
+
+
+def test_a_part_of_the_zoom_alone_is_told_with_its_times():
+    time_s = np.arange(6500) / 1300.0
+    curves = np.ones((2, 1, time_s.size))
+    for zoom in ((1.0, 1.2), (4.5, 9.0), (1.0, 1.0 + 1499 / 1300)):
+        first, end = part_of(time_s, curves, zoom)
+        assert part_words((time_s[first], time_s[end - 1]), time_s, zoom) == "", zoom
+    first, end = part_of(time_s, curves, (1.0, 4.0))
+    said = part_words((time_s[first], time_s[end - 1]), time_s, (1.0, 4.0))
+    assert said == "over time of what is in sight 1000 to 2153 ms: zoom Traces further in"
