@@ -91,7 +91,10 @@ class Arrangements(QObject):
         if self._spec is None:
             return
         if self._fold(self._spec) != self._folded:
+            brought = self._brought(self._spec)
             self.show(self._spec.name)
+            for panel in brought:
+                self.bring(panel)
         else:
             self.share_room()
 
@@ -112,6 +115,12 @@ class Arrangements(QObject):
             self._window.resizeDocks(docks, [height, below], _DOWN)
         for column, parts in zip(standing.columns, heights, strict=True):
             self._window.resizeDocks([self._docks[tabs[0]] for tabs in column], parts, _DOWN)
+
+    def _brought(self, spec: ArrangementSpec) -> list[str]:
+        """Panels that the arrangement does not show by itself, those that lie behind first."""
+        there = [panel for panel, dock in self._docks.items() if not dock.isHidden()]
+        added = [panel for panel in there if not isinstance(self._place(panel, spec), Place)]
+        return sorted(added, key=lambda panel: self._docks[panel].in_sight)
 
     def _place(self, panel: str, spec: ArrangementSpec) -> Place | Behind:
         places = self._places.get(panel, {})

@@ -124,7 +124,7 @@ class Presenter(QObject):
         self.done.emit(f"Page Down: next scene · B: cover the maps · {leave} or Esc: leave")
 
     def end(self) -> None:
-        """Bring the bars back, the panels where they stood, and the map."""
+        """Bring the bars back, the panels where they stood, with those of the scene, and the map."""
         window = self._window
         self.presenting, self._whole = False, None
         self._layout.release()
@@ -144,6 +144,8 @@ class Presenter(QObject):
             bar.show()
         self.presenting_changed.emit(False)
         self._arrangements.show(self._arranged)
+        for panel in self._panels:
+            self._arrangements.bring(panel)
         # Widths of columns are put back into a window as wide as it was, once it is.
         window.installEventFilter(self)
         self._put_back()
