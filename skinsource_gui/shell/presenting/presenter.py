@@ -124,7 +124,7 @@ class Presenter(QObject):
         self.done.emit(f"Page Down: next scene · B: cover the maps · {leave} or Esc: leave")
 
     def end(self) -> None:
-        """Bring the bars back, the panels where they stood, with those of the scene, and the map."""
+        """Bring back bars, panels where they stood, with those of the scene, and the map."""
         window = self._window
         self.presenting, self._whole = False, None
         self._layout.release()
