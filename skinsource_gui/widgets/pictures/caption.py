@@ -93,8 +93,8 @@ def caption_px(words: str, width: int, height: int) -> int:
     if not words:
         return 0
     font, more = QFont(), 0
-    for _ in range(2):
-        # Letters and edges grow with the page.
+    for _ in range(4):
+        # Letters and edges grow with the page, a little less each time.
         edge = _edge_px(width, height + more)
         font.setPixelSize(_letters_px(width, height + more))
         lines = lines_of(words, QFontMetricsF(font), width - 2 * edge)
