@@ -22,6 +22,7 @@ from skinsource_gui.widgets.room.words_in_room import (
     width_in,
     write_in,
 )
+from skinsource_gui.widgets.tool_button import tool_button
 
 TOOLBAR_HEIGHT_PX = 28
 _BESIDE, _BELOW = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
@@ -182,14 +183,9 @@ class PlotToolbar(QWidget):
             write_in(font, [one for one in row if one is not self._everything])
 
     def _button(self, name: str, text: str, hint: str) -> QToolButton:
-        button = QToolButton(self)
-        button.setObjectName(name)
-        button.setText(text)
-        button.setToolTip(hint)
+        button = tool_button(self, name, text, hint, checkable=True)
         button.setAccessibleName(text)
         button.setAccessibleDescription(hint)
-        button.setCheckable(True)
-        button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         return button
 
     def _choose_layout(self, button: QToolButton) -> None:
