@@ -101,6 +101,7 @@ class StimulusActions(QObject):
             kind.name,
             order.rate_hz,
             options=order.options,
+            actuation=order.actuation,
             rig=order.rig,
             equaliser=order.equaliser,
             confirmed=confirmed,

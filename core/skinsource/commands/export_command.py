@@ -28,7 +28,8 @@ def add_to(subparsers: Any) -> None:
         help="write the stimulus of a design file: WAV, CSV, MATLAB, C and others",
         description="Writes what the actuators get, and beside it OUT.json, which says what its "
         "numbers mean. One channel per place in use; the largest sample is full scale. Prints the "
-        "paths, and below them, indented, what is lost and whether it is calibrated.",
+        "paths, and below them, indented, what is lost, what it is equalised for and whether it is "
+        "calibrated.",
         epilog=f"formats:\n{listed}",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
@@ -143,7 +144,7 @@ def _export(arguments: argparse.Namespace) -> int:
         sys.stderr.write(f"skinsource: confirmed: {one}\n")
     for path in done.files:
         sys.stdout.write(f"{path}\n")
-    for note in filter(None, (done.edges, done.loses, done.calibration)):
+    for note in filter(None, (done.edges, done.loses, done.equalised, done.calibration)):
         sys.stdout.write(f"  {note[:1].upper()}{note[1:].rstrip('.')}.\n")
     return 0
 

@@ -7,6 +7,7 @@ from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from skinsource.chain import Actuation
 from skinsource.design import Design
 from skinsource.equalising import Equaliser
 from skinsource.errors import NotConfirmedError, StorageError
@@ -15,7 +16,12 @@ from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.rigs import Rig
 from skinsource.stimulus import Stage
 from skinsource.stimulus_export.naming import sidecar_path
-from skinsource.stimulus_export.notes import calibration_of, edges_of, loses_of
+from skinsource.stimulus_export.notes import (
+    calibration_of,
+    edges_of,
+    equalised_of,
+    loses_of,
+)
 from skinsource.stimulus_export.options import StimulusOptions
 from skinsource.stimulus_export.preparing import Prepared, prepared
 from skinsource.stimulus_export.safety import Limit, objections
@@ -43,9 +49,10 @@ class Exported:
         Samples that were cut off.
     objections
         What was confirmed.
-    edges, loses, calibration
+    edges, loses, calibration, equalised
         Which channels begin or end hard; what of the drive is not in the files; whether m/s² follow
-        from the samples: in words, as in the sidecars.  "" where nothing is to be said.
+        from the samples; what they are equalised for: in words, as in the sidecars.  "" where
+        nothing is to be said.
     """
 
     files: tuple[Path, ...]
@@ -55,6 +62,7 @@ class Exported:
     edges: str
     loses: str
     calibration: str
+    equalised: str
 
 
 def export_stimulus(
@@ -66,6 +74,7 @@ def export_stimulus(
     full_scale: float | None = None,
     options: StimulusOptions | None = None,
     confirmed: bool = False,
+    actuation: Actuation | None = None,
     rig: Rig | None = None,
     equaliser: Equaliser | None = None,
     stages: Sequence[Stage] = (),
@@ -89,8 +98,9 @@ def export_stimulus(
         Drive that becomes full scale, in its unit; what else shall differ from the above.
     confirmed
         Whether it is written even though samples clip or limits are passed.
-    rig, equaliser
-        What is wired; what makes volts, for it or for what the design is predicted through.
+    actuation, rig, equaliser
+        Actuators, None: those that the design is predicted through; what is wired; what makes
+        volts, for the rig or else for the actuators.
     stages, limits, progress, stop
         What is done at the rate of the device; what the drives may not pass; as of a job.
 
@@ -112,6 +122,7 @@ def export_stimulus(
         rate_hz,
         _with_full_scale(options or StimulusOptions(), full_scale),
         stages=stages,
+        actuation=actuation,
         rig=rig,
         equaliser=equaliser,
         stop=stop,
@@ -148,6 +159,7 @@ def write_prepared(
         edges=edges_of(ready),
         loses=loses_of(ready),
         calibration=calibration_of(ready),
+        equalised=equalised_of(ready),
     )
 
 

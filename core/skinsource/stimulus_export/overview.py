@@ -7,7 +7,12 @@ import numpy as np
 
 from skinsource.arrays import Floats
 from skinsource.job import Progress, Stop, never, silent, stop_if
-from skinsource.stimulus_export.notes import calibration_of, edges_of, loses_of
+from skinsource.stimulus_export.notes import (
+    calibration_of,
+    edges_of,
+    equalised_of,
+    loses_of,
+)
 from skinsource.stimulus_export.preparing import Prepared, clipped_samples
 from skinsource.stimulus_export.safety import Limit, objections
 
@@ -63,8 +68,8 @@ class Overview:
         Which channels begin or end hard, in words; "": none.
     loses
         What of the drive is not in the files; "": nothing.
-    calibration
-        Whether m/s² follow from the samples, in words.
+    calibration, equalised
+        Whether m/s² follow from the samples; what they are equalised for: in words.
     objections
         What must be confirmed.
     """
@@ -79,6 +84,7 @@ class Overview:
     edges: str
     loses: str
     calibration: str
+    equalised: str
     objections: tuple[str, ...]
 
     @property
@@ -132,6 +138,7 @@ def overview_of(
         edges=edges_of(ready),
         loses=loses_of(ready),
         calibration=calibration_of(ready),
+        equalised=equalised_of(ready),
         objections=objections(ready, limits),
     )
 

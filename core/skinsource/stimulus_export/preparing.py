@@ -53,8 +53,8 @@ class Prepared:
         What stands before the ending in the name of each file, see `naming.marked`.
     cut
         At which ends a part of the design was cut out.
-    rig, equaliser
-        What it is made for, and what makes volts of accelerations; None: neither is known.
+    actuation, rig, equaliser
+        What it is made for, and what makes volts of accelerations; None: not known.
     """
 
     format: StimulusFormat
@@ -63,6 +63,7 @@ class Prepared:
     files: tuple[tuple[Path, Outgoing], ...]
     marks: tuple[str, ...]
     cut: tuple[Ends, ...] = ()
+    actuation: Actuation | None = None
     rig: Rig | None = None
     equaliser: Equaliser | None = None
 
@@ -97,6 +98,7 @@ def prepared(
     options: StimulusOptions,
     *,
     stages: Sequence[Stage] = (),
+    actuation: Actuation | None = None,
     rig: Rig | None = None,
     equaliser: Equaliser | None = None,
     progress: Progress = silent,
@@ -110,9 +112,12 @@ def prepared(
         What goes where, as what, and how.
     rate_hz
         None: the usual one of the format, which is also taken where it knows no other.
-    stages, rig, equaliser
-        What is done at that rate; what the channels are wired to; what makes volts of
-        accelerations: full scale is then that of each channel, not the largest sample.
+    stages, actuation
+        What is done at that rate; the actuators where no rig says them, None: those that the
+        design is predicted through.
+    rig, equaliser
+        What the channels are wired to; what makes volts of accelerations: with a rig, full scale
+        is then that of each channel, not the largest sample.
     progress, stop
         Told how many channels have that rate; as of a job.
 
@@ -130,7 +135,8 @@ def prepared(
         lead_in_s, options = options.lead_in_s, replace(options, lead_in_s=0.0)
     made = _made(design, rate_hz, options, stages, lead_in_s, (progress, stop))
     stop_if(stop)
-    drives = _cut(_for_rig(made, rig, equaliser, options, design.actuated), options)
+    actuation = design.actuated if actuation is None else actuation
+    drives = _cut(_for_rig(made, rig, equaliser, options, actuation), options)
     gain = 1.0 if drives.unit == FULL_SCALE_UNIT else _gain(drives, options)
     apart = parts(drives, gain, format, options)
     places = [marked(path, format, mark) for mark in apart]
@@ -145,6 +151,7 @@ def prepared(
         files=files,
         marks=tuple(apart),
         cut=cut,
+        actuation=actuation,
         rig=rig,
         equaliser=equaliser,
     )
@@ -187,7 +194,7 @@ def _for_rig(
     rig: Rig | None,
     equaliser: Equaliser | None,
     options: StimulusOptions,
-    actuated: Actuation | None,
+    actuation: Actuation | None,
 ) -> Stimulus:
     """The stimulus as the channels of ``rig`` want it."""
     own_scale = options.full_scale is not None
@@ -200,12 +207,12 @@ def _for_rig(
         return for_rig(made, rig, equaliser, scaled=own_scale)
     if equaliser is None:
         return made
-    if actuated is None:
+    if actuation is None:
         raise InvalidInputError(
             "An equaliser needs to know what is at each place: choose a rig, or let the design be "
             "predicted through an actuator."
         )
-    return through_actuators(made, actuated, equaliser)
+    return through_actuators(made, actuation, equaliser)
 
 
 def _cut(made: Stimulus, options: StimulusOptions) -> Stimulus:
