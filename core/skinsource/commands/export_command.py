@@ -87,6 +87,11 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
             metavar="|".join(options),
             help=f"for {', '.join(formats)}",
         )
+    parser.add_argument(
+        "--accept-loss",
+        action="store_true",
+        help="write it even though a channel loses more than 1 dB of its energy to the rate",
+    )
     parser.add_argument("--rig", type=Path, metavar="FILE", help="a .skinrig file: what is wired")
     parser.add_argument(
         "--equalise",
@@ -127,6 +132,7 @@ def _export(arguments: argparse.Namespace) -> int:
         channel_map=arguments.channel_map,
         full_scale=arguments.full_scale,
         dither_seed=arguments.dither,
+        accept_loss=arguments.accept_loss,
         choices={name: value for name, value in chosen.items() if value is not None},
     )
     rig = None if arguments.rig is None else open_rig(arguments.rig)

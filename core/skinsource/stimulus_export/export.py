@@ -21,6 +21,8 @@ from skinsource.stimulus_export.notes import (
     edges_of,
     equalised_of,
     loses_of,
+    lost_at_rate,
+    refused_loss_of,
 )
 from skinsource.stimulus_export.options import StimulusOptions
 from skinsource.stimulus_export.preparing import Prepared, prepared
@@ -109,24 +111,28 @@ def export_stimulus(
     InvalidInputError
         Nothing is heard, or something cannot be had.
     NotConfirmedError
-        Samples would clip or limits be passed.
+        Samples would clip, limits be passed, or a channel lose more than 1 dB to the rate.
     StorageError
         The folder cannot be written, or the disk is full.
     """
     target = Path(path)
+    options = options or StimulusOptions()
     progress(0, 0, "Computing")
     ready = prepared(
         design,
         target,
         format_named(format, target),
         rate_hz,
-        _with_full_scale(options or StimulusOptions(), full_scale),
+        _with_full_scale(options, full_scale),
         stages=stages,
         actuation=actuation,
         rig=rig,
         equaliser=equaliser,
         stop=stop,
     )
+    if not options.accept_loss and (refused := refused_loss_of(ready)):
+        lost = lost_at_rate([one for _, one in ready.files])
+        raise NotConfirmedError(f"{lost} {refused[:-1]}, or accept the loss (--accept-loss).")
     return write_prepared(ready, confirmed=confirmed, limits=limits, progress=progress, stop=stop)
 
 

@@ -12,6 +12,7 @@ from skinsource.stimulus_export.notes import (
     edges_of,
     equalised_of,
     loses_of,
+    refused_loss_of,
 )
 from skinsource.stimulus_export.preparing import Prepared, clipped_samples
 from skinsource.stimulus_export.safety import Limit, objections
@@ -71,7 +72,7 @@ class Overview:
     calibration, equalised
         Whether m/s² follow from the samples; what they are equalised for: in words.
     objections
-        What must be confirmed.
+        What must be confirmed, or accepted.
     """
 
     channels: tuple[ChannelOverview, ...]
@@ -139,7 +140,7 @@ def overview_of(
         loses=loses_of(ready),
         calibration=calibration_of(ready),
         equalised=equalised_of(ready),
-        objections=objections(ready, limits),
+        objections=tuple(filter(None, (refused_loss_of(ready), *objections(ready, limits)))),
     )
 
 

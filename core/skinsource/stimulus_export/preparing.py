@@ -28,6 +28,7 @@ from skinsource.stimulus import (
 )
 from skinsource.stimulus.wiring import FULL_SCALE_UNIT, for_rig, through_actuators
 from skinsource.stimulus_export.edges import Ends, cut_ends
+from skinsource.stimulus_export.losses import with_losses
 from skinsource.stimulus_export.naming import marked
 from skinsource.stimulus_export.options import StimulusOptions
 from skinsource.stimulus_export.parts import parts
@@ -137,6 +138,9 @@ def prepared(
     stop_if(stop)
     actuation = design.actuated if actuation is None else actuation
     drives = _cut(_for_rig(made, rig, equaliser, options, actuation), options)
+    if drives.sample_rate_hz != drives.own_rate_hz:
+        own = _made(design, None, options, (), 0.0, (silent, stop))
+        drives = with_losses(drives, own, options, stop)
     gain = 1.0 if drives.unit == FULL_SCALE_UNIT else _gain(drives, options)
     apart = parts(drives, gain, format, options)
     places = [marked(path, format, mark) for mark in apart]

@@ -83,7 +83,7 @@ def sidecar_of(
         "confirmed": list(confirmed),
         "edges": edge_words([stimulus], ready.cut),
         "errors": _errors(stimulus, facts),
-        "loses": loses_of(ready),
+        "loses": loses_of(ready, outgoing),
         "versions": versions(),
         **{name: value for name, value in facts.items() if name != "clipped_samples"},
     }
