@@ -6,12 +6,12 @@ from pathlib import Path
 from typing import cast
 
 from skinsource.checking import Recorded, condition_of
+from skinsource.checking.report import Condition
 from skinsource.design import Design
 from skinsource.errors import SkinSourceError, Stopped
 from skinsource.job import Progress, Stop
 from skinsource.projection import Axes
 from skinsource.recordings.reading_process import ReadingProcess
-from skinsource.validation.report import Condition
 
 TITLE = "Check against a recording"
 CHECKING = "Checking against recordings"

@@ -7,11 +7,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog, QFileDialog, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from skinsource.checking import write_report
+from skinsource.checking.report import FIGURES, Condition, by_frequency
 from skinsource.errors import SkinSourceError
 from skinsource.fields import ChoiceSpec, NumberSpec
 from skinsource.own_limbs import facts_of
 from skinsource.quoting import sentence
-from skinsource.validation.report import FIGURES, Condition, by_frequency
 from skinsource_gui.checking_page.boxes import BoxFigure
 from skinsource_gui.checking_page.check_list import CheckList
 from skinsource_gui.checking_page.checking import TITLE, Row

@@ -8,33 +8,19 @@ from pathlib import Path
 from PySide6.QtCore import QByteArray, QSettings
 
 from skinsource.errors import SkinSourceError
-from skinsource.files import is_folder, is_there, make_folder, read_bytes, write_bytes
-from skinsource.files.assets import config_folder, user_folder
+from skinsource.files import is_folder
+from skinsource.files.assets import config_folder
 
 #: Unsaved work is kept as often, unless something else is wanted.
 AUTOSAVE_S = 30.0
 
 _LEAST_AUTOSAVE_S, _MOST_AUTOSAVE_S = 0.05, 3600.0
 _NAME = "studio.ini"
-_MOST_BYTES = 2**20
 
 
 def settings_path() -> Path:
-    """Where the settings lie: in the folder for settings.
-
-    Older studios kept them beside the user's data; found there, they are moved.
-    """
-    path, before = config_folder() / _NAME, user_folder() / _NAME
-    if is_there(path) or not is_there(before):
-        return path
-    try:
-        make_folder(path.parent)
-        write_bytes(path, read_bytes(before, most=_MOST_BYTES))
-        before.unlink()
-    except (SkinSourceError, OSError):
-        # They stay where they are, and are read from there.
-        return path if is_there(path) else before
-    return path
+    """Where the settings lie: in the folder for settings."""
+    return config_folder() / _NAME
 
 
 class _Text:
@@ -143,9 +129,8 @@ class Preferences:
 
     @property
     def hinted(self) -> bool:
-        """Whether the hints of the first start were shown, or the studio is not new here."""
-        shown = str(self.settings.value("hinted", "")) == "true"
-        return shown or not self.geometry.isEmpty()
+        """Whether the hints of the first start were shown."""
+        return str(self.settings.value("hinted", "")) == "true"
 
     @hinted.setter
     def hinted(self, hinted: bool) -> None:

@@ -103,13 +103,18 @@ def test_an_image_cut_off_or_lengthened_is_refused():
             from_image(other)
 
 
-def test_an_image_of_a_newer_version_says_so():
-    newer = to_image(TREE).replace(b"version 2", b"version 3", 1)
-    with pytest.raises(FileFormatError, match=r"version 3 of the format.*newer SkinSource"):
-        from_image(newer)
-    newer = text.to_text([1], "a tree").replace('"version":2', '"version":3')
-    with pytest.raises(FileFormatError, match=r"version 3 of the format.*newer SkinSource"):
-        text.from_text(newer, "a tree")
+@pytest.mark.parametrize(
+    ("version", "studio"),
+    [
+        ("1", "the SkinSource studio that wrote it"),
+        ("true", "the SkinSource studio that wrote it"),
+        ("3", "a newer SkinSource studio"),
+    ],
+)
+def test_a_text_of_another_version_says_which_studio_opens_it(version, studio):
+    other = text.to_text([1], "a tree").replace('"version":2', f'"version":{version}')
+    with pytest.raises(FileFormatError, match=f"of its format, expected 2; open it with {studio}"):
+        text.from_text(other, "a tree")
 
 
 def test_a_text_that_holds_something_else_says_so():

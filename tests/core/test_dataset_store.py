@@ -156,9 +156,10 @@ def test_verify_can_be_stopped(made_up_installed):
         upkeep.verify(stop=lambda: True)
 
 
-def test_another_format_version_is_refused(made_up_installed):
-    _set_attribute(made_up_installed, "format_version", 3)
-    with pytest.raises(DatasetError, match="has format version 3, this program reads versions 1"):
+@pytest.mark.parametrize("version", [1, 3])
+def test_another_format_version_is_refused(made_up_installed, version):
+    _set_attribute(made_up_installed, "format_version", version)
+    with pytest.raises(DatasetError, match=rf"version {version}, expected 2\. Install it again"):
         store.load_measured_limb(1)
 
 

@@ -56,7 +56,10 @@ WRONG = {
         "expected format",
     ),
     "a newer version": ('{"format": "skinsource rig", "version": 2, "content": {}}', "newer"),
-    "True as a version": ('{"format": "skinsource rig", "version": true, "content": {}}', "newer"),
+    "True as a version": (
+        '{"format": "skinsource rig", "version": true, "content": {}}',
+        "version True of its format, expected 1",
+    ),
     "another kind": (
         '{"format": "skinsource rig", "version": 1, "content": {"kind": "Design"}}',
         "Rig",

@@ -7,9 +7,9 @@ from PySide6.QtWidgets import QPushButton
 from shiboken6 import isValid
 
 import skinsource as ss
+from skinsource.checking.report import Condition
 from skinsource.design_file import save_design
 from skinsource.resampling import resample
-from skinsource.validation.report import Condition
 from skinsource.view import View
 from skinsource_gui.checking_page.page import CheckingPage
 

@@ -149,7 +149,6 @@ def test_tabs_of_the_last_session_are_tabs_again(qtbot, preferences):
     first.docks["history"].bring_forward()
     first.docks["library"].bring_forward()
     QApplication.processEvents()
-    # As older studios put it: at the foot of the last column.
     first.splitDockWidget(first.docks["spectra"], first.docks["compare"], Qt.Orientation.Vertical)
     first.docks["compare"].show()
     before = in_sight(first)

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-from PySide6.QtCore import QByteArray
 from PySide6.QtWidgets import QMainWindow, QPushButton, QToolButton
 
 import skinsource as ss
@@ -53,14 +52,8 @@ def test_who_wants_no_more_of_them_or_just_ends_the_studio_is_left_alone(qtbot, 
     assert Preferences(tmp_path / "a.ini").hinted
 
 
-def test_a_studio_that_was_used_before_or_has_something_urgent_to_say_hints_nothing(
-    qtbot, tmp_path
-):
+def test_a_studio_that_has_something_urgent_to_say_hints_nothing(qtbot, tmp_path):
     _, notice = window_of(qtbot)
-    used = Preferences(tmp_path / "used.ini")
-    used.geometry = QByteArray(b"somewhere")
-    FirstHints(used, notice, document()).offer()
-    assert notice.text == ""
     new = Preferences(tmp_path / "new.ini")
     notice.say("Unsaved work was left", "warning")
     FirstHints(new, notice, document()).offer()

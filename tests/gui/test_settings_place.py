@@ -1,11 +1,11 @@
-"""Settings lie in the folder for settings; older ones are taken along."""
+"""Settings lie in the folder for settings."""
 
 from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QByteArray
 
-from skinsource.files.assets import config_folder, user_folder
+from skinsource.files.assets import config_folder
 from skinsource_gui.state.preferences import Preferences, settings_path
 
 
@@ -16,34 +16,9 @@ def config(tmp_path, monkeypatch) -> Path:
     return folder
 
 
-def older_settings() -> Path:
-    path = user_folder() / "studio.ini"
-    preferences = Preferences(path)
-    preferences.theme_name = "dark"
-    preferences.flush()
-    assert path.is_file()
-    return path
-
-
 def test_a_folder_for_settings_of_its_own_isolates_them(config):
     assert settings_path() == config / "studio.ini"
     assert not config.exists()
-
-
-def test_settings_beside_the_data_are_moved_once(config):
-    before = older_settings()
-    assert Preferences(settings_path()).theme_name == "dark"
-    assert not before.exists()
-    older_settings()
-    Preferences(settings_path()).theme_name = "light"
-    assert Preferences(settings_path()).theme_name == "light"
-
-
-def test_settings_that_cannot_be_moved_are_used_where_they_are(config):
-    before = older_settings()
-    config.write_bytes(b"in the way")
-    assert settings_path() == before
-    assert Preferences(settings_path()).theme_name == "dark"
 
 
 def test_whoever_sets_the_data_folder_has_everything_in_it(user_data, monkeypatch):

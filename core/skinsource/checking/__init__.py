@@ -11,7 +11,7 @@ from skinsource.checking.linearity import (
     strengths_of,
     superposition,
 )
-from skinsource.checking.pages import html_of, write_report
+from skinsource.checking.report import html_of, write_report
 
 __all__ = [
     "Proportion",

@@ -11,6 +11,7 @@ from skinsource.analysis.noise import QUIET_SHARE, quiet_rms
 from skinsource.analysis.statistics import dominant_frequency
 from skinsource.analysis_rules.noise_rules import place_noise
 from skinsource.arrays import Floats
+from skinsource.checking.report import Condition, NoiseOf
 from skinsource.choice_words import AXES, word_of
 from skinsource.comparing.snapshot import louder
 from skinsource.design import Design, audible_inputs
@@ -30,7 +31,6 @@ from skinsource.validation import (
     open_recorded,
     superposition_correlation,
 )
-from skinsource.validation.report import Condition, NoiseOf
 from skinsource.validity import Findings
 from skinsource.validity.finding import words_of
 from skinsource.view import View

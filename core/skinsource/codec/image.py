@@ -51,7 +51,7 @@ def to_image(tree: Tree, version: int) -> bytes:
     tree
         What `skinsource.codec.encode` makes.
     version
-        Version of the format, for other versions to see.
+        Version of the format.
 
     Raises
     ------
@@ -73,7 +73,7 @@ def to_image(tree: Tree, version: int) -> bytes:
     # The image is built in memory: HDF5 on a full disk may end the process.
     memory = io.BytesIO()
     with hdf5.File(memory, "w", libver=("v110", "v110"), userblock_size=HEADER_BYTES) as file:
-        # Studios that know version 1 only look here, and say that they are too old.
+        # For other programs, which do not look at the first bytes.
         file.attrs.create("format", FORMAT.encode(), dtype=hdf5.string_dtype("utf-8", len(FORMAT)))
         file.attrs["version"] = version
         _write(file, "content", np.frombuffer(text, np.uint8))
@@ -84,10 +84,21 @@ def to_image(tree: Tree, version: int) -> bytes:
     return _header(image, version) + image
 
 
-def version_of(image: bytes) -> int | None:
-    """Version that the first line tells; None where it is none of ours."""
-    found = _FIRST_LINE.match(image)
-    return int(found[1]) if found else None
+def version_of(image: bytes) -> int:
+    """Return the version that the first line tells.
+
+    Raises
+    ------
+    FileFormatError
+        The first line is none of ours.
+    """
+    first_line = _FIRST_LINE.match(image)
+    if first_line is None:
+        raise FileFormatError(
+            "not a SkinSource design, or damaged: its first line is not 'SkinSource design, "
+            "version …'. Choose a .skinsource file saved by SkinSource studio."
+        )
+    return int(first_line[1])
 
 
 def from_image(image: bytes, version: int) -> Tree:
@@ -98,11 +109,6 @@ def from_image(image: bytes, version: int) -> Tree:
     FileFormatError
         A bit of it has changed, or it was written in another version.
     """
-    if version_of(image) != version:
-        raise FileFormatError(
-            f"written in version {version_of(image)} of the format, and this studio reads versions "
-            f"up to {version}. Open it with a newer SkinSource studio."
-        )
     if image[:HEADER_BYTES] != _header(memoryview(image)[HEADER_BYTES:], version):
         raise FileFormatError(f"not what was saved: the checksum does not fit. {_DAMAGED}")
     try:

@@ -2,6 +2,7 @@
 
 import json
 
+from skinsource.codec.format_version import check_version
 from skinsource.codec.json_text import MAX_TEXT_BYTES, loaded
 from skinsource.errors import FileFormatError, InvalidInputError
 from skinsource.fields import Tree
@@ -26,12 +27,12 @@ def to_plain_text(tree: Tree, format: str, version: int) -> str:
 
 
 def from_plain_text(text: bytes, format: str, version: int) -> Tree:
-    """Return the tree of a text in this format, up to this version.
+    """Return the tree of a text in this version of this format.
 
     Raises
     ------
     FileFormatError
-        The text is something else, or was written by a newer version.
+        The text is something else, or was written in another version.
     """
     try:
         found = loaded(text)
@@ -46,10 +47,5 @@ def from_plain_text(text: bytes, format: str, version: int) -> Tree:
         raise FileFormatError(
             f"it holds {quoted(sorted(found))}, expected format, version and content"
         )
-    stated = found["version"]
-    if isinstance(stated, bool) or stated != version:
-        raise FileFormatError(
-            f"it is of version {quoted(stated)} of the format, and this studio reads version "
-            f"{version}. Open it with a newer SkinSource studio."
-        )
+    check_version(found["version"], version)
     return found["content"]

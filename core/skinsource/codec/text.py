@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from skinsource.codec.format_version import check_version
 from skinsource.codec.json_text import MAX_TEXT_BYTES, dumped, loaded
 from skinsource.codec.references import put_back, taken_out
 from skinsource.errors import FileFormatError, InvalidInputError
@@ -54,16 +55,12 @@ def from_text(text: str, format: str) -> Tree:
     Raises
     ------
     FileFormatError
-        The text is something else, is damaged, or was written by a newer version.
+        The text is something else, is damaged, or was written in another version.
     """
     found = loaded(text.encode(errors="replace"))
     if not isinstance(found, dict) or found.get("format") != format:
         raise FileFormatError(f"the text does not hold {format}, but {quoted(text)}")
-    if found.get("version") != TEXT_VERSION:
-        raise FileFormatError(
-            f"the text was written in version {quoted(found.get('version'))} of the format, and "
-            f"this studio reads version {TEXT_VERSION}. Use a newer SkinSource studio."
-        )
+    check_version(found.get("version"), TEXT_VERSION)
     body = {name: found.get(name) for name in ("content", "samples")}
     if not _is_whole(found.get("sha256"), body) or not isinstance(body["samples"], dict):
         raise FileFormatError(f"the text was changed on its way. {_COPY_AGAIN}")

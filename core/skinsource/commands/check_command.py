@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.checking import Recorded, condition_of, write_report
+from skinsource.checking.report import summary_lines
 from skinsource.choice_words import AXES
 from skinsource.design_file import open_design
 from skinsource.errors import InvalidInputError
 from skinsource.recordings.reading_process import ReadingProcess
-from skinsource.validation.report import summary_lines
 
 
 def add_to(subparsers: Any) -> None:

@@ -16,9 +16,7 @@ if TYPE_CHECKING:
     import h5py
 
 _ROOT_NUMBERS = ("format_version", "source_bytes")
-_ROOT_TEXTS = ("format", "installed_at", "source_name", "source_sha256")
-# Of the first version all but these; it did not compare its source with the published files.
-_LATER_TEXTS = ("unpublished",)
+_ROOT_TEXTS = ("format", "installed_at", "source_name", "source_sha256", "unpublished")
 
 
 class Contents:
@@ -32,7 +30,7 @@ class Contents:
 
     def __init__(self, file: "h5py.File", path: Path) -> None:
         self._parts = StoreParts(file, path)
-        self._version = self._checked_version()
+        self._check_version()
         self._check_root()
 
     def text(self, name: str) -> str:
@@ -43,10 +41,8 @@ class Contents:
         """One of the numbers that tell where the data come from."""
         return int(self._parts.attribute(self._parts.root, name, "i"))
 
-    def unpublished(self) -> tuple[str, ...] | None:
-        """Files that were not the published ones; None where they were not compared."""
-        if self._version == 1:
-            return None
+    def unpublished(self) -> tuple[str, ...]:
+        """Files that were not the published ones."""
         found = self.text("unpublished")
         return () if found == layout.ALL_PUBLISHED else tuple(found.split(","))
 
@@ -73,7 +69,7 @@ class Contents:
         )
         return np.asarray(dataset[()]), self._parts.attribute(dataset, DIGEST, "S").decode("ascii")
 
-    def _checked_version(self) -> int:
+    def _check_version(self) -> None:
         known = "format" in self._parts.root.attrs and "format_version" in self._parts.root.attrs
         found = self.text("format") if known else None
         if found != layout.FORMAT:
@@ -82,18 +78,16 @@ class Contents:
                 f"expected {quoted(layout.FORMAT)}). Move it away. {REINSTALL}"
             )
         version = self.number("format_version")
-        if not 1 <= version <= layout.FORMAT_VERSION:
+        if version != layout.FORMAT_VERSION:
             raise DatasetError(
-                f"{self._parts.path}: has format version {version}, this program reads versions "
-                f"1 to {layout.FORMAT_VERSION}. Use the program that made it, or: {REINSTALL}"
+                f"{self._parts.path}: has format version {version}, expected "
+                f"{layout.FORMAT_VERSION}. {REINSTALL}"
             )
-        return version
 
     def _check_root(self) -> None:
-        texts = _ROOT_TEXTS if self._version == 1 else (*_ROOT_TEXTS, *_LATER_TEXTS)
-        self._parts.refuse_unknown("/", self._parts.root.attrs, {*texts, *_ROOT_NUMBERS})
+        self._parts.refuse_unknown("/", self._parts.root.attrs, {*_ROOT_TEXTS, *_ROOT_NUMBERS})
         self._parts.refuse_unknown("/", self._parts.root, set(layout.GROUPS))
-        for name in texts:
+        for name in _ROOT_TEXTS:
             self.text(name)
         for name in _ROOT_NUMBERS:
             self.number(name)

@@ -2,7 +2,6 @@
 
 The file is in the format of HDF5 1.10, which checks sums of all that is not an array; each array
 has a SHA-256 of its own.  All texts are of fixed length: HDF5 leaves others unchecked.
-Version 1 is the same without ``unpublished``, and is still read.
 ::
 
     /                        format, format_version, installed_at, source_name,

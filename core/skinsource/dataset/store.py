@@ -50,8 +50,7 @@ class StoreInfo:
     source_name, source_sha256, source_bytes
         The file of impulse responses it was made from.
     unpublished
-        Files it was made from that are not the published ones; None where an older version of the
-        program did not compare them.
+        Files it was made from that are not the published ones.
     """
 
     path: Path
@@ -61,7 +60,7 @@ class StoreInfo:
     source_name: str
     source_sha256: str
     source_bytes: int
-    unpublished: tuple[str, ...] | None
+    unpublished: tuple[str, ...]
 
     @property
     def note(self) -> str:
@@ -200,12 +199,7 @@ def _compare(found: str, expected: str, what: str, path: Path) -> None:
         )
 
 
-def _note_on(unpublished: tuple[str, ...] | None) -> str:
-    if unpublished is None:
-        return (
-            "installed by an older version, which did not compare its files with the published "
-            "ones; install again to have them compared"
-        )
+def _note_on(unpublished: tuple[str, ...]) -> str:
     if not unpublished:
         return ""
     return f"made from files that are not the published ones: {', '.join(unpublished)}"

@@ -96,10 +96,9 @@ def find(folder: Path) -> Found:
             elif not _being_opened(copy):
                 moved = set_aside(copy)
                 aside += [moved] if moved else []
-        # Older studios laid one copy of each beside those of the others.
-        together = [copies] if place.name != FOLDER else [[copy] for copy in copies]
-        left += [_left_over(place, some) for some in together if some]
-        if not copies:
+        if copies:
+            left.append(_left_over(place, copies))
+        else:
             _remove_empty(place)
     left.sort(key=lambda one: one.kept_s, reverse=True)
     return Found(tuple(left), tuple(aside))
@@ -119,11 +118,11 @@ def mark_opened(copy: Path) -> None:
 
 def set_aside(copy: Path) -> Path | None:
     """Move a copy that is bad to where none is offered; returns where it is, None: it stays."""
-    root = copy.parent if copy.parent.name == FOLDER else copy.parent.parent
+    aside = copy.parent.parent / ASIDE
     try:
-        make_folder(root / ASIDE)
+        make_folder(aside)
         for number in range(1, 1000):
-            target = root / ASIDE / (copy.name if number == 1 else f"{number} {copy.name}")
+            target = aside / (copy.name if number == 1 else f"{number} {copy.name}")
             if not target.exists():
                 copy.rename(target)
                 mark_opened(copy)
@@ -152,12 +151,12 @@ def age_words(seconds: float) -> str:
 
 
 def _places(root: Path) -> list[Path]:
-    """Folders of studios that have ended, and the one above, where older studios kept copies."""
+    """Folders of studios that have ended."""
     try:
         inside = sorted(path for path in root.iterdir() if path.is_dir() and path.name != ASIDE)
     except OSError:
         return []
-    ended = [*(place for place in inside if _has_ended(place)), root]
+    ended = [place for place in inside if _has_ended(place)]
     for place in ended:
         for part in place.glob(".*.part"):
             with suppress(OSError):
@@ -175,7 +174,7 @@ def _has_ended(place: Path) -> bool:
 
 
 def _remove_empty(place: Path) -> None:
-    if place.name != FOLDER and not _copies(place):
+    if not _copies(place):
         shutil.rmtree(place, ignore_errors=True)
 
 

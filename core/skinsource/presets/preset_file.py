@@ -33,7 +33,7 @@ def preset_from(words: str) -> Preset:
     Raises
     ------
     FileFormatError, InvalidInputError
-        The text is something else, is damaged, or was written by a newer version.
+        The text is something else, is damaged, or was written in another version.
     """
     found: Preset = codec.decode(text.from_text(words, FORMAT), (Preset,), Address())
     return found

@@ -6,13 +6,12 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.checking import Recorded, condition_of
+from skinsource.checking import Recorded, condition_of, report
+from skinsource.checking.report import html_of, quartiles, round_ticks, summary_lines
 from skinsource.choice_words import SCALINGS, word_of
 from skinsource.commands.command_line import main
 from skinsource.design_file import save_design
 from skinsource.errors import InvalidInputError, RecordingError
-from skinsource.validation import report
-from skinsource.validation.report import quartiles, report_html, round_ticks, summary_lines
 from skinsource.view import View
 
 
@@ -93,7 +92,7 @@ def test_a_report_says_what_there_is_to_note_of_the_limb_and_what_a_lamp_warns_o
     note = ss.load_limb("measured-1").note
     assert note
     found = condition_of(design, "<fast>")
-    page = report_html([found], [])
+    page = html_of([found], ["synthetic-1"])
     assert "recording: none" in page
     assert f"NOTE on the limb: {note}" in page
     assert "validity, band: CAUTION" in page
@@ -137,7 +136,7 @@ def test_a_recording_without_quiet_is_held_against_the_noise_of_the_limb(measure
     aligned = np.sqrt(np.sum(field**2, axis=-1) / (field.shape[-1] + 60))
     np.testing.assert_array_equal(found.agreement.counted, aligned >= 2.0 * sensors)
     assert "noise of the sensors of the limb" in summary_lines([found])[0]
-    assert "noise of the sensors of the limb" in report_html([found], [])
+    assert "noise of the sensors of the limb" in html_of([found], ["synthetic-1"])
 
 
 def test_recordings_that_do_not_fit_are_refused_and_nothing_is_written(

@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
 import pytest
 
@@ -97,11 +96,42 @@ def test_what_every_version_writes_may_not_be_missing(saved):
         open_design(saved)
 
 
-def test_a_file_of_version_4_is_refused_as_newer(saved):
-    stored = saved.read_bytes().replace(b"version 3", b"version 4", 1)
-    saved.write_bytes(stored)
-    with pytest.raises(DesignFileError, match=r"version 4 .* Open it with a newer SkinSource"):
+@pytest.mark.parametrize(
+    ("version", "studio"),
+    [
+        (1, "the SkinSource studio that wrote it"),
+        (2, "the SkinSource studio that wrote it"),
+        (4, "a newer SkinSource studio"),
+    ],
+)
+def test_a_file_of_another_version_is_refused_in_one_sentence(saved, version, studio):
+    saved.write_bytes(image.to_image(codec.encode(DesignFile(design=DESIGN)), version))
+    with pytest.raises(DesignFileError) as caught:
         open_design(saved)
+    assert str(caught.value) == (
+        f"design.skinsource: it is written in version {version} of its format, expected 3; open "
+        f"it with {studio}."
+    )
+
+
+def test_an_upgrade_is_all_it_takes_to_read_the_version_before(saved, monkeypatch):
+    # A pretended version 4 has a title where version 3 had a name.
+    rewritten(saved, lambda tree: tree["design"].update(name=tree["design"].pop("title")))
+    monkeypatch.setattr(design_file, "VERSION", 4)
+    with pytest.raises(DesignFileError, match="version 3 of its format, expected 4"):
+        open_design(saved)
+
+    def to_version_4(tree):
+        design = dict(tree["design"])
+        name = design.pop("name")
+        return {**tree, "design": {**design, "title": name}}
+
+    monkeypatch.setattr(design_file, "UPGRADES", {3: to_version_4})
+    older = open_design(saved)
+    assert older == DesignFile(design=DESIGN, view=VIEW)
+    save_design(saved, older.design, older.view)
+    assert saved.read_bytes().startswith(b"SkinSource design, version 4\n")
+    assert open_design(saved) == older
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -149,9 +179,3 @@ def test_the_studio_of_today_refuses_what_the_one_of_tomorrow_wrote(saved, tomor
     monkeypatch.undo()
     with pytest.raises(DesignFileError, match=r"holds .*newer SkinSource studio"):
         open_design(saved)
-
-
-def test_a_studio_that_knows_version_1_only_learns_that_it_is_too_old(saved):
-    with h5py.File(saved) as file:
-        assert file.attrs["format"] == b"skinsource design"
-        assert file.attrs["version"] == 3

@@ -45,17 +45,6 @@ def test_several_are_found_the_newest_first(tmp_path, left_by_a_killed_studio):
     assert [one.name for one in left_over.find(tmp_path).left] == ["c", "b", "a"]
 
 
-def test_copies_of_older_studios_lie_side_by_side_and_are_found_each(tmp_path, work):
-    (tmp_path / "unsaved").mkdir()
-    for name in ("tap-123", "untitled-4"):
-        Session(tmp_path).keep(work(1)).rename(tmp_path / "unsaved" / f"{name}.skinsource")
-    found = left_over.find(tmp_path).left
-    assert {(one.name, len(one.copies)) for one in found} == {("tap-123", 1), ("untitled-4", 1)}
-    for one in found:
-        left_over.discard(one)
-    assert left_over.find(tmp_path).left == ()
-
-
 def test_a_copy_whose_opening_never_ended_is_set_aside_and_the_one_before_is_offered(
     tmp_path, left_by_a_killed_studio, ended
 ):

@@ -9,6 +9,10 @@ from pathlib import Path
 
 import pytest
 
+from skinsource.design import Design, track
+from skinsource.design_file import save_design
+from skinsource.view import View
+
 PROJECT = Path(__file__).parents[3]
 
 
@@ -25,11 +29,6 @@ class Copy:
     @property
     def studio(self) -> Path:
         return self.folder / "skinsource_gui"
-
-    @property
-    def old_design(self) -> Path:
-        """A design file that was written long ago."""
-        return PROJECT / "tests" / "references" / "designs-v1" / "every-kind.skinsource"
 
     def write(self, path: Path, text: str) -> None:
         """Write a new file."""
@@ -57,6 +56,14 @@ class Copy:
         )
         assert result.returncode == 0, result.stderr[-3000:]
         return result.stdout
+
+
+@pytest.fixture(scope="session")
+def older_design(tmp_path_factory) -> Path:
+    """A design file that the project wrote before anything in a copy of it was changed."""
+    path = tmp_path_factory.mktemp("older") / "older.skinsource"
+    save_design(path, Design(limb="synthetic-1", inputs=(track(location=7),)), View())
+    return path
 
 
 @pytest.fixture(scope="session")

@@ -199,7 +199,7 @@ EXPORTED = """    ExportSpec(
 
 
 @pytest.fixture(scope="module")
-def facts(make_copy, tmp_path_factory):
+def facts(make_copy, tmp_path_factory, older_design):
     """What the studio is like in which all four recipes were followed."""
     copy = make_copy()
     # A function, and its name among the rules.
@@ -241,7 +241,7 @@ def facts(make_copy, tmp_path_factory):
         '    action(\n        "shift_input_up"',
         ACTION,
     )
-    output = copy.run(TRY, tmp_path_factory.mktemp("made"), copy.old_design)
+    output = copy.run(TRY, tmp_path_factory.mktemp("made"), older_design)
     return json.loads(output.splitlines()[-1])
 
 

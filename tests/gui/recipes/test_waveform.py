@@ -91,7 +91,9 @@ print("all of it works")
 """
 
 
-def test_a_new_waveform_is_a_file_and_a_name_and_a_new_field_is_a_line(make_copy, tmp_path):
+def test_a_new_waveform_is_a_file_and_a_name_and_a_new_field_is_a_line(
+    make_copy, tmp_path, older_design
+):
     copy = make_copy()
     # A file in waveforms and a name in MORE.
     copy.write(copy.library / "waveforms" / "clicks.py", CLICKS)
@@ -104,5 +106,5 @@ def test_a_new_waveform_is_a_file_and_a_name_and_a_new_field_is_a_line(make_copy
     copy.insert(copy.library / "design.py", "    muted: bool = fields", f"    {label}")
     bookmark = 'bookmark_s: float = fields.number(0.25, NumberSpec(label="Bookmark"))\n'
     copy.insert(copy.library / "view.py", "    delay_removed: bool = fields", f"    {bookmark}")
-    found = copy.run(TRY, tmp_path / "new.skinsource", copy.old_design)
+    found = copy.run(TRY, tmp_path / "new.skinsource", older_design)
     assert found == "all of it works\n"

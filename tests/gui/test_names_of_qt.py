@@ -1,17 +1,15 @@
-"""No class of the studio has more than fifteen methods of its own, or hides those of Qt."""
+"""No attribute of a class of the studio hides what Qt calls by that name."""
 
 import ast
 import importlib
 import inspect
 import textwrap
 from pathlib import Path
-from types import FunctionType
 
 from PySide6.QtCore import QObject
 
 import skinsource_gui
 
-MOST_METHODS = 15
 TOP = Path(skinsource_gui.__file__).parent
 
 
@@ -27,17 +25,6 @@ def classes():
         for _, found in inspect.getmembers(module, inspect.isclass):
             if found.__module__ == module.__name__:
                 yield found
-
-
-def own_methods(owner: type) -> set[str]:
-    """Functions and properties of a class that no class of Qt among its bases has."""
-    of_qt = names_of_qt(owner)
-    kinds = (FunctionType, property, classmethod, staticmethod)
-    return {
-        name
-        for name, value in vars(owner).items()
-        if isinstance(value, kinds) and name not in of_qt and not name.startswith("__")
-    }
 
 
 def names_of_qt(owner: type) -> set[str]:
@@ -59,30 +46,6 @@ def set_attributes(owner: type) -> set[str]:
 
 def _is_qt(base: type) -> bool:
     return base.__module__.startswith(("PySide6", "Shiboken", "pyqtgraph"))
-
-
-def test_no_class_of_the_studio_has_too_many_methods_of_its_own():
-    found = {owner.__qualname__: len(own_methods(owner)) for owner in classes()}
-    assert len(found) > 100
-    assert {name: n for name, n in found.items() if n > MOST_METHODS} == {}
-
-
-def test_what_qt_calls_is_not_counted_and_all_else_is():
-    class Some(QObject):
-        def __init__(self):
-            super().__init__()
-
-        def event(self, event):
-            return super().event(event)
-
-        @property
-        def size(self):
-            return 1
-
-        def _help(self):
-            return 2
-
-    assert own_methods(Some) == {"size", "_help"}
 
 
 def test_no_attribute_hides_what_qt_calls_by_its_name():

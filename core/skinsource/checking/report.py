@@ -1,15 +1,21 @@
 """A report on agreement and checks as one HTML page, with box plots drawn in it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from html import escape
 from math import ceil, floor, log10
+from pathlib import Path
 from typing import Literal
 
 import numpy as np
 
 from skinsource.arrays import Floats
+from skinsource.choice_words import limb_word
+from skinsource.export.output_file import output_file
+from skinsource.job import never
 from skinsource.validation.agreement import Agreement
+from skinsource.version import __version__
 
 _STYLE = (
     "body{font:15px/1.5 sans-serif;max-width:60em;margin:2em auto;color:#1b1f24}"
@@ -71,22 +77,25 @@ class Condition:
         return _NOISE_WORDS[self.noise_of]
 
 
-def report_html(conditions: Sequence[Condition], about: Sequence[str]) -> str:
-    """Return the page.
+def html_of(conditions: Sequence[Condition], limbs: Iterable[str]) -> str:
+    """Return the report on some designs on these limbs, as one HTML page.
 
     Parameters
     ----------
     conditions
         In the order of the table.
-    about
-        Lines on limb, versions and data.
+    limbs
+        Names of the limbs that the designs are on.
     """
+    titles = ", ".join(limb_word(limb).title for limb in sorted(set(limbs)))
+    written = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC"
+    about = f"skinsource {__version__}; limb: {titles}; written on {written}"
     measured = [one for one in conditions if one.agreement is not None]
     parts = [
         "<!doctype html><html lang='en'><head><meta charset='utf-8'>",
         f"<title>SkinSource: check</title><style>{_STYLE}</style></head><body>",
         "<h1>Predictions, checked</h1>",
-        *(f"<p class='note'>{escape(line)}</p>" for line in about),
+        f"<p class='note'>{escape(about)}</p>",
         _table(conditions),
         *([f"<p class='note'>{escape(_DEFINED)}</p>"] if measured else []),
         *(_plots(measured) if measured else ["<p>No measurement was given.</p>"]),
@@ -94,6 +103,18 @@ def report_html(conditions: Sequence[Condition], about: Sequence[str]) -> str:
         "</body></html>",
     ]
     return "\n".join(parts) + "\n"
+
+
+def write_report(path: Path, conditions: Sequence[Condition], limbs: Iterable[str]) -> None:
+    """Write the report; a file that is there is replaced once all of it is written.
+
+    Raises
+    ------
+    StorageError
+        It cannot be written.
+    """
+    with output_file(path, never) as file:
+        file.write(html_of(conditions, limbs).encode())
 
 
 def summary_lines(conditions: Sequence[Condition]) -> list[str]:

@@ -5,27 +5,32 @@ HDF5 file (see `skinsource.codec.image`), so that a new field of any recipe need
 A checksum over all of it is verified first; only then does a field that is missing mean that an
 older studio wrote the file, and takes its default.  What a newer studio wrote is refused: nothing
 is guessed, nothing is dropped.  A limb that is not available here is no reason to refuse a file:
-the design is kept, and another limb can be chosen.  Files of versions 1 and 2 are
-read too (`design_file.version_1`, `design_file.version_2`).
+the design is kept, and another limb can be chosen.
+
+`VERSION` alone is read, until there is a next one: then `UPGRADES` says how a tree of the version
+before becomes one of it.
 """
 
 import os
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 from skinsource import codec, fields
 from skinsource.codec import image
+from skinsource.codec.format_version import check_version
 from skinsource.design import Design
-from skinsource.design_file import version_1_process, version_2
 from skinsource.errors import DesignFileError, FileFormatError, InvalidInputError
-from skinsource.fields import Address, BytesSpec, RecipeSpec
+from skinsource.fields import Address, BytesSpec, RecipeSpec, Tree
 from skinsource.files import named, read_bytes, write_bytes
 from skinsource.quoting import sentence
 from skinsource.view import View
 
 SUFFIX = ".skinsource"
-#: Version of the files that are written; those of versions 1 and 2 are read too.
+#: Version of the files that are written.
 VERSION = 3
+#: By version, what makes a tree of the next version out of one of it; these versions are read too.
+UPGRADES: Mapping[int, Callable[[Tree], Tree]] = {}
 
 #: The window's arrangement takes some thousand bytes.
 _MAX_LAYOUT_BYTES = 2**20
@@ -96,10 +101,8 @@ def open_design(path: str | os.PathLike[str]) -> DesignFile:
 
 def _content(stored: bytes) -> DesignFile:
     version = image.version_of(stored)
-    if version == version_2.VERSION:
-        tree = version_2.as_now(image.from_image(stored, version))
-        return codec.decode(tree, (DesignFile,), Address())
-    if version is not None:
-        return codec.decode(image.from_image(stored, VERSION), (DesignFile,), Address())
-    today = image.from_image(version_1_process.as_today(stored), VERSION)
-    return codec.decode(today, (DesignFile,), Address())
+    check_version(version, *UPGRADES, VERSION)
+    tree = image.from_image(stored, version)
+    for older in range(version, VERSION):
+        tree = UPGRADES[older](tree)
+    return codec.decode(tree, (DesignFile,), Address())
