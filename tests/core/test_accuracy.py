@@ -70,10 +70,8 @@ def test_what_others_do_less_well_is_seen():
     rows = {(row.case, row.way): row.error for row in measure(of_kind(Resampling), repeats=1)}
     assert 1e-3 < rows["1300 to 48000 Hz", "SciPy resample_poly"] < 0.1
     assert rows["48000 to 1300 Hz", "SciPy resample"] < 1e-12
-    stiff = CASES["coil of 1 µs"]
-    errors = {row.way: row.error for row in measure([stiff], repeats=1)}
-    assert errors["SciPy lsim"] < 1e-11
-    assert 1e-9 < errors["SciPy solve_ivp, Radau"] < 1e-4
+    actuators = list(measure(of_kind(Actuation), repeats=1))
+    assert max(row.error for row in actuators if row.way == "SciPy lsim") < 1e-11
 
 
 @pytest.mark.parametrize(

@@ -47,10 +47,10 @@ class Convolution:
     outputs: tuple[int, ...]
 
     @property
-    def responses(self) -> Floats:
-        """Of each drive, (n_inputs, n_channels, n_taps)."""
-        found = [self.limb.response_to(location) for location in self.locations]
-        return np.stack(found).reshape(len(found), -1, self.limb.n_taps)
+    def responses(self) -> tuple[Floats, ...]:
+        """Of each drive, (n_channels, n_taps)."""
+        limb = self.limb
+        return tuple(limb.response_to(place).reshape(-1, limb.n_taps) for place in self.locations)
 
     def asked_for(self, vibration: Floats) -> Floats:
         """The channels asked for, (n_rows, n_times), of all of them in any shape."""

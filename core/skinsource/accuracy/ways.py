@@ -38,7 +38,7 @@ class Way:
     kind
         Class of the problems.
     prepare
-        From a problem to what computes it: what a user does once is done here.
+        From a problem to what computes it, again and again: its first run is not timed.
     fits
         Whether it computes a problem in reasonable time.
     """
@@ -59,10 +59,10 @@ def _predict(problem: Convolution) -> Run:
 
 
 def _studio(problem: Convolution, *, edited: bool) -> Run:
-    """What the window shows, levels of all outputs and traces of some, of a design of recordings.
+    """What the window shows of a design of recordings: levels of all outputs, traces of some.
 
-    The waveform of the first input is another one at each run; the others are as they were where
-    the design is ``edited``, and computed with all else where it is opened.
+    At each run the waveform of the first input is another one.  Where the design is ``edited``,
+    all else is known from the run before; where it is opened, nothing is.
     """
     limb, numbers = problem.limb, count()
     recordings = [
@@ -80,20 +80,16 @@ def _studio(problem: Convolution, *, edited: bool) -> Run:
         traces: Floats = graph.evaluate({"axis_traces", "output_rms"}, given)["axis_traces"]
         return traces.reshape(-1, traces.shape[-1])
 
-    if not edited:
-        return lambda: show(new_graph())
-    opened = new_graph()
-    show(opened)
-    return partial(show, opened)
+    return partial(show, new_graph()) if edited else lambda: show(new_graph())
 
 
 def _fftconvolve(problem: Convolution) -> Run:
-    drives, responses, convolve = problem.drives, problem.responses, scipy.signal.fftconvolve
+    drives, responses = problem.drives, problem.responses
 
     def run() -> Floats:
-        total = convolve(responses[0], drives[:1], axes=-1)
+        total = scipy.signal.fftconvolve(responses[0], drives[:1], axes=-1)
         for response, drive in zip(responses[1:], drives[1:], strict=True):
-            total += convolve(response, drive[None], axes=-1)
+            total += scipy.signal.fftconvolve(response, drive[None], axes=-1)
         return problem.asked_for(total)
 
     return run
@@ -103,7 +99,8 @@ def _direct_sums(problem: Convolution) -> Run:
     drives, responses = problem.drives, problem.responses
 
     def run() -> Floats:
-        total = np.zeros((responses.shape[1], drives.shape[1] + responses.shape[2] - 1))
+        n_channels, n_taps = responses[0].shape
+        total = np.zeros((n_channels, drives.shape[1] + n_taps - 1))
         for response, drive in zip(responses, drives, strict=True):
             for channel, taps in zip(total, response, strict=True):
                 channel += np.convolve(drive, taps)
@@ -140,42 +137,17 @@ def _simulate(problem: Actuation) -> Run:
     return run
 
 
-def _equations(problem: Actuation) -> tuple[Floats, Floats, Floats, Floats]:
-    """A, b and what reads acceleration, velocity, displacement and current; times in s."""
+def _lsim(problem: Actuation) -> Run:
     coil = problem.coil
     r, ind, bl = coil.resistance_ohm, coil.inductance_h, coil.force_factor_n_per_a
     m, c, k = coil.moving_mass_kg, coil.damping_n_s_per_m, coil.stiffness_n_per_m
-    dynamics = np.array([[-r / ind, -bl / ind, 0.0], [bl / m, -c / m, -k / m], [0.0, 1.0, 0.0]])
-    read = np.array([dynamics[1], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]])
+    # Current, velocity and displacement of what moves.
+    states = np.array([[-r / ind, -bl / ind, 0.0], [bl / m, -c / m, -k / m], [0.0, 1.0, 0.0]])
+    drive = np.array([[1.0 / ind], [0.0], [0.0]])
+    read = np.array([states[1], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]])
+    system = states, drive, read, np.zeros((4, 1))
     time_s = np.arange(problem.voltage.size) / problem.sample_rate_hz
-    return dynamics, np.array([1.0 / ind, 0.0, 0.0]), read, time_s
-
-
-def _lsim(problem: Actuation) -> Run:
-    dynamics, drive, read, time_s = _equations(problem)
-    system = (dynamics, drive[:, None], read, np.zeros((4, 1)))
     return lambda: scipy.signal.lsim(system, problem.voltage, time_s, interp=False)[1].T
-
-
-def _radau(problem: Actuation) -> Run:
-    """Of a constant voltage."""
-    dynamics, drive, read, time_s = _equations(problem)
-    constant = drive * problem.voltage[0]
-
-    def run() -> Floats:
-        moved = scipy.integrate.solve_ivp(
-            lambda _, state: dynamics @ state + constant,
-            (0.0, float(time_s[-1])),
-            np.zeros(3),
-            method="Radau",
-            t_eval=time_s,
-            rtol=1e-6,
-            atol=1e-12,
-            jac=dynamics,
-        )
-        return read @ moved.y
-
-    return run
 
 
 WAYS = (
@@ -189,5 +161,4 @@ WAYS = (
     Way(name="SciPy resample", kind=Resampling, prepare=_resample_fourier),
     Way(name="SkinSource simulate", kind=Actuation, prepare=_simulate),
     Way(name="SciPy lsim", kind=Actuation, prepare=_lsim),
-    Way(name="SciPy solve_ivp, Radau", kind=Actuation, prepare=_radau),
 )
