@@ -92,7 +92,9 @@ def _bench(arguments: argparse.Namespace) -> int:
 
 
 def _write(folder: Path, rows: Sequence[Row], limb: str, *remarks: str) -> None:
-    where = f"limb {limb}, SHA-256 {facts_of(limb).digest}" if limb else "synthetic responses"
+    digest = facts_of(limb).digest if limb else ""
+    where = f"limb {limb}" if limb else "synthetic responses"
+    where += f", SHA-256 {digest}" if digest else ""
     machine = (
         f"SkinSource studio {__version__}, Python {platform.python_version()}, NumPy "
         f"{np.__version__}, SciPy {scipy.__version__}, {platform.platform()}; {where}."
