@@ -1,40 +1,73 @@
-"""Help > Accuracy and speed: what is promised, what is measured now, and a benchmark to run."""
+"""Help > Accuracy and speed: error against run time of this program and of others."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import partial
+from pathlib import Path
 
 from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QCloseEvent, QPixmap, QShowEvent
-from PySide6.QtWidgets import QDialog, QHBoxLayout, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QFileDialog,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QSplitter,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
 
-from skinsource.method_comparison.table import Row
-from skinsource_gui.accuracy_page.accuracy_figures import AccuracyFigures
-from skinsource_gui.accuracy_page.bench_bar import BenchBar
-from skinsource_gui.accuracy_page.bench_job import Measured
-from skinsource_gui.accuracy_page.bench_run import BenchRun
-from skinsource_gui.accuracy_page.bench_table import BenchTable
-from skinsource_gui.accuracy_page.bench_table_view import bench_table_view
-from skinsource_gui.accuracy_page.picture_view import PictureView
-from skinsource_gui.accuracy_page.report_saving import ask_and_save
+from skinsource.accuracy.exact import cases_of
+from skinsource.accuracy.measuring import (
+    COLUMNS,
+    MEANING,
+    QUICK_REPEATS,
+    Row,
+    cells_of,
+    measure,
+    table_csv,
+)
+from skinsource.catalogue import load_limb
+from skinsource.errors import SkinSourceError
+from skinsource.files import write_bytes
+from skinsource.job import Job, Progress, Stop, left_in_words
+from skinsource.own_limbs import facts_of
+from skinsource.quoting import sentence
+from skinsource_gui.accuracy_page.plot import AccuracyPlot
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.job_runner import JobRunner
+from skinsource_gui.state.job_runner import JobProgress, JobRunner
+from skinsource_gui.state.page_job import PageJob
 from skinsource_gui.state.preferences import Preferences
+from skinsource_gui.status.error_label import error_words
 from skinsource_gui.status.status_line import StatusLine
-from skinsource_gui.theme import Theme
+from skinsource_gui.theme import UNIT_PX, Theme, tabular
+from skinsource_gui.widgets.fields.drop_down import DropDown
 from skinsource_gui.widgets.page_button import page_button
 
-_NOTHING_YET = "Nothing is measured yet. “Measure now” runs the benchmark."
-_SIZE_PX = (1240, 640)
+_TITLE = "Measuring accuracy and speed"
+_BEGIN = "Measuring takes about half a minute; other work would spoil the times."
+_SIZE_PX = (1180, 640)
+
+
+def measured(limb: str, digest: str, *, progress: Progress, stop: Stop) -> tuple[Row, ...]:
+    """The rows of a short run on a limb; on synthetic responses where none is named."""
+    on = load_limb(limb, digest) if limb else None
+    cases = cases_of(on, quick=True, progress=progress, stop=stop)
+    return tuple(measure(cases, repeats=QUICK_REPEATS, progress=progress, stop=stop))
 
 
 class AccuracyPage(QDialog):
-    """Stands beside the window; closing it ends a benchmark that runs.
+    """Stands beside the window; closing it gives up what is being measured.
 
     Parameters
     ----------
     runner
-        Carries the benchmark out.
+        Measures.
     status
-        Knows the present figures.
+        Knows the times of the latest edits, and the error of the traces.
     theme
         Gives the colours in use.
     preferences
@@ -56,95 +89,173 @@ class AccuracyPage(QDialog):
         self.setWindowTitle("Accuracy and speed")
         self.setObjectName("accuracy_page")
         self.resize(*_SIZE_PX)
-        self._status, self._theme, self._preferences = status, theme, preferences
-        self.run = BenchRun(runner, self)
-        self._figures = AccuracyFigures(status)
-        self._model = BenchTable(self)
-        self._table = bench_table_view(self._model)
-        self._plot = PictureView()
-        self._plot.setObjectName("bench_plot")
-        self._plot.setAccessibleName("Plot of the benchmark")
-        self._tabs = QTabWidget()
-        self._tabs.setObjectName("accuracy_tabs")
-        self._tabs.addTab(self._figures, "Promised and measured")
-        self._tabs.addTab(self._table, "Benchmark: table")
-        self._tabs.addTab(self._plot, "Benchmark: plot")
-        self._bar = BenchBar(self.run, document)
-        self._save = page_button(
-            "save_report", "Save…", "Save the report, table and plot of the benchmark"
-        )
+        self._status, self._theme = status, theme
+        self._preferences, self._document = preferences, document
+        self.run = PageJob(runner, self)
+        self.rows: tuple[Row, ...] = ()
+        self.table, self.plot = _table(), AccuracyPlot()
+        self.words, self.now = QLabel(_BEGIN), QLabel()
+        self._limb = DropDown()
+        self._limb.setObjectName("accuracy_limb")
+        self._limb.setAccessibleName("Limb to be measured on")
+        self._limb.setMinimumContentsLength(19)
+        self._limb.addItems(["Synthetic responses", ""])
+        self._measure = page_button("measure", "Measure now", "Run skinsource bench --quick")
+        self._save = page_button("save_table", "Save table…", "Save the table as CSV")
         self._close = page_button("close_page", "Close", "Close this page (Esc)")
         self._lay_out()
         self._connect()
-        self._show_rows([], _NOTHING_YET)
+        self._name_limb()
+        self._show_rows(())
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._refresh()
-        self._take_colours()
-
-    def closeEvent(self, event: QCloseEvent) -> None:
-        self.run.cancel()
-        super().closeEvent(event)
-
-    def reject(self) -> None:
-        # What the Esc key does; no close event comes with it.
-        self.run.cancel()
-        super().reject()
+        self.plot.show_theme(self._theme())
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
-            self._take_colours()
+            self.plot.show_theme(self._theme())
 
-    def end(self) -> None:
-        """Close for good: nothing of the benchmark stays behind."""
-        self.close()
-        self.run.close()
+    def save(self, path: Path) -> None:
+        """Write the table."""
+        try:
+            write_bytes(path, table_csv(self.rows).encode())
+        except SkinSourceError as error:
+            self._say(sentence(str(error)))
+            return
+        self._preferences.folder = path.parent
+        self._say(f"Saved {path.name}.")
 
     def _lay_out(self) -> None:
-        last = QHBoxLayout()
-        last.addStretch(1)
-        last.addWidget(self._save)
-        last.addWidget(self._close)
+        meaning = QLabel(MEANING)
+        for label in (meaning, self.now, self.words):
+            label.setWordWrap(True)
+        split = QSplitter()
+        split.addWidget(self.table)
+        split.addWidget(self.plot)
+        split.setSizes([_SIZE_PX[0] // 2, _SIZE_PX[0] // 2])
+        limb = QLabel("Limb")
+        limb.setBuddy(self._limb)
+        below = QHBoxLayout()
+        below.addWidget(self.words, 1)
+        for widget in (limb, self._limb, self._measure, self._save, self._close):
+            below.addWidget(widget)
         column = QVBoxLayout(self)
-        column.addWidget(self._tabs, 1)
-        column.addWidget(self._bar)
-        column.addLayout(last)
+        column.addWidget(meaning)
+        column.addWidget(self.now)
+        column.addWidget(split, 1)
+        column.addLayout(below)
 
     def _connect(self) -> None:
         self._status.changed.connect(self._refresh)
-        self._bar.began.connect(lambda: self._show_rows([], _NOTHING_YET))
-        self.run.done.connect(self._show_results)
+        self._document.changed.connect(self._name_limb)
+        self._measure.clicked.connect(self._start_or_cancel)
         self._save.clicked.connect(self._ask_and_save)
         self._close.clicked.connect(self.close)
+        self.table.currentCellChanged.connect(self._choose)
+        self.plot.reading.connect(self._read)
+        self.run.progressed.connect(self._follow)
+        self.run.done.connect(self._take)
+        self.run.ended.connect(self._end)
+        self.finished.connect(self._give_up)
 
     def _refresh(self) -> None:
         if self.isVisible():
-            self._figures.refresh()
-            self._figures.show_theme(self._theme())
+            times = self._status.timing.about_times() or "Nothing was edited yet."
+            error = self._status.error.error
+            known = "" if error is None else f" Traces that are shown: {error_words(error)}."
+            self.now.setText(f"{times}{known}")
 
-    def _take_colours(self) -> None:
-        self._model.show_theme(self._theme())
-        self._figures.show_theme(self._theme())
+    def _name_limb(self) -> None:
+        self._limb.setItemText(1, facts_of(self._document.design.limb).title)
 
-    def _show_results(self, measured: Measured) -> None:
-        problem = measured.no_plot
-        self._show_rows(list(measured.rows), f"{problem[:1].upper()}{problem[1:]}")
-        self._tabs.setCurrentWidget(self._table)
-        self._table.setFocus(Qt.FocusReason.OtherFocusReason)
+    def _start_or_cancel(self) -> None:
+        if self.run.runs:
+            self._give_up()
+            return
+        design, chosen = self._document.design, bool(self._limb.currentIndex())
+        limb = (design.limb, design.limb_digest) if chosen else ("", "")
+        self._show_rows(())
+        self._say("Waiting until other work is done…")
+        self.run.start(Job(_TITLE, partial(measured, *limb)))
+        self._show_running()
 
-    def _show_rows(self, rows: list[Row], no_plot: str) -> None:
-        self._model.show_rows(rows)
-        self._figures.show_rows(rows)
-        self._save.setEnabled(bool(self.run.files))
-        picture = QPixmap() if self.run.plot is None else QPixmap(str(self.run.plot))
-        if picture.isNull():
-            self._plot.say(no_plot)
-        else:
-            self._plot.show_picture(picture)
+    def _give_up(self) -> None:
+        if self.run.runs:
+            self.run.give_up()
+            self._end("Cancelled. Nothing was kept.")
+
+    def _follow(self, step: JobProgress) -> None:
+        left = left_in_words(step.seconds_left)
+        self._say(f"{step.done} of {step.total}: {step.text}{f', {left}' if left else ''}")
+
+    def _take(self, rows: tuple[Row, ...]) -> None:
+        self._show_rows(rows)
+        self._end("Choose a row: its case is named in the plot.")
+        self.table.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def _end(self, text: str) -> None:
+        self._say(sentence(text))
+        self._show_running()
+
+    def _show_running(self) -> None:
+        self._measure.setText("Cancel" if self.run.runs else "Measure now")
+        self._limb.setEnabled(not self.run.runs)
+
+    def _show_rows(self, rows: tuple[Row, ...]) -> None:
+        self.rows = rows
+        self._save.setEnabled(bool(rows))
+        self.plot.show_rows(rows)
+        _fill(self.table, rows)
+
+    def _choose(self, line: int, *_: int) -> None:
+        if 0 <= line < len(self.rows):
+            self.plot.show_case(self.rows[line].case)
 
     def _ask_and_save(self) -> None:
-        words = ask_and_save(self.run, self._preferences, self)
-        if words:
-            self._bar.say(words)
+        start = str(self._preferences.folder / "accuracy.csv")
+        name, _ = QFileDialog.getSaveFileName(self, "Save the table", start, "CSV (*.csv)")
+        if name:
+            self.save(Path(name))
+
+    def _read(self, text: str) -> None:
+        if text:
+            self._say(text)
+
+    def _say(self, text: str) -> None:
+        self.words.setText(text)
+
+
+def _table() -> QTableWidget:
+    table = QTableWidget(0, len(COLUMNS))
+    table.setObjectName("accuracy_table")
+    table.setAccessibleName("Errors and run times")
+    table.setHorizontalHeaderLabels(COLUMNS)
+    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+    table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+    table.setTabKeyNavigation(False)
+    table.setShowGrid(False)
+    table.setFont(tabular(table.font()))
+    table.verticalHeader().hide()
+    table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + UNIT_PX)
+    header = table.horizontalHeader()
+    header.setHighlightSections(False)
+    header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+    header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
+    return table
+
+
+def _fill(table: QTableWidget, rows: Sequence[Row]) -> None:
+    table.setRowCount(len(rows))
+    right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+    for line, row in enumerate(rows):
+        for column, text in enumerate(cells_of(row)):
+            item = QTableWidgetItem(text)
+            if column > 1:
+                item.setTextAlignment(right)
+            table.setItem(line, column, item)
+    if rows:
+        table.setCurrentCell(0, 0)

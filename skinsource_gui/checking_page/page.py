@@ -1,6 +1,7 @@
 """The page on which designs are checked, alone and against recordings."""
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Qt
@@ -10,14 +11,15 @@ from skinsource.checking import write_report
 from skinsource.checking.report import FIGURES, Condition, by_frequency
 from skinsource.errors import SkinSourceError
 from skinsource.fields import ChoiceSpec, NumberSpec
+from skinsource.job import Job
 from skinsource.own_limbs import facts_of
 from skinsource.quoting import sentence
 from skinsource_gui.checking_page.boxes import BoxFigure
 from skinsource_gui.checking_page.check_list import CheckList
-from skinsource_gui.checking_page.checking import TITLE, Row
-from skinsource_gui.checking_page.run import CheckRun
+from skinsource_gui.checking_page.checking import CHECKING, TITLE, Row, check_rows
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
+from skinsource_gui.state.page_job import PageJob
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
@@ -72,7 +74,7 @@ class CheckingPage(QDialog):
         self.setWindowTitle(TITLE)
         self.resize(*_SIZE_PX)
         self._preferences, self._theme = preferences, theme
-        self.run = CheckRun(runner, self)
+        self.run = PageJob(runner, self)
         row = Row(name=_name_of(document), design=document.design)
         self.list = CheckList((row,), preferences)
         self.axes, self.rate = ChoiceField(_AXES), NumberField(_RATE)
@@ -98,7 +100,8 @@ class CheckingPage(QDialog):
     def check(self) -> None:
         """Check all of them."""
         axes = "" if self.axes.value == _ALL else self.axes.value
-        self.run.start(self.list.rows, axes, self.rate.value_si)
+        work = partial(check_rows, tuple(self.list.rows), axes, self.rate.value_si)
+        self.run.start(Job(CHECKING, work))
         self._show()
 
     def save(self, path: Path) -> None:
@@ -145,7 +148,7 @@ class CheckingPage(QDialog):
         self.rate.edited.connect(self._begin_anew)
         for box in self.boxes:
             box.reading.connect(self._read)
-        self.run.progressed.connect(lambda text: self._say(f"{text}…"))
+        self.run.progressed.connect(lambda progress: self._say(f"{progress.text}…"))
         self.run.done.connect(self._take)
         self.run.ended.connect(self._note_ended)
         self.finished.connect(self.run.give_up)

@@ -111,7 +111,7 @@ class Pages(QObject):
     def end(self) -> None:
         """Close what stands beside the window, and stop what runs."""
         if self.accuracy is not None:
-            self.accuracy.end()
+            self.accuracy.close()
 
 
 def limb_pages(

@@ -62,16 +62,8 @@ class Scope:
         long = " · long scene, summed piece by piece" if self.streamed else ""
         return (*([f"{felt} · up to date{long}"] if long else []), f"{felt} · up to date", felt)
 
-    def figures(self) -> str:
-        """All of it in one line, for who knows what the words mean."""
-        shown = f"map in {self.map_transforms} transforms" if self.has_map else "no map"
-        return (
-            f"{self.heard} of {self.inputs} inputs, {self.channels} of {self.all_channels} "
-            f"channels, {shown}; {self.method}"
-        )
-
     def sentences(self) -> str:
-        """The same and more, in whole sentences, one on a line."""
+        """All of it in whole sentences, one on a line."""
         silent = self.inputs - self.heard
         lines = [
             f"{self.heard} of {self.inputs} inputs are felt"

@@ -9,7 +9,6 @@ from skinsource.rendering.check import TraceError
 from skinsource_gui.state.engine import Engine, Outcome
 from skinsource_gui.status import computation_words
 from skinsource_gui.status.computation_words import Scope, felt_words, scope_of
-from skinsource_gui.status.edit_times import EditTime
 from skinsource_gui.status.error_label import ErrorLabel
 from skinsource_gui.status.pause import PAUSE_MS
 from skinsource_gui.status.sparkline import FRAME_S, Sparkline
@@ -108,10 +107,6 @@ class StatusLine(QWidget):
         """Take over colours."""
         self.error.show_theme(theme)
         self._sparkline.show_theme(theme)
-
-    def last_times(self) -> tuple[EditTime | None, tuple[float, ...]]:
-        """Time of the last edit, and seconds of the last hundred."""
-        return self.timing.last, self.timing.times.seconds()
 
     def _note_times(self) -> None:
         self._times.setVisible(not self._lateness.late)

@@ -105,14 +105,15 @@ def test_where_nothing_can_be_computed_there_is_no_speed(window, qtbot):
     window.document.edit("a", replace(window.document.design, limb="measured-1"))
     qtbot.waitUntil(lambda: work_words(window) == "1 input")
     assert label(window, "timing").text() == ""
-    assert window.status_line.last_times()[0] is None
+    assert window.status_line.timing.last is None
 
 
 def test_an_edit_is_timed_from_hand_to_screen(window, qtbot):
-    before = len(window.status_line.last_times()[1])
+    timing = window.status_line.timing
+    before = len(timing.times.seconds())
     edit(window, amplitude=2.0)
-    qtbot.waitUntil(lambda: len(window.status_line.last_times()[1]) > before)
-    last, seconds = window.status_line.last_times()
+    qtbot.waitUntil(lambda: len(timing.times.seconds()) > before)
+    last, seconds = timing.last, timing.times.seconds()
     assert seconds[-1] == last.total_s
     assert 0.0 < last.compute_s < last.total_s
     assert 0.0 < last.draw_s < last.total_s
@@ -123,7 +124,8 @@ def test_an_edit_is_timed_from_hand_to_screen(window, qtbot):
 
 def test_the_first_picture_is_no_edit(window, qtbot):
     qtbot.waitUntil(lambda: not window.status_line.timing._is_first)
-    assert window.status_line.last_times() == (None, ())
+    timing = window.status_line.timing
+    assert (timing.last, timing.times.seconds()) == (None, ())
     assert label(window, "timing").text() == ""
 
 

@@ -14,7 +14,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 
 from skinsource.catalogue import available_limbs
-from skinsource_gui.accuracy_page.memory_use import resident_bytes
+from skinsource.recordings.process_memory import resident_bytes
 from skinsource_gui.shell.app import make_application
 from skinsource_gui.shell.garbage import take_over_collection
 from skinsource_gui.shell.window import MainWindow
@@ -44,13 +44,13 @@ def main() -> None:
         window.show()
         window.do("arrange_design")
         window.catch_up()
-        before = resident_bytes()
+        before = resident_bytes(os.getpid())
         monkey = Monkey(window, options.seed, folder, (recording(folder),))
         tally = monkey.play(options.count)
         print(
             f"{tally.deeds.total()} deeds; levels compared {tally.compared} times, at most "
             f"{tally.largest_difference_db:.1e} dB off; {tally.undone} steps undone and redone; "
-            f"{(resident_bytes() - before) / 1e6:+.0f} MB"
+            f"{(resident_bytes(os.getpid()) - before) / 1e6:+.0f} MB"
         )
         for fault in tally.faults:
             print(fault)

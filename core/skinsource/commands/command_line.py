@@ -5,6 +5,7 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
+from skinsource.accuracy import commands as bench_commands
 from skinsource.catalogue import available_limbs, load_limb
 from skinsource.choice_words import limb_word
 from skinsource.commands import (
@@ -20,7 +21,6 @@ from skinsource.commands import (
 )
 from skinsource.dataset import commands as dataset_commands
 from skinsource.errors import SkinSourceError, Stopped
-from skinsource.method_comparison import commands as bench_commands
 from skinsource.version import __version__
 
 #: What adds the commands, in the order of the help page.  Each sets ``run``, a function from

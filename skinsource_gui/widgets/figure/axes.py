@@ -127,7 +127,7 @@ class Axes:
             painter.setPen(QColor(theme.dim))
             wide = metrics.horizontalAdvance(tick.label)
             # One that would lie on the one before is left out.
-            if x - wide / 2 > written:
+            if tick.label and x - wide / 2 > written:
                 place = QRectF(x - wide / 2, frame.bottom() + 2, wide, line)
                 painter.drawText(place, centre | Qt.TextFlag.TextDontClip, tick.label)
                 written = x + wide / 2 + _GAP_PX

@@ -5,8 +5,7 @@ import numpy as np
 import skinsource as ss
 from skinsource import evaluation
 from skinsource.figures.writing import draw_figure
-from tests.core.own_limbs.compared import keep
-from tests.core.own_limbs.lab_bench import installed
+from tests.core.own_limbs.lab_bench import installed, keep
 
 
 def table_of(name):

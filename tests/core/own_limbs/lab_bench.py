@@ -42,3 +42,17 @@ def installed(**changes) -> OwnLimb:
     limb = own_limb(**changes)
     install_limb(limb, (response(place, limb.axes) for place in range(1, N_INPUTS + 1)))
     return limb
+
+
+def keep(name: str, responses: np.ndarray, **changes) -> None:
+    """Install these responses, (n_inputs, n_outputs, n_axes, n_taps), as a limb."""
+    n_inputs, n_outputs, n_axes, n_taps = responses.shape
+    positions = np.random.default_rng(4).uniform(-30, 30, (n_inputs + n_outputs, 2))
+    sizes = {
+        "input_positions": positions[:n_inputs],
+        "output_positions": positions[n_inputs:],
+        "input_names": (),
+        "n_taps": n_taps,
+        "axes": "xyz"[:n_axes],
+    }
+    install_limb(own_limb(name=name, **sizes, **changes), iter(responses))

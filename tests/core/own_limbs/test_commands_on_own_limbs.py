@@ -10,8 +10,7 @@ from skinsource.design_file import save_design
 from skinsource.errors import InvalidInputError
 from skinsource.view import View, view_on
 from skinsource.waveforms import Impulse, Noise, Tone
-from tests.core.own_limbs.compared import keep
-from tests.core.own_limbs.lab_bench import installed
+from tests.core.own_limbs.lab_bench import installed, keep
 
 
 def test_a_design_is_rendered_and_packed_that_was_saved_without_a_view(user_data, tmp_path, capsys):

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import QRectF
-from PySide6.QtGui import QFontMetricsF
+from PySide6.QtGui import QFontMetricsF, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
-from skinsource_gui.theme import scaled
+from skinsource_gui.theme import LIGHT, scaled
 from skinsource_gui.widgets.figure import axes
-from skinsource_gui.widgets.figure.axes import Axis, fitted_axes
+from skinsource_gui.widgets.figure.axes import Axes, Axis, fitted_axes
 
 
 @pytest.mark.parametrize("scale", [1.0, 1.75])
@@ -44,3 +44,22 @@ def test_the_title_of_x_is_whole_where_the_frame_is_narrower_than_it(qapp, width
         assert fitted.frame.width() < place.width()
     if width == 400:
         assert place.center().x() == pytest.approx(fitted.frame.center().x(), abs=1.0)
+
+
+def test_decades_are_labelled_where_grid_lines_are_dense(qapp):
+    class Painter(QPainter):
+        def drawText(self, *arguments):
+            written.append(arguments[-1])
+
+    written, image = [], QImage(500, 400, QImage.Format.Format_RGB32)
+    x = Axis(shown=(0.05, 2e4), title="x", log=True)
+    axes = Axes(frame=QRectF(40, 10, 440, 340), x=x, y=Axis(shown=(0.0, 1.0), title="y"))
+    painter = Painter(image)
+    axes.paint(painter, LIGHT)
+    painter.end()
+    assert [text for text in written if text in ("0.1", "1", "10", "100")][:4] == [
+        "0.1",
+        "1",
+        "10",
+        "100",
+    ]

@@ -1,18 +1,15 @@
-"""The job of a page that checks: started, followed, given up."""
+"""The job of a page: started, followed, given up."""
 
-from collections.abc import Sequence
-from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
 from skinsource.job import Job
-from skinsource_gui.checking_page.checking import CHECKING, Row, check_rows
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
 
 
-class CheckRun(QObject):
-    """One check at a time.
+class PageJob(QObject):
+    """One job at a time.
 
     Parameters
     ----------
@@ -20,9 +17,9 @@ class CheckRun(QObject):
         Carries it out; of its other jobs nothing is told.
     """
 
-    #: What is being done.
-    progressed = Signal(str)
-    #: What was found of each row, or why nothing was.
+    #: Its `JobProgress`.
+    progressed = Signal(object)
+    #: Its result.
     done = Signal(object)
     #: Why it ended without a result.
     ended = Signal(str)
@@ -41,10 +38,10 @@ class CheckRun(QObject):
         """Whether it is being carried out, or waits."""
         return self._job is not None
 
-    def start(self, rows: Sequence[Row], axes: str, rate_hz: float) -> None:
-        """Check; arguments as of `check_rows`."""
-        self._job = Job(CHECKING, partial(check_rows, tuple(rows), axes, rate_hz))
-        self._runner.add(self._job)
+    def start(self, job: Job[Any]) -> None:
+        """Carry out ``job`` when those before it are done."""
+        self._job = job
+        self._runner.add(job)
 
     def give_up(self) -> None:
         """Stop it; nothing more is told."""
@@ -54,12 +51,12 @@ class CheckRun(QObject):
 
     def _follow(self, job: Job[Any], progress: JobProgress) -> None:
         if job is self._job:
-            self.progressed.emit(progress.text)
+            self.progressed.emit(progress)
 
-    def _take(self, job: Job[Any], results: object) -> None:
+    def _take(self, job: Job[Any], result: object) -> None:
         if job is self._job:
             self._job = None
-            self.done.emit(results)
+            self.done.emit(result)
 
     def _note_failed(self, job: Job[Any], error: Exception) -> None:
         if job is self._job:

@@ -1,0 +1,178 @@
+"""The harness of error against run time: its exact values, its errors, its table."""
+
+import csv
+import io
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from skinsource.accuracy import cases as cases_module
+from skinsource.accuracy.cases import (
+    Actuation,
+    Convolution,
+    Resampling,
+    convolutions,
+    stored_cases,
+    tone_burst,
+)
+from skinsource.accuracy.exact import cases_of, exact_samples
+from skinsource.accuracy.measuring import Row, best_of, measure, table_csv, table_text
+from skinsource.accuracy.ways import WAYS
+from skinsource.catalogue import load_limb
+from skinsource.errors import FileFormatError, InvalidInputError, Stopped
+from skinsource.limb import Limb
+from tests.core.own_limbs.lab_bench import installed
+
+CASES = {case.name: case for case in stored_cases()}
+#: Largest error of this program, by case and else by kind of problem.
+MOST = {
+    Convolution: 1e-14,
+    Resampling: 10.0 ** (-115 / 20),
+    Actuation: 1e-13,
+    "burst at -120 dB": 1e-9,
+    "offset of 1e8": 1e-6,
+    "peak of 1e-310": 1e-12,
+}
+OWN = [way for way in WAYS if way.name.startswith("SkinSource")]
+(PREDICT,) = (way for way in WAYS if way.name == "SkinSource predict")
+
+
+def of_kind(kind):
+    return [case for case in CASES.values() if isinstance(case.problem, kind)]
+
+
+@pytest.mark.parametrize("case", of_kind(Convolution), ids=lambda case: case.name)
+def test_stored_convolutions_are_those_that_whole_numbers_give(case):
+    # The stored ones are sums of mpmath, which rounds subnormal numbers twice.
+    found = exact_samples(case.problem, case.samples)
+    np.testing.assert_allclose(found, case.reference, rtol=0, atol=5e-324)
+
+
+def test_stored_signals_are_those_of_the_formula_in_float64():
+    for case in of_kind(Resampling):
+        wanted = tone_burst(case.problem.to_hz)[None, case.samples]
+        np.testing.assert_allclose(case.reference, wanted, rtol=0, atol=1e-11)
+
+
+@pytest.mark.parametrize(
+    "case", [case for case in CASES.values() if case.quick], ids=lambda case: case.name
+)
+def test_this_program_errs_no_more_than_it_promises(case):
+    rows = list(measure([case], OWN, repeats=1))
+    assert {row.case for row in rows} == {case.name}
+    most = MOST.get(case.name, MOST[type(case.problem)])
+    assert max(row.error for row in rows) <= most
+
+
+def test_what_others_do_less_well_is_seen():
+    rows = {(row.case, row.way): row.error for row in measure(of_kind(Resampling), repeats=1)}
+    assert 1e-3 < rows["1300 to 48000 Hz", "SciPy resample_poly"] < 0.1
+    assert rows["48000 to 1300 Hz", "SciPy resample"] < 1e-12
+    actuators = list(measure(of_kind(Actuation), repeats=1))
+    assert max(row.error for row in actuators if row.way == "SciPy lsim") < 1e-11
+
+
+@pytest.mark.parametrize(
+    ("fault", "least"),
+    [
+        (lambda rows: rows * (1.0 + 1e-12), 9e-13),
+        (lambda rows: rows[::-1], 0.1),
+        (lambda rows: np.roll(rows, 1, axis=-1), 0.1),
+        (lambda rows: rows * (np.arange(len(rows)) > 0)[:, None], 1.0),
+        (lambda rows: rows + np.nan, math.inf),
+    ],
+    ids=["scaled", "channels swapped", "a sample late", "a channel lost", "no numbers"],
+)
+def test_a_wrong_way_has_a_large_error(fault, least):
+    def prepare(problem):
+        run = PREDICT.prepare(problem)
+        return lambda: fault(run())
+
+    wrong = replace(PREDICT, prepare=prepare)
+    (row,) = measure([CASES["1 input, 0.5 s"]], [wrong], repeats=1)
+    assert row.error >= least
+
+
+def test_errors_and_fastest_runs_are_measured_on_any_limb(user_data):
+    installed()
+    found = cases_of(load_limb("lab-1"), quick=True)
+    assert {case.problem.limb.axes for case in found} == {"xz"}
+    assert "1 input, 60 s" not in {case.name for case in found}
+    rows = list(measure(found, repeats=2))
+    assert len(rows) == len(found) * sum(way.kind is Convolution for way in WAYS)
+    assert all(row.time_s > 0.0 and row.runs >= 1 for row in rows)
+    short = [row.error for row in rows if row.case in ("1 input, 0.5 s", "20 inputs, 2 s")]
+    assert 0.0 < max(short) <= 1e-14
+
+
+def limb_like(limb, response):
+    return Limb(
+        name="other", hand_length_mm=1.0, synthetic=True, map=limb.map, read_response=response
+    )
+
+
+def test_a_limb_without_finite_responses_has_no_exact_values():
+    limb = CASES["1 input, 0.5 s"].problem.limb
+    broken = limb_like(limb, lambda place: np.full((72, 3, 522), np.inf))
+    with pytest.raises(InvalidInputError, match="not finite"):
+        cases_of(broken, quick=True)
+
+
+def test_what_would_not_fit_or_take_too_long_is_left_out(monkeypatch):
+    limb = CASES["1 input, 0.5 s"].problem.limb
+    monkeypatch.setattr(cases_module, "_LARGEST_RESPONSE_BYTES", 216 * 8 * (522 + 2600))
+    names = [case.name for case in convolutions(limb)]
+    assert "20 inputs, 2 s" in names
+    assert "1 input, 60 s" not in names
+    (direct,) = (way for way in WAYS if way.name == "direct sums")
+    few = CASES["20 inputs, 2 s"].problem
+    many = replace(few, drives=np.zeros((20, 26_000)))
+    assert direct.fits(few)
+    assert not direct.fits(many)
+
+
+def test_measuring_is_told_and_can_be_stopped():
+    told = []
+    cases = of_kind(Resampling)
+    rows = measure(
+        cases, repeats=1, progress=lambda *step: told.append(step), stop=lambda: len(told) > 1
+    )
+    assert next(rows).way == "SkinSource resample"
+    with pytest.raises(Stopped):
+        list(rows)
+    assert told[0] == (0, 9, "1300 to 48000 Hz: SkinSource resample")
+
+
+def test_tables_hold_every_row():
+    rows = [
+        Row(case="a", way="b, c", error=1.24e-16, time_s=0.1 / 3, runs=2),
+        Row(case="longer", way="d", error=math.inf, time_s=1.5, runs=1),
+    ]
+    read = list(csv.DictReader(io.StringIO(table_csv(rows))))
+    assert [(line["way"], float(line["time_s"])) for line in read] == [
+        ("b, c", 0.1 / 3),
+        ("d", 1.5),
+    ]
+    assert table_text(rows).splitlines() == [
+        "| Case   | Way  |   Error | Time (ms) |",
+        "| ---    | ---  |    ---: |      ---: |",
+        "| a      | b, c | 1.2e-16 |      33.3 |",
+        "| longer | d    |     inf |      1500 |",
+    ]
+
+
+def test_best_is_what_no_other_beats_in_both():
+    def row(way, error, time_s):
+        return Row(case="a", way=way, error=error, time_s=time_s, runs=1)
+
+    rows = [row("slow", 1e-9, 3.0), row("exact", 1e-16, 2.0), row("fast", 1e-3, 1.0)]
+    assert [row.way for row in best_of(rows)] == ["fast", "exact"]
+
+
+def test_a_damaged_file_of_references_is_told(tmp_path, monkeypatch):
+    monkeypatch.setattr(cases_module, "data_folder", lambda: tmp_path)
+    (tmp_path / cases_module.FILE_NAME).write_bytes(b"PK damaged")
+    with pytest.raises(FileFormatError, match="Install SkinSource studio again"):
+        stored_cases()

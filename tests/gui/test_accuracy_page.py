@@ -1,0 +1,148 @@
+"""Help > Accuracy and speed, driven by mouse and keyboard, on one short case."""
+
+import csv
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton
+
+from skinsource.accuracy.cases import stored_cases
+from skinsource.accuracy.ways import WAYS, Resampling
+from skinsource.job import stop_if
+from skinsource.own_limbs import facts_of
+from skinsource_gui.accuracy_page import page as page_module
+from tests.core.own_limbs.lab_bench import installed
+
+CASE = "1300 to 48000 Hz"
+N_ROWS = sum(way.kind is Resampling for way in WAYS)
+
+
+@pytest.fixture
+def page(window, monkeypatch):
+    chosen = [case for case in stored_cases() if case.name == CASE]
+    monkeypatch.setattr(page_module, "cases_of", lambda *_, **__: chosen)
+    window.actions_by_name["show_accuracy"].trigger()
+    return window.pages.accuracy
+
+
+def press(page, name):
+    QTest.mouseClick(page.findChild(QPushButton, name), Qt.MouseButton.LeftButton)
+
+
+def measure(page, qtbot):
+    press(page, "measure")
+    assert page.run.runs
+    qtbot.waitUntil(lambda: not page.run.runs, timeout=20_000)
+
+
+def never_ending(cases, *, repeats, progress, stop):
+    progress(0, 3, "a case: a way")
+    while True:
+        stop_if(stop)
+    yield
+
+
+def test_the_page_leaves_the_window_free_and_fits_a_small_screen(page):
+    assert page.isVisible()
+    assert not page.isModal()
+    assert page.width() <= 1366
+    assert page.height() <= 700
+    assert page.minimumSizeHint().width() <= 800
+
+
+def test_every_row_stands_in_table_and_plot(page, qtbot):
+    measure(page, qtbot)
+    assert page.table.rowCount() == len(page.rows) == N_ROWS
+    for line, row in enumerate(page.rows):
+        texts = [page.table.item(line, column).text() for column in range(4)]
+        assert texts[:3] == [CASE, row.way, f"{row.error:.1e}"]
+        assert float(texts[3]) == pytest.approx(1e3 * row.time_s, rel=0.01)
+    page.plot.repaint()
+    points = page.plot._points(page.plot._axes)
+    for row, point in zip(page.rows, points, strict=True):
+        page.plot.move_cursor(point)
+        assert page.words.text().startswith(f"{CASE}, {row.way}: error {row.error:.1e} in ")
+    # What errs more is higher, what takes longer is further right.
+    by_error = sorted(zip(page.rows, points, strict=True), key=lambda one: one[0].error)
+    assert [one.y() for _, one in by_error] == sorted((one.y() for one in points), reverse=True)
+    by_time = sorted(zip(page.rows, points, strict=True), key=lambda one: one[0].time_s)
+    assert [one.x() for _, one in by_time] == sorted(one.x() for one in points)
+
+
+def test_times_of_edits_and_the_error_of_the_traces_stand_above(window, page, qtbot):
+    assert page.now.text().startswith("Nothing was edited yet.")
+    window.document.edit("a", window.document.design.with_input(0, amplitude=2.0))
+    qtbot.waitUntil(lambda: page.now.text().startswith("Last edit: median "), timeout=20_000)
+    qtbot.waitUntil(lambda: "error ≈ " in page.now.text(), timeout=20_000)
+
+
+@pytest.mark.parametrize("how", ["cancel", "escape", "close", "bar", "window"])
+def test_measuring_ends_with_whoever_wanted_it(window, page, qtbot, monkeypatch, how):
+    monkeypatch.setattr(page_module, "measure", never_ending)
+    press(page, "measure")
+    qtbot.waitUntil(lambda: "0 of 3: a case: a way" in page.words.text(), timeout=20_000)
+    if how == "cancel":
+        press(page, "measure")
+    elif how == "escape":
+        QTest.keyClick(page, Qt.Key.Key_Escape)
+    elif how == "close":
+        press(page, "close_page")
+    elif how == "bar":
+        press(window, "cancel_running_job")
+    else:
+        window.close_unasked()
+    qtbot.waitUntil(lambda: not window.runner.unfinished and not page.run.runs, timeout=20_000)
+    assert page.rows == ()
+    assert page.isVisible() == (how in ("cancel", "bar"))
+    if how == "cancel":
+        assert page.words.text() == "Cancelled. Nothing was kept."
+        assert page.findChild(QPushButton, "measure").text() == "Measure now"
+
+
+def test_the_table_is_saved_as_numbers(page, qtbot, tmp_path, monkeypatch):
+    measure(page, qtbot)
+    monkeypatch.setattr(
+        QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "table.csv"), "")
+    )
+    press(page, "save_table")
+    assert page.words.text() == "Saved table.csv."
+    with (tmp_path / "table.csv").open(encoding="utf-8", newline="") as file:
+        lines = list(csv.DictReader(file))
+    assert [float(line["error"]) for line in lines] == [row.error for row in page.rows]
+    page.save(Path(tmp_path / "table.csv" / "x.csv"))
+    assert "cannot be written" in page.words.text()
+
+
+def test_the_limb_of_the_design_can_be_measured_on(window, page, qtbot, monkeypatch):
+    asked = []
+    monkeypatch.setattr(page_module, "cases_of", lambda limb, **_: asked.append(limb) or [])
+    measure(page, qtbot)
+    assert asked == [None]
+    installed()
+    digest = facts_of("lab-1").digest
+    design = replace(window.document.design, limb="lab-1", limb_digest=digest)
+    window.document.edit("Limb", design)
+    page._limb.setCurrentIndex(1)
+    assert page._limb.currentText() == "Lab 1"
+    measure(page, qtbot)
+    assert asked[1].name == "lab-1"
+    installed(hand_length_mm=150.0)
+    measure(page, qtbot)
+    assert page.words.text().startswith("The limb 'lab-1' here is another one than that of this")
+
+
+def test_the_page_is_worked_by_keyboard_and_keeps_its_rows_while_closed(window, page, qtbot):
+    page.activateWindow()
+    button = page.findChild(QPushButton, "measure")
+    button.setFocus()
+    QTest.keyClick(button, Qt.Key.Key_Space)
+    qtbot.waitUntil(lambda: not page.run.runs, timeout=20_000)
+    assert QApplication.focusWidget() is page.table
+    page.close()
+    window.actions_by_name["show_accuracy"].trigger()
+    assert window.pages.accuracy is page
+    assert page.isVisible()
+    assert page.table.rowCount() == N_ROWS
