@@ -94,7 +94,7 @@ CASES = {
 }
 
 
-#: Where the current or the charge settles long before the next sample.
+#: Where the current, the charge or the mass settles long before the next sample.
 STIFF = {
     "piezo of 1 pF behind 1 mΩ": {
         "kind": "Piezo",
@@ -106,12 +106,12 @@ STIFF = {
         "series_resistance_ohm": 1e-3,
     },
     "recoil with a coil of 1 ps": CASES["recoil"] | {"inductance_h": 8e-12},
-}
-#: Where the mass swings or settles many times between two samples.
-FAST = {
-    "mass of a microgram": CASES["mass of a microgram"],
     "mass of a picogram": coil(175.0, 15.0, 1e-4, 0.8, mass=1e-15)
     | {"damping_n_s_per_m": 0.07, "stiffness_n_per_m": 1209.0},
+}
+#: Where the mass swings many times between two samples.
+FAST = {
+    "mass of a microgram": CASES["mass of a microgram"],
     "strong force": coil(0.0, 1.0, 1.0, 1e4, resistance=1e-6, damping=0.0),
     "stiff spring": coil(175.0, 15.0, 1e-4, 0.8) | {"stiffness_n_per_m": 1e9},
 }
