@@ -94,7 +94,7 @@ class LinearActuator(Actuator):
         """Acceleration over voltage, in m/s² per V."""
         s = _imaginary(frequency_hz)
         with np.errstate(all="ignore"):
-            found = self.response_at(np.where(s == 0.0, 1j, s))
+            found = self.response_at(s)
         return _known(np.where(s == 0.0, 0.0, found))
 
     def admittance(self, frequency_hz: ArrayLike) -> Complexes:

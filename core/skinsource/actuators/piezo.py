@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
+import numpy as np
+
 from skinsource import fields
 from skinsource.actuators import parameters
 from skinsource.actuators.actuator import LinearActuator
@@ -69,15 +71,11 @@ class Piezo(LinearActuator):
 
     def response_at(self, s: Complexes) -> Complexes:
         """A / U = s alpha / (Z (1 + s R C) + R alpha²) with Z = m s + c + k / s."""
-        coupling = self.coupling_n_per_v
-        return s / self._divisor(s) if coupling else 0.0 * s
+        return s * self.coupling_n_per_v / self._divisor(s)
 
     def current_at(self, s: Complexes) -> Complexes:
         """(s C Z + alpha²) / (Z (1 + s R C) + R alpha²)."""
-        coupling = self.coupling_n_per_v
-        if not coupling:
-            return s * self.capacitance_f / self._charged(s)
-        flowing = s * self.capacitance_f * (self._mechanical(s) / coupling) + coupling
+        flowing = s * self.capacitance_f * self._mechanical(s) + np.square(self.coupling_n_per_v)
         return flowing / self._divisor(s)
 
     def _mechanical(self, s: Complexes) -> Complexes:
@@ -85,11 +83,7 @@ class Piezo(LinearActuator):
         stiffness = self.stiffness_n_per_m + self.skin_stiffness_n_per_m
         return self.moving_mass_kg * s + damping + stiffness / s
 
-    def _charged(self, s: Complexes) -> Complexes:
-        return 1.0 + s * self.series_resistance_ohm * self.capacitance_f
-
     def _divisor(self, s: Complexes) -> Complexes:
-        """What responses are divided by, itself divided by the coupling."""
-        coupling = self.coupling_n_per_v
-        moved = self._mechanical(s) / coupling
-        return moved * self._charged(s) + self.series_resistance_ohm * coupling
+        charged = 1.0 + s * self.series_resistance_ohm * self.capacitance_f
+        moved = self.series_resistance_ohm * np.square(self.coupling_n_per_v)
+        return self._mechanical(s) * charged + moved

@@ -77,31 +77,24 @@ class RecoilVoiceCoil(LinearActuator):
         )
 
     def response_at(self, s: Complexes) -> Complexes:
-        """-s Bl i / (Z_casing (1 + Z Y)), i as `current_at` gives it."""
-        if not self.force_factor_n_per_a:
-            return 0.0 * s
-        apart, both, inner = self._joined(s)
-        return -s * inner / (apart * self._electrical(s) + self.force_factor_n_per_a * both)
+        """-s² m Bl / (P (R + s L) + Bl² S), P and S as `_joined` gives them."""
+        parted, both = self._joined(s)
+        driven = -self.force_factor_n_per_a * self.moving_mass_kg * s**2
+        return driven / self._divisor(s, parted, both)
 
     def current_at(self, s: Complexes) -> Complexes:
-        """1 / (R + s L + Bl² / (Z + 1 / Y)) with Y = 1 / (s m) + 1 / Z_casing."""
-        electrical = self._electrical(s)
-        if not self.force_factor_n_per_a:
-            return 1.0 / electrical
-        apart, both, _ = self._joined(s)
-        return apart / (apart * electrical + self.force_factor_n_per_a * both)
+        """P / (P (R + s L) + Bl² S)."""
+        parted, both = self._joined(s)
+        return parted / self._divisor(s, parted, both)
 
-    def _joined(self, s: Complexes) -> tuple[Complexes, Complexes, Complexes]:
-        """Impedances: what parts the masses, times both and over Bl; both; and that inside.
-
-        All is multiplied out, so that nothing is divided by what may be 0.
-        """
+    def _joined(self, s: Complexes) -> tuple[Complexes, Complexes]:
+        """Impedances: what parts the masses times S, P, and that of both together, S."""
+        inner = self.moving_mass_kg * s
         casing = self.casing_mass_kg * s
         casing = casing + self.skin_damping_n_s_per_m + self.skin_stiffness_n_per_m / s
-        inner = self.moving_mass_kg * s
-        both = inner + casing
         suspension = self.damping_n_s_per_m + self.stiffness_n_per_m / s
-        return (inner * casing + suspension * both) / self.force_factor_n_per_a, both, inner
+        return inner * casing + suspension * (inner + casing), inner + casing
 
-    def _electrical(self, s: Complexes) -> Complexes:
-        return self.resistance_ohm + s * self.inductance_h
+    def _divisor(self, s: Complexes, parted: Complexes, both: Complexes) -> Complexes:
+        electrical = self.resistance_ohm + s * self.inductance_h
+        return parted * electrical + np.square(self.force_factor_n_per_a) * both

@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
+import numpy as np
+
 from skinsource import fields
 from skinsource.actuators import parameters
 from skinsource.actuators.actuator import LinearActuator
@@ -64,24 +66,17 @@ class VoiceCoil(LinearActuator):
 
     def response_at(self, s: Complexes) -> Complexes:
         """A / U = s Bl / (Z (R + s L) + Bl²) with the mechanical impedance Z = m s + c + k / s."""
-        coupling = self.force_factor_n_per_a
-        if not coupling:
-            return 0.0 * s
-        # Divided by Bl above and below, so that no square leaves the range of floats.
-        return s / (self._mechanical(s) * self._electrical(s) / coupling + coupling)
+        return s * self.force_factor_n_per_a / self._divisor(s)
 
     def current_at(self, s: Complexes) -> Complexes:
         """Z / (Z (R + s L) + Bl²)."""
-        coupling, electrical = self.force_factor_n_per_a, self._electrical(s)
-        if not coupling:
-            return 1.0 / electrical
-        moved = self._mechanical(s) / coupling
-        return moved / (moved * electrical + coupling)
+        return self._mechanical(s) / self._divisor(s)
 
     def _mechanical(self, s: Complexes) -> Complexes:
         damping = self.damping_n_s_per_m + self.skin_damping_n_s_per_m
         stiffness = self.stiffness_n_per_m + self.skin_stiffness_n_per_m
         return self.moving_mass_kg * s + damping + stiffness / s
 
-    def _electrical(self, s: Complexes) -> Complexes:
-        return self.resistance_ohm + s * self.inductance_h
+    def _divisor(self, s: Complexes) -> Complexes:
+        electrical = self.resistance_ohm + s * self.inductance_h
+        return self._mechanical(s) * electrical + np.square(self.force_factor_n_per_a)
