@@ -66,6 +66,25 @@ def test_what_cannot_be_simulated_is_refused(voltage, rate_hz, hold, word):
         COIL.simulate(voltage, rate_hz, hold)
 
 
+@pytest.mark.parametrize("value", [5e-324, 1e-150, 1e150, 1.7e308])
+@pytest.mark.parametrize(
+    ("actuator", "name"), [(one, name) for one, names in PARAMETERS.items() for name in names]
+)
+def test_a_parameter_at_the_end_of_all_numbers_moves_it_or_is_refused(actuator, name, value):
+    extreme = replace(actuator, **{name: value})
+    for act in (
+        lambda: extreme.simulate(np.sin(np.arange(70.0)), 1300.0).acceleration,
+        lambda: extreme.response(100.0),
+        lambda: extreme.admittance(100.0),
+        lambda: ss.equalising.resonance_of(extreme),
+    ):
+        try:
+            found = act()
+        except InvalidInputError:
+            continue
+        assert np.isfinite(found).all()
+
+
 def test_no_voltage_at_all_is_no_motion():
     assert COIL.simulate([], 1300.0).current.shape == (0,)
     assert PIEZO.simulate([3.0], 1300.0).current == pytest.approx([0.03])

@@ -12,8 +12,18 @@ from pathlib import Path
 import numpy as np
 from mpmath import expm, matrix, mp, mpf, pi, sqrt
 
+HERE = Path(__file__).parent
+SHIPPED = HERE.parents[1] / "data" / "actuators"
 RATE_HZ = 1300
 N_STEP, N_UNEVEN = 400, 120
+#: Of runs of an uneven voltage: how it is held, how many steps, and every how many are kept.
+RUNS = {
+    "shipped": ("first", 960, 8),
+    "rates": ("first", 120, 1),
+    "stiff": ("first", 120, 1),
+    "fast": ("first", 120, 1),
+    "minute": ("zero", 60 * RATE_HZ, 997),
+}
 #: Samples of the long run whose motion is kept.
 LONG = (1000, 10_000, 100_000, 300_000, 1_000_000)
 
@@ -84,6 +94,52 @@ CASES = {
 }
 
 
+#: Where the current, the charge or the mass settles long before the next sample.
+STIFF = {
+    "piezo of 1 pF behind 1 mΩ": {
+        "kind": "Piezo",
+        "capacitance_f": 1e-12,
+        "coupling_n_per_v": 1e-2,
+        "moving_mass_kg": 1e-3,
+        "damping_n_s_per_m": 0.1,
+        "stiffness_n_per_m": 2000.0,
+        "series_resistance_ohm": 1e-3,
+    },
+    "recoil with a coil of 1 ps": CASES["recoil"] | {"inductance_h": 8e-12},
+    "mass of a picogram": coil(175.0, 15.0, 1e-4, 0.8, mass=1e-15)
+    | {"damping_n_s_per_m": 0.07, "stiffness_n_per_m": 1209.0},
+}
+#: Where the mass swings many times between two samples.
+FAST = {
+    "mass of a microgram": CASES["mass of a microgram"],
+    "strong force": coil(0.0, 1.0, 1.0, 1e4, resistance=1e-6, damping=0.0),
+    "stiff spring": coil(175.0, 15.0, 1e-4, 0.8) | {"stiffness_n_per_m": 1e9},
+}
+
+
+def shipped():
+    """Parameters of the actuators of ``data/actuators`` that have a model, by name."""
+    found = {}
+    for path in sorted(SHIPPED.glob("*.json")):
+        model = json.loads(path.read_text(encoding="utf-8"))["content"]["model"]
+        if model["kind"] != "ResponseShape":
+            found[path.stem] = model
+    return found
+
+
+def runs():
+    """Runs of an uneven voltage: what for, case, and rate."""
+    coils = [name for name in CASES if name[0] == "d"]
+    held = [*coils, "recoil", "recoil, hanging free", "piezo"]
+    return [
+        *(("shipped", name, rate_hz) for name in shipped() for rate_hz in (1300, 8000, 48_000)),
+        *(("rates", name, rate_hz) for name in held for rate_hz in (200, 192_000)),
+        *(("stiff", name, RATE_HZ) for name in STIFF),
+        *(("fast", name, RATE_HZ) for name in FAST),
+        *(("minute", name, RATE_HZ) for name in [*held, *shipped()]),
+    ]
+
+
 def equations(case):
     """A, b, and what gives acceleration, velocity, displacement and current; states and voltage."""
     p = {name: mpf(value) for name, value in case.items() if name != "kind"}
@@ -132,15 +188,16 @@ def stepped(rows, step_s):
     return expm(grown)
 
 
-def motion(case, voltage, hold):
-    """Outputs, (4, n_times), at the samples of a voltage."""
+def motion(case, voltage, hold, rate_hz=RATE_HZ, every=1):
+    """Outputs, (4, n_kept), at every so many samples of a voltage."""
     rows, reads = equations(case)
-    n, step_s = len(rows), 1 / mpf(RATE_HZ)
+    n, step_s = len(rows), 1 / mpf(rate_hz)
     grown = stepped(rows, step_s)
     state, found = [mpf(0)] * n, []
     for k, now in enumerate(voltage):
         known = [*state, mpf(now)]
-        found.append([sum(a * b for a, b in zip(read, known, strict=True)) for read in reads])
+        if k % every == 0:
+            found.append([sum(a * b for a, b in zip(read, known, strict=True)) for read in reads])
         if k + 1 < len(voltage):
             slope = (mpf(voltage[k + 1]) - mpf(now)) / step_s if hold == "first" else mpf(0)
             known = [*known, slope]
@@ -165,6 +222,12 @@ def uneven():
     return np.round(np.sin(0.37 * k * k) + (k > 40) - 1.5 * (k > 80), 6)
 
 
+def thousandths(n_steps):
+    """Another uneven voltage, of any length: thousandths of a volt, the same on every machine."""
+    k = np.arange(n_steps + 1)
+    return ((7919 * k * k + 31 * k) % 2001 - 1000) / 1000.0
+
+
 def main():
     """Write all cases."""
     mp.dps = 50
@@ -178,11 +241,16 @@ def main():
     for name in ("d1", "d4", "d6"):
         full = next(case for case in CASES if case.startswith(name))
         found[f"{full}/long"] = long_motion(CASES[full])
-    place = Path(__file__).parent
-    np.savez_compressed(place / "actuators.npz", **found)
-    (place / "actuators.json").write_text(
-        json.dumps({"rate_hz": RATE_HZ, "long": LONG, "cases": CASES}, indent=1) + "\n"
-    )
+    cases = CASES | STIFF | FAST | shipped()
+    for what, name, rate_hz in runs():
+        mp.dps = 120 if what in ("stiff", "fast") else 60
+        hold, n_steps, every = RUNS[what]
+        voltage = thousandths(n_steps)
+        found[f"{what}/{name}/{rate_hz}"] = motion(cases[name], voltage, hold, rate_hz, every)
+    np.savez_compressed(HERE / "actuators.npz", **found)
+    known = {"rate_hz": RATE_HZ, "long": LONG, "runs": RUNS}
+    known |= {"cases": CASES, "stiff": STIFF, "fast": FAST}
+    (HERE / "actuators.json").write_text(json.dumps(known, indent=1) + "\n")
 
 
 if __name__ == "__main__":

@@ -1,17 +1,14 @@
 """What every actuator can do."""
 
 from abc import ABC, abstractmethod
-from fractions import Fraction
 from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skinsource.actuators.equations import Equations
 from skinsource.actuators.motion import ActuatorMotion
-from skinsource.actuators.simulating import simulated, step_of
-from skinsource.actuators.stepping import Hold
-from skinsource.arguments import finite_array
+from skinsource.actuators.simulating import Equations, Hold, simulated
+from skinsource.arguments import finite_array, positive_number
 from skinsource.arrays import Complexes
 from skinsource.errors import InvalidInputError
 
@@ -82,8 +79,8 @@ class LinearActuator(Actuator):
     __slots__ = ()
 
     @abstractmethod
-    def equations(self, step_s: Fraction) -> Equations:
-        """Equations of motion, with storages that suit steps of this length."""
+    def equations(self) -> Equations:
+        """Equations of motion."""
 
     @abstractmethod
     def response_at(self, s: Complexes) -> Complexes:
@@ -97,7 +94,7 @@ class LinearActuator(Actuator):
         """Acceleration over voltage, in m/s² per V."""
         s = _imaginary(frequency_hz)
         with np.errstate(all="ignore"):
-            found = self.response_at(np.where(s == 0.0, 1j, s))
+            found = self.response_at(s)
         return _known(np.where(s == 0.0, 0.0, found))
 
     def admittance(self, frequency_hz: ArrayLike) -> Complexes:
@@ -110,7 +107,9 @@ class LinearActuator(Actuator):
         self, voltage: ArrayLike, sample_rate_hz: float, hold: Hold = "zero"
     ) -> ActuatorMotion:
         """Motion under a voltage, from rest, at its samples."""
-        return simulated(self.equations(step_of(sample_rate_hz)), voltage, sample_rate_hz, hold)
+        step_s = 1.0 / positive_number("sample_rate_hz", sample_rate_hz)
+        with np.errstate(all="ignore"):
+            return simulated(self.equations(), voltage, step_s, hold)
 
 
 def _imaginary(frequency_hz: ArrayLike) -> Complexes:

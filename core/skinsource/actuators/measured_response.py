@@ -10,8 +10,7 @@ from numpy.typing import ArrayLike
 from skinsource import fields
 from skinsource.actuators.actuator import Actuator
 from skinsource.actuators.motion import ActuatorMotion
-from skinsource.actuators.simulating import samples_of
-from skinsource.actuators.stepping import Hold
+from skinsource.actuators.simulating import Hold, samples_of
 from skinsource.arguments import finite_array, positive_number
 from skinsource.arrays import Complexes, Floats
 from skinsource.errors import InvalidInputError

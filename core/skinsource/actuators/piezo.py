@@ -1,13 +1,14 @@
 """A piezoelectric actuator."""
 
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import ClassVar
+
+import numpy as np
 
 from skinsource import fields
 from skinsource.actuators import parameters
 from skinsource.actuators.actuator import LinearActuator
-from skinsource.actuators.equations import Equations, held, row
+from skinsource.actuators.simulating import Equations
 from skinsource.arrays import Complexes
 
 CAPACITANCE = parameters.positive("Capacitance", "F", "Of the clamped actuator")
@@ -48,44 +49,33 @@ class Piezo(LinearActuator):
     def __post_init__(self) -> None:
         fields.check(self)
 
-    def equations(self, step_s: Fraction) -> Equations:
+    def equations(self) -> Equations:
         """Voltage over the capacitance, velocity and displacement."""
-        (capacitance, coupling, mass, damping, stiffness, series) = row(
-            self.capacitance_f,
-            self.coupling_n_per_v,
-            self.moving_mass_kg,
-            self.damping_n_s_per_m,
-            self.stiffness_n_per_m,
-            self.series_resistance_ohm,
-        )
-        damping += Fraction(self.skin_damping_n_s_per_m)
-        stiffness += Fraction(self.skin_stiffness_n_per_m)
-        charging = 1 / (series * capacitance)
-        pushed = (coupling / mass, -damping / mass, -stiffness / mass)
+        mass, coupling = self.moving_mass_kg, self.coupling_n_per_v
+        damping = self.damping_n_s_per_m + self.skin_damping_n_s_per_m
+        stiffness = self.stiffness_n_per_m + self.skin_stiffness_n_per_m
+        admittance = 1.0 / self.series_resistance_ohm
+        charging = admittance / self.capacitance_f
         return Equations(
-            dynamics=((-charging, -coupling / capacitance, Fraction(0)), pushed, row(0, 1, 0)),
-            drive=(charging, Fraction(0), Fraction(0)),
-            outputs=(
-                pushed,
-                row(0, 1, 0),
-                row(0, 0, 1),
-                (-1 / series, Fraction(0), Fraction(0)),
+            dynamics=(
+                (-charging, -coupling / self.capacitance_f, 0.0),
+                (coupling / mass, -damping / mass, -stiffness / mass),
+                (0.0, 1.0, 0.0),
             ),
-            passed=(Fraction(0), Fraction(0), Fraction(0), 1 / series),
-            storage=(capacitance, mass, held(stiffness, mass, step_s)),
+            drive=(charging, 0.0, 0.0),
+            velocity=(0.0, 1.0, 0.0),
+            displacement=(0.0, 0.0, 1.0),
+            current=(-admittance, 0.0, 0.0),
+            passed_a_per_v=admittance,
         )
 
     def response_at(self, s: Complexes) -> Complexes:
         """A / U = s alpha / (Z (1 + s R C) + R alpha²) with Z = m s + c + k / s."""
-        coupling = self.coupling_n_per_v
-        return s / self._divisor(s) if coupling else 0.0 * s
+        return s * self.coupling_n_per_v / self._divisor(s)
 
     def current_at(self, s: Complexes) -> Complexes:
         """(s C Z + alpha²) / (Z (1 + s R C) + R alpha²)."""
-        coupling = self.coupling_n_per_v
-        if not coupling:
-            return s * self.capacitance_f / self._charged(s)
-        flowing = s * self.capacitance_f * (self._mechanical(s) / coupling) + coupling
+        flowing = s * self.capacitance_f * self._mechanical(s) + np.square(self.coupling_n_per_v)
         return flowing / self._divisor(s)
 
     def _mechanical(self, s: Complexes) -> Complexes:
@@ -93,11 +83,7 @@ class Piezo(LinearActuator):
         stiffness = self.stiffness_n_per_m + self.skin_stiffness_n_per_m
         return self.moving_mass_kg * s + damping + stiffness / s
 
-    def _charged(self, s: Complexes) -> Complexes:
-        return 1.0 + s * self.series_resistance_ohm * self.capacitance_f
-
     def _divisor(self, s: Complexes) -> Complexes:
-        """What responses are divided by, itself divided by the coupling."""
-        coupling = self.coupling_n_per_v
-        moved = self._mechanical(s) / coupling
-        return moved * self._charged(s) + self.series_resistance_ohm * coupling
+        charged = 1.0 + s * self.series_resistance_ohm * self.capacitance_f
+        moved = self.series_resistance_ohm * np.square(self.coupling_n_per_v)
+        return self._mechanical(s) * charged + moved

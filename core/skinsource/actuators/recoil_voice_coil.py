@@ -1,13 +1,14 @@
 """A coil inside a casing that recoils."""
 
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import ClassVar
+
+import numpy as np
 
 from skinsource import fields
 from skinsource.actuators import parameters
 from skinsource.actuators.actuator import LinearActuator
-from skinsource.actuators.equations import Equations, held, row
+from skinsource.actuators.simulating import Equations
 from skinsource.arrays import Complexes
 
 CASING_MASS = parameters.positive("Casing mass", "kg", "What touches the skin, and recoils")
@@ -48,71 +49,52 @@ class RecoilVoiceCoil(LinearActuator):
     def __post_init__(self) -> None:
         fields.check(self)
 
-    def equations(self, step_s: Fraction) -> Equations:
-        """Current, relative velocity, velocity of the casing, and what they add up to."""
-        (resistance, inductance, coupling, mass, damping, stiffness, casing, skin_k, skin_c) = row(
-            self.resistance_ohm,
-            self.inductance_h,
-            self.force_factor_n_per_a,
-            self.moving_mass_kg,
-            self.damping_n_s_per_m,
-            self.stiffness_n_per_m,
-            self.casing_mass_kg,
-            self.skin_stiffness_n_per_m,
-            self.skin_damping_n_s_per_m,
-        )
-        zero = Fraction(0)
-        force = (coupling, -damping, zero, -stiffness, zero)
-        skin = (zero, zero, -skin_c, zero, -skin_k)
-        recoiled = tuple((s - f) / casing for f, s in zip(force, skin, strict=True))
-        parted = tuple(f / mass - w for f, w in zip(force, recoiled, strict=True))
-        reduced = mass * casing / (mass + casing)
+    def equations(self) -> Equations:
+        """Current, velocities between the masses and of their common centre, and displacements."""
+        inductance, coupling = self.inductance_h, self.force_factor_n_per_a
+        casing, total = self.casing_mass_kg, self.moving_mass_kg + self.casing_mass_kg
+        # The casing moves less than the centre by this share of what lies between the masses.
+        share = self.moving_mass_kg / total
+        reduced = share * casing
+        force = np.array((coupling, -self.damping_n_s_per_m, 0.0, -self.stiffness_n_per_m, 0.0))
+        velocity = np.array((0.0, -share, 1.0, 0.0, 0.0))
+        displacement = np.array((0.0, 0.0, 0.0, -share, 1.0))
+        skin = self.skin_damping_n_s_per_m * velocity + self.skin_stiffness_n_per_m * displacement
         return Equations(
-            dynamics=(
-                (-resistance / inductance, -coupling / inductance, zero, zero, zero),
-                parted,
-                recoiled,
-                row(0, 1, 0, 0, 0),
-                row(0, 0, 1, 0, 0),
+            dynamics=np.array(
+                (
+                    (-self.resistance_ohm / inductance, -coupling / inductance, 0.0, 0.0, 0.0),
+                    force / reduced + skin / casing,
+                    -skin / total,
+                    (0.0, 1.0, 0.0, 0.0, 0.0),
+                    (0.0, 0.0, 1.0, 0.0, 0.0),
+                )
             ),
-            drive=(1 / inductance, zero, zero, zero, zero),
-            outputs=(recoiled, row(0, 0, 1, 0, 0), row(0, 0, 0, 0, 1), row(1, 0, 0, 0, 0)),
-            passed=row(0, 0, 0, 0),
-            storage=(
-                inductance,
-                reduced,
-                casing,
-                held(stiffness, reduced, step_s),
-                held(skin_k, casing, step_s),
-            ),
+            drive=(1.0 / inductance, 0.0, 0.0, 0.0, 0.0),
+            velocity=velocity,
+            displacement=displacement,
+            current=(1.0, 0.0, 0.0, 0.0, 0.0),
         )
 
     def response_at(self, s: Complexes) -> Complexes:
-        """-s Bl i / (Z_casing (1 + Z Y)), i as `current_at` gives it."""
-        if not self.force_factor_n_per_a:
-            return 0.0 * s
-        apart, both, inner = self._joined(s)
-        return -s * inner / (apart * self._electrical(s) + self.force_factor_n_per_a * both)
+        """-s² m Bl / (P (R + s L) + Bl² S), P and S as `_joined` gives them."""
+        parted, both = self._joined(s)
+        driven = -self.force_factor_n_per_a * self.moving_mass_kg * s**2
+        return driven / self._divisor(s, parted, both)
 
     def current_at(self, s: Complexes) -> Complexes:
-        """1 / (R + s L + Bl² / (Z + 1 / Y)) with Y = 1 / (s m) + 1 / Z_casing."""
-        electrical = self._electrical(s)
-        if not self.force_factor_n_per_a:
-            return 1.0 / electrical
-        apart, both, _ = self._joined(s)
-        return apart / (apart * electrical + self.force_factor_n_per_a * both)
+        """P / (P (R + s L) + Bl² S)."""
+        parted, both = self._joined(s)
+        return parted / self._divisor(s, parted, both)
 
-    def _joined(self, s: Complexes) -> tuple[Complexes, Complexes, Complexes]:
-        """Impedances: what parts the masses, times both and over Bl; both; and that inside.
-
-        All is multiplied out, so that nothing is divided by what may be 0.
-        """
+    def _joined(self, s: Complexes) -> tuple[Complexes, Complexes]:
+        """Impedances: what parts the masses times S, P, and that of both together, S."""
+        inner = self.moving_mass_kg * s
         casing = self.casing_mass_kg * s
         casing = casing + self.skin_damping_n_s_per_m + self.skin_stiffness_n_per_m / s
-        inner = self.moving_mass_kg * s
-        both = inner + casing
         suspension = self.damping_n_s_per_m + self.stiffness_n_per_m / s
-        return (inner * casing + suspension * both) / self.force_factor_n_per_a, both, inner
+        return inner * casing + suspension * (inner + casing), inner + casing
 
-    def _electrical(self, s: Complexes) -> Complexes:
-        return self.resistance_ohm + s * self.inductance_h
+    def _divisor(self, s: Complexes, parted: Complexes, both: Complexes) -> Complexes:
+        electrical = self.resistance_ohm + s * self.inductance_h
+        return parted * electrical + np.square(self.force_factor_n_per_a) * both

@@ -1,13 +1,14 @@
 """A coil that moves a contactor."""
 
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import ClassVar
+
+import numpy as np
 
 from skinsource import fields
 from skinsource.actuators import parameters
 from skinsource.actuators.actuator import LinearActuator
-from skinsource.actuators.equations import Equations, held, row
+from skinsource.actuators.simulating import Equations
 from skinsource.arrays import Complexes
 
 
@@ -45,51 +46,37 @@ class VoiceCoil(LinearActuator):
     def __post_init__(self) -> None:
         fields.check(self)
 
-    def equations(self, step_s: Fraction) -> Equations:
+    def equations(self) -> Equations:
         """Current, velocity and displacement."""
-        (resistance, inductance, coupling, mass, damping, stiffness) = row(
-            self.resistance_ohm,
-            self.inductance_h,
-            self.force_factor_n_per_a,
-            self.moving_mass_kg,
-            self.damping_n_s_per_m,
-            self.stiffness_n_per_m,
-        )
-        damping += Fraction(self.skin_damping_n_s_per_m)
-        stiffness += Fraction(self.skin_stiffness_n_per_m)
-        pulled = (coupling / mass, -damping / mass, -stiffness / mass)
+        mass, coupling = self.moving_mass_kg, self.force_factor_n_per_a
+        damping = self.damping_n_s_per_m + self.skin_damping_n_s_per_m
+        stiffness = self.stiffness_n_per_m + self.skin_stiffness_n_per_m
+        inductance = self.inductance_h
         return Equations(
             dynamics=(
-                (-resistance / inductance, -coupling / inductance, Fraction(0)),
-                pulled,
-                row(0, 1, 0),
+                (-self.resistance_ohm / inductance, -coupling / inductance, 0.0),
+                (coupling / mass, -damping / mass, -stiffness / mass),
+                (0.0, 1.0, 0.0),
             ),
-            drive=(1 / inductance, Fraction(0), Fraction(0)),
-            outputs=(pulled, row(0, 1, 0), row(0, 0, 1), row(1, 0, 0)),
-            passed=row(0, 0, 0, 0),
-            storage=(inductance, mass, held(stiffness, mass, step_s)),
+            drive=(1.0 / inductance, 0.0, 0.0),
+            velocity=(0.0, 1.0, 0.0),
+            displacement=(0.0, 0.0, 1.0),
+            current=(1.0, 0.0, 0.0),
         )
 
     def response_at(self, s: Complexes) -> Complexes:
         """A / U = s Bl / (Z (R + s L) + Bl²) with the mechanical impedance Z = m s + c + k / s."""
-        coupling = self.force_factor_n_per_a
-        if not coupling:
-            return 0.0 * s
-        # Divided by Bl above and below, so that no square leaves the range of floats.
-        return s / (self._mechanical(s) * self._electrical(s) / coupling + coupling)
+        return s * self.force_factor_n_per_a / self._divisor(s)
 
     def current_at(self, s: Complexes) -> Complexes:
         """Z / (Z (R + s L) + Bl²)."""
-        coupling, electrical = self.force_factor_n_per_a, self._electrical(s)
-        if not coupling:
-            return 1.0 / electrical
-        moved = self._mechanical(s) / coupling
-        return moved / (moved * electrical + coupling)
+        return self._mechanical(s) / self._divisor(s)
 
     def _mechanical(self, s: Complexes) -> Complexes:
         damping = self.damping_n_s_per_m + self.skin_damping_n_s_per_m
         stiffness = self.stiffness_n_per_m + self.skin_stiffness_n_per_m
         return self.moving_mass_kg * s + damping + stiffness / s
 
-    def _electrical(self, s: Complexes) -> Complexes:
-        return self.resistance_ohm + s * self.inductance_h
+    def _divisor(self, s: Complexes) -> Complexes:
+        electrical = self.resistance_ohm + s * self.inductance_h
+        return self._mechanical(s) * electrical + np.square(self.force_factor_n_per_a)

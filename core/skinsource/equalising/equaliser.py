@@ -1,7 +1,6 @@
 """What every equaliser can do."""
 
 from abc import ABC, abstractmethod
-from functools import lru_cache
 from typing import ClassVar
 
 import numpy as np
@@ -72,12 +71,9 @@ def target(frequency_hz: ArrayLike, band_hz: Band = BAND_HZ) -> Floats:
     return found
 
 
-@lru_cache(maxsize=16)
 def in_band_hz(band_hz: Band = BAND_HZ) -> Floats:
     """Frequencies over a band by which an actuator is judged, (400,)."""
-    found = np.geomspace(*band_hz, 400)
-    found.flags.writeable = False
-    return found
+    return np.geomspace(*band_hz, 400)
 
 
 def largest_gain(actuator: Actuator, band_hz: Band = BAND_HZ) -> float:

@@ -91,14 +91,10 @@ def resonance_of(actuator: Actuator) -> tuple[float, float]:
     if isinstance(actuator, VoiceCoil):
         stiffness = actuator.stiffness_n_per_m + actuator.skin_stiffness_n_per_m
         damping = actuator.damping_n_s_per_m + actuator.skin_damping_n_s_per_m
-        damping += (
-            actuator.force_factor_n_per_a
-            * actuator.force_factor_n_per_a
-            / (actuator.resistance_ohm)
-        )
         resonance_hz = np.sqrt(stiffness / actuator.moving_mass_kg) / (2.0 * np.pi)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            quality = np.sqrt(stiffness * actuator.moving_mass_kg) / np.float64(damping)
+        with np.errstate(all="ignore"):
+            damping += np.square(actuator.force_factor_n_per_a) / actuator.resistance_ohm
+            quality = np.sqrt(stiffness * actuator.moving_mass_kg) / damping
     else:
         resonance_hz, quality = _shown_by(actuator)
     return _within(RESONANCE, resonance_hz), _within(QUALITY, np.nan_to_num(quality))
