@@ -8,12 +8,14 @@ import gc
 import importlib
 import importlib.util
 import os
+import signal
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
 from skinsource import __version__
 from skinsource.extras import extra_line
+from skinsource.quoting import escaped
 from skinsource_gui.late_modules import leave_for_use
 from skinsource_gui.system_libraries import has_display, install_line, missing_packages
 from skinsource_gui.unread_sources import leave_sources_unread
@@ -22,7 +24,7 @@ _FIRST_RUN = Path("build/first-run")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Open the studio; without a display, render the start design to files instead."""
+    """Open the studio; without a display, render what it would show to files instead."""
     options = _parser().parse_args(arguments)
     if importlib.util.find_spec("PySide6") is None or importlib.util.find_spec("pyqtgraph") is None:
         return _stop(f"the window needs its own packages: {extra_line('gui')}")
@@ -30,6 +32,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     missing = missing_packages(on_a_screen=on_a_screen)
     if missing:
         return _stop(f"Qt cannot start: system libraries are missing.\n{install_line(missing)}")
+    if not on_a_screen:
+        # Ctrl+C ends it at once.  As an exception it would be lost, or worse, inside Qt.
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
     os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
     # What is made at the start stays; to look for garbage in it takes a tenth of the time.  The
     # studio collects it itself once its window stands, and rendering to files is over by then.
@@ -41,9 +46,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return int(importlib.import_module("skinsource_gui.shell.app").run(options.design))
     folder = options.render or _FIRST_RUN
     if options.render is None:
-        sys.stdout.write(
-            f"There is no display here: the start design is rendered to {folder} instead.\n"
-        )
+        shown = "the start design" if options.design is None else escaped(str(options.design))
+        sys.stdout.write(f"There is no display here. Rendering {shown} to {folder} instead.\n")
     os.environ["QT_QPA_PLATFORM"] = "offscreen"
     return int(importlib.import_module("skinsource_gui.headless").run(folder, options.design))
 

@@ -10,6 +10,7 @@ from skinsource.comparing import EDITED, Snapshot, gain_words, match_words
 from skinsource.decibels import FLOOR_DB
 from skinsource.design import Design
 from skinsource.view import View
+from skinsource.voices import unplayable_words
 
 #: What is said where designs are shown as loud as each other.
 LEVELS_MATCHED = "levels matched"
@@ -46,6 +47,11 @@ class Compared:
     gain: float = 1.0
     axes: str = ""
     late: bool = False
+
+    @property
+    def left_out(self) -> str:
+        """What its values are without: a sentence, or ""."""
+        return unplayable_words((self.values or {}).get("unplayable_inputs", ()))
 
     @property
     def name(self) -> str:

@@ -2,13 +2,16 @@
 
 import sys
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from PySide6.QtCore import QMessageLogContext, QtMsgType, qInstallMessageHandler
+from PySide6.QtWidgets import QApplication
 
+from skinsource.design_file import open_design
 from skinsource.errors import SkinSourceError
 from skinsource.export import export_levels, export_traces
-from skinsource.files import make_folder
+from skinsource.files import make_folder, write_bytes
 from skinsource_gui.shell.app import make_application, make_window
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
@@ -18,28 +21,43 @@ _SIZE_PX = (1600, 940)
 
 
 def run(folder: Path, design: Path | None) -> int:
-    """Write pictures and tables of ``design`` (or of the start design) to ``folder``."""
+    """Write pictures and tables of ``design`` (or of the start design) to ``folder``.
+
+    Nothing is written there unless all of them could be made.
+    """
     qInstallMessageHandler(_tell)
     application = make_application()
     try:
-        make_folder(folder)
-        window = make_window(design, Preferences(folder / "studio.ini"))
+        with TemporaryDirectory(prefix="skinsource-") as name:
+            files = _render(application, design, Path(name))
+            make_folder(folder)
+            for file in files:
+                write_bytes(folder / file.name, file.read_bytes())
+                sys.stdout.write(f"  {folder / file.name}\n")
+    except SkinSourceError as error:
+        sys.stderr.write(f"skinsource-gui: {error}\n")
+        return 1
+    return 0
+
+
+def _render(application: QApplication, design: Path | None, folder: Path) -> list[Path]:
+    if design is not None:
+        # Where that fails, the window shows the start design.
+        open_design(design)
+    preferences = Preferences(folder / "studio.ini")
+    window = make_window(design, preferences)
+    try:
         window.resize(*_SIZE_PX)
         window.show()
         window.do("arrange_design")
         application.processEvents()
         window.catch_up()
         application.processEvents()
-        names = _write(window, folder)
+        return _write(window, folder)
+    finally:
         window.document.mark_saved(window.document.path)
         window.close()
-    except SkinSourceError as error:
-        sys.stderr.write(f"skinsource-gui: {error}\n")
-        return 1
-    (folder / "studio.ini").unlink(missing_ok=True)
-    for name in names:
-        sys.stdout.write(f"  {folder / name}\n")
-    return 0
+        preferences.flush()
 
 
 def _tell(_kind: QtMsgType, _context: QMessageLogContext, text: str) -> None:
@@ -48,11 +66,13 @@ def _tell(_kind: QtMsgType, _context: QMessageLogContext, text: str) -> None:
         sys.stderr.write(f"{text}\n")
 
 
-def _write(window: MainWindow, folder: Path) -> list[str]:
+def _write(window: MainWindow, folder: Path) -> list[Path]:
+    names = "window.png", "rms-map.png", "rms-map.csv", "traces.csv"
+    files = window_picture, map_picture, levels, traces = [folder / name for name in names]
     design, view = window.document.design, window.document.view
-    save_picture(folder / "window.png", window.grab())
     skin: Any = window.panel("skin")
-    save_picture(folder / "rms-map.png", skin.picture(800, 1200))
-    export_levels(folder / "rms-map.csv", design, view)
-    export_traces(folder / "traces.csv", design, view)
-    return ["window.png", "rms-map.png", "rms-map.csv", "traces.csv"]
+    export_levels(levels, design, view)
+    export_traces(traces, design, view)
+    save_picture(window_picture, window.grab())
+    save_picture(map_picture, skin.picture(800, 1200))
+    return files

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.design import Design
 from skinsource.view import View
+from skinsource.voices import UnplayableInput
 from skinsource_gui.compares import ComparesDesigns
 from skinsource_gui.history import History
 from skinsource_gui.theme import Theme
@@ -103,6 +104,9 @@ class Panel(ComparesDesigns):
 
     def show_noisy(self, outputs: tuple[int, ...]) -> None:
         """Take over at which outputs the prediction is mostly noise; once that was judged."""
+
+    def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
+        """Take over which inputs cannot be played; the results that follow are without them."""
 
     def show_history(self, history: History) -> None:
         """Take over what was done; called while it is visible, where it lists that."""

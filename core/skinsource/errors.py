@@ -16,7 +16,7 @@ SkinSourceError
 ├── PlaybackError          a device does not take what it is asked for, or is not there
 │   └── NothingToPlayOnError   … there is none at all, or what speaks to devices is not installed
 ├── TooInaccurateError     what was to be written is more wrong than was asked for
-├── NotConfirmedError      what was to be written clips or passes a limit, and nobody agreed to that
+├── NotConfirmedError      what was to be written clips, passes a limit or loses much, unconfirmed
 ├── MissingExtraError      an optional package is needed and not installed
 └── Stopped                the user stopped it
 """
@@ -89,7 +89,7 @@ class TooInaccurateError(SkinSourceError):
 
 
 class NotConfirmedError(SkinSourceError):
-    """What was to be written clips or passes a limit, and was not confirmed; nothing was."""
+    """What was to be written clips, passes a limit or loses much, unconfirmed; nothing was."""
 
 
 class MissingExtraError(SkinSourceError):

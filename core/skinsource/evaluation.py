@@ -107,7 +107,8 @@ def evaluate(design: Design, *quantities: str, view: View | None = None) -> dict
         ``"selected_spectra"``: frequencies (n_bins,), Hz, and magnitudes (n_selected, n_bins);
         ``"selected_axis_spectra"``, the same along each axis, (n_selected, n_axes, n_bins);
         ``"response_time_s"`` (n_times,); ``"input_waveforms"``, one array per input, muted ones
-        too, from its first clip on, before amplitude; ``"surface_levels_db"`` (rows, columns);
+        too, from its first clip on, before amplitude, or None for a muted one that cannot be
+        sampled; ``"surface_levels_db"`` (rows, columns);
         ``"axis_levels_db"``, of each axis of the limb (72,), dB re 1 m/s².
     view
         Axes, method, span and selected outputs; ``View()`` where none is given.

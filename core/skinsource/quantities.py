@@ -51,8 +51,11 @@ def voices(
 
 def clip_waveforms(
     remembered: Remembered, inputs: tuple[Input, ...], sample_rate_hz: float, stop: Stop
-) -> tuple[tuple[Floats, ...], ...]:
-    """What each clip of each input plays, muted or not, after its effects and before its gain."""
+) -> tuple[tuple[Floats | None, ...], ...]:
+    """What each clip of each input plays, muted or not, after its effects and before its gain.
+
+    None: it cannot be sampled.
+    """
     tracks = tuple(one.clips for one in inputs)
     return remembered.clip_waveforms.of(tracks, sample_rate_hz, stop)
 
@@ -103,7 +106,9 @@ RULES: tuple[Callable[..., Any], ...] = (
 )
 
 
-def sources(design: Design, view: View, *, match_gain: float = 1.0) -> dict[str, Any]:
+def sources(
+    design: Design, view: View, *, match_gain: float = 1.0, leave_out_unplayable: bool = False
+) -> dict[str, Any]:
     """Return what evaluation starts from, by name: nothing that no quantity depends on.
 
     Parameters
@@ -112,6 +117,9 @@ def sources(design: Design, view: View, *, match_gain: float = 1.0) -> dict[str,
         What is predicted, and how it is looked at.
     match_gain
         Factor on all that the skin does, see `View.match_gain`; drives do not have it.
+    leave_out_unplayable
+        Whether inputs that cannot be played are left out and listed in ``unplayable_inputs``; else
+        they are an error.
     """
     return {
         "limb": design.limb,
@@ -122,6 +130,7 @@ def sources(design: Design, view: View, *, match_gain: float = 1.0) -> dict[str,
         "scaling": design.scaling,
         "actuation": design.actuated,
         "match_gain": match_gain,
+        "leave_out_unplayable": leave_out_unplayable,
         "axes": view.axes,
         "method": view.method,
         "span": view.span,

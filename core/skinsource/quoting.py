@@ -50,3 +50,12 @@ def escaped(text: str) -> str:
 def sentence(text: str) -> str:
     """Return ``text`` with exactly one full stop at its end."""
     return f"{text.rstrip().rstrip('.')}."
+
+
+def first_sentence(text: str) -> str:
+    """Return the first sentence of ``text``, with its full stop.
+
+    >>> first_sentence("The level is 0.5 dB. Choose another one.")
+    'The level is 0.5 dB.'
+    """
+    return sentence(text.split(". ", 1)[0])

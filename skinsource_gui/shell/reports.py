@@ -7,7 +7,9 @@ from PySide6.QtWidgets import QStatusBar
 
 from skinsource.design import Design
 from skinsource.errors import SkinSourceError
+from skinsource.voices import unplayable_words
 from skinsource_gui.shell.notice import PASSING_MS, Notice
+from skinsource_gui.state.conductor import UNPLAYABLE
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Outcome
 from skinsource_gui.status.accuracy import Accuracy
@@ -78,10 +80,14 @@ class Reports(QObject):
         self.complain(reason)
 
     def show_outcome(self, outcome: Outcome) -> None:
-        """Take over what the panels show now."""
-        if self._impossible and self._notice.text == self._impossible:
-            self._notice.be_quiet()
-        self._impossible = ""
+        """Take over what the panels show now, and say which inputs it is without."""
+        words = unplayable_words((outcome.values or {}).get(UNPLAYABLE, ()))
+        if words != self._impossible:
+            if self._impossible and self._notice.text == self._impossible:
+                self._notice.be_quiet()
+            self._impossible = words
+            if words:
+                self.complain(words)
         self._status_line.show_outcome(outcome)
         self._accuracy.show_outcome(outcome)
 
@@ -91,7 +97,7 @@ class Reports(QObject):
             _log.error("an evaluation failed", exc_info=outcome.error)
 
     def _forget_outdated(self) -> None:
-        # Why there are no results stays until there are some.
+        # Why there are no results, or none of an input, stays until there are some.
         edited = self._document.design is not self._said_of
         if edited and self._notice.text and self._notice.text != self._impossible:
             self._notice.be_quiet()

@@ -22,6 +22,7 @@ from skinsource.edits import Edit, Refusal
 from skinsource_gui.compared import Compared
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
+from skinsource_gui.state.conductor import UNPLAYABLE
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request, Slot
 from skinsource_gui.state.on_limbs import OnLimbs
@@ -35,7 +36,7 @@ from skinsource_gui.state.predicting import (
 from skinsource_gui.state.staying_matched import StayingMatched
 from skinsource_gui.widgets.fields.gesture import new_gesture
 
-_LEVELS = frozenset({"output_levels_db"})
+_LEVELS = frozenset({"output_levels_db", UNPLAYABLE})
 _AS_STORED = "Edit > Match levels of snapshots, switched off, shows it as stored"
 # Number under which the results of the window are remembered.
 _PRESENT = -1

@@ -14,6 +14,8 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request
 from skinsource_gui.state.predicting import FROM_THE_LIMB, reason_of, sources_shown, too_large
 
+#: Inputs that results are without: panels are told of them, whatever else they need.
+UNPLAYABLE = "unplayable_inputs"
 #: An edit waits so long for its results, a frame of most screens: the worker is quicker when it
 #: has the interpreter to itself, and both are painted together.
 WAIT_FOR_RESULTS_S = 0.016
@@ -118,7 +120,9 @@ class Conductor(QObject):
         wanted = self._also.union(*(panel.needs for panel in visible))
         if not wanted:
             return
-        request = Request(wanted, given, perf_counter() if since_s is None else since_s)
+        request = Request(
+            wanted | {UNPLAYABLE}, given, perf_counter() if since_s is None else since_s
+        )
         behind = any(panel.needs and panel not in self._shown for panel in visible)
         if self._asked == request and not behind:
             return
@@ -156,6 +160,8 @@ class Conductor(QObject):
             return
         visible = [panel for panel in self._panels if panel.isVisible() and panel.needs]
         visible = [panel for panel in visible if panel not in self._refused]
+        for panel in visible:
+            panel.show_unplayable(outcome.values[UNPLAYABLE] if outcome.values else ())
         if outcome.values is None:
             reason = _reason(outcome.error)
             self._explain(visible, reason)

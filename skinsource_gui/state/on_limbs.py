@@ -11,6 +11,7 @@ from skinsource.view import View
 from skinsource_gui.compared import Compared
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
+from skinsource_gui.state.conductor import UNPLAYABLE
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request, Slot
 from skinsource_gui.state.predicting import (
@@ -74,7 +75,7 @@ class OnLimbs(QObject):
         wanted: dict[str, frozenset[str]] = {}
         for panel in self._looking():
             for limb, needs in panel.needs_on_limbs.items():
-                wanted[limb] = wanted.get(limb, frozenset()) | needs
+                wanted[limb] = wanted.get(limb, frozenset({UNPLAYABLE})) | needs
         return wanted
 
     def _ask(self) -> None:

@@ -34,8 +34,12 @@ _DEPENDS_ON = (
 
 
 def sources_shown(design: Design, view: View) -> dict[str, Any]:
-    """What evaluation of the design in the window starts from: as loud as it is shown."""
-    return sources(design, view, match_gain=view.match_gain(design))
+    """What evaluation of the design in the window starts from: as loud as it is shown.
+
+    Here and in `sources_of_levels` an input that cannot be played is left out, and named by
+    ``unplayable_inputs``: the others are still seen.
+    """
+    return sources(design, view, match_gain=view.match_gain(design), leave_out_unplayable=True)
 
 
 def sources_of_levels(
@@ -52,7 +56,7 @@ def sources_of_levels(
     seen = View(axes=axes, method=view.method, span=view.span, selected_inputs=())
     if with_outputs:
         seen = replace(seen, outputs=view.outputs)
-    return sources(design, seen, match_gain=match_gain)
+    return sources(design, seen, match_gain=match_gain, leave_out_unplayable=True)
 
 
 def on_limb(design: Design, view: View, limb: str) -> tuple[Design, View] | str:

@@ -11,6 +11,7 @@ from skinsource_gui.theme import UNIT_PX, Theme
 
 #: What lamps are called; the limb has words of its own beside them.
 NAMES = {
+    "inputs": "inputs",
     "band": "band",
     "drive": "drive",
     "spacing": "spacing",

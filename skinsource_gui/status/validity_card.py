@@ -10,6 +10,7 @@ from skinsource_gui.status.validity_lamps import STATES
 from skinsource_gui.theme import UNIT_PX, Theme
 
 _TITLES = {
+    "inputs": "Inputs",
     "band": "Measured band",
     "drive": "Velocity of the probe",
     "spacing": "Spacing of the outputs",

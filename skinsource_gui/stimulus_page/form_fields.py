@@ -1,6 +1,7 @@
 """What each field of the page of stimuli can be."""
 
-from skinsource.chain import ARBITRARY_UNIT, drive_unit
+from skinsource.actuators import names, profile
+from skinsource.chain import ARBITRARY_UNIT
 from skinsource.design import Design
 from skinsource.fields import ChoiceSpec, NumberSpec
 from skinsource.limb import SAMPLE_RATE_HZ
@@ -54,6 +55,11 @@ SCALE = ChoiceSpec(
     hint="What the largest number that a device takes stands for; one value for a set of files "
     "keeps their ratio",
 )
+ACTUATOR = ChoiceSpec(
+    label="Actuator",
+    options=(("none", "None"), *((name, profile(name).title) for name in names())),
+    hint="What stands at each place; starts with what the panel Actuator shows",
+)
 EQUALISER = ChoiceSpec(
     label="Equaliser",
     options=(
@@ -61,7 +67,7 @@ EQUALISER = ChoiceSpec(
         ("linear", "Regularised inverse, linear phase"),
         ("minimum", "Regularised inverse, minimum phase"),
     ),
-    hint="Makes of the accelerations of the design the volts that the actuators of the rig need",
+    hint="Makes of the accelerations of the design the volts that the actuators need",
 )
 
 
@@ -94,9 +100,8 @@ def time_number(label: str, design: Design) -> NumberSpec:
     return NumberSpec(label=label, unit="s", minimum=0.0, maximum=end_s(design), step=0.005)
 
 
-def scale_number(design: Design) -> NumberSpec:
-    """A drive."""
-    unit = drive_unit(design)
+def scale_number(unit: str) -> NumberSpec:
+    """A drive, in its unit."""
     return NumberSpec(
         label="Drive at full scale",
         unit=unit if unit in ("V", "m/s²", ARBITRARY_UNIT) else "",

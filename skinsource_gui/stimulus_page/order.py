@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 
+from skinsource.chain import Actuation
 from skinsource.equalising import Equaliser
 from skinsource.rigs import Rig
 from skinsource.stimulus_export import StimulusOptions
@@ -20,12 +21,13 @@ class Order:
         None: the usual one of the format.
     options
         How.
-    rig, equaliser
-        What is wired; what makes volts of accelerations for it.
+    actuation, rig, equaliser
+        Actuators, where no rig says them; what is wired; what makes volts of accelerations.
     """
 
     format: StimulusFormat = FORMATS[0]
     rate_hz: int | None = None
     options: StimulusOptions = field(default_factory=StimulusOptions)
+    actuation: Actuation | None = None
     rig: Rig | None = None
     equaliser: Equaliser | None = None

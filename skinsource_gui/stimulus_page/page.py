@@ -221,18 +221,19 @@ class StimulusPage(QDialog):
 
 
 def summary_of(overview: Overview) -> str:
-    """How much will be written, and what full scale stands for."""
+    """How much will be written, what full scale stands for, and what it is equalised for."""
     n = len(overview.channels)
     many = "" if overview.n_files == 1 else f" in {overview.n_files} files"
     rate = f"{overview.rate_hz:,g}".replace(",", " ")
     unit = "" if overview.unit == "1" else f" {overview.unit}"
     # What the design wants is no volts of a device before a rig says so.
     stands = "shall be" if _wants_volts(overview) else "is"
-    return sentence(
+    size = sentence(
         f"{n} channel{'' if n == 1 else 's'}{many}, {duration_words(overview.duration_s)} at "
         f"{rate} Hz, about {bytes_in_words(overview.n_bytes)}. Full scale {stands} "
         f"{overview.full_scale:.4g}{unit}"
     )
+    return f"{size} {sentence(overview.equalised)}"
 
 
 def calibration_of(overview: Overview) -> str:

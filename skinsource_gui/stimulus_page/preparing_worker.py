@@ -43,6 +43,7 @@ class PreparingWorker(LatestWins):
             order.format,
             order.rate_hz,
             order.options,
+            actuation=order.actuation,
             rig=order.rig,
             equaliser=order.equaliser,
             progress=partial(self._tell_progress, order, 0),

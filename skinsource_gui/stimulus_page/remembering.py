@@ -50,7 +50,9 @@ def recall(form: StimulusForm, text: str, machine_rig: str = "") -> None:
         if name in form.chosen:
             _put(form.field(name), value)
     for name in (*_LISTS[1:], *_NUMBERS, *_BOXES):
-        _put(form.field(name), held.get(name))
+        # What was chosen in the panel Actuator goes before the equaliser of another design.
+        if name != "equaliser" or form.rigs.chosen is None:
+            _put(form.field(name), held.get(name))
 
 
 def _held(text: str) -> dict[str, Any]:

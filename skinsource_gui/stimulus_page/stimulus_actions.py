@@ -2,6 +2,7 @@
 
 import importlib
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -100,7 +101,8 @@ class StimulusActions(QObject):
             path,
             kind.name,
             order.rate_hz,
-            options=order.options,
+            options=replace(order.options, accept_loss=confirmed),
+            actuation=order.actuation,
             rig=order.rig,
             equaliser=order.equaliser,
             confirmed=confirmed,

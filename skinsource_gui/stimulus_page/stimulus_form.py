@@ -7,6 +7,7 @@ from typing import Any, Literal
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QLineEdit, QWidget
 
+from skinsource.chain import drive_unit
 from skinsource.design import Design
 from skinsource.errors import InvalidInputError, SkinSourceError
 from skinsource.quoting import quoted
@@ -61,10 +62,10 @@ class StimulusForm(QWidget):
             "fade_in": NumberField(specs.FADE),
             "fade_out": NumberField(specs.FADE),
             "lead_in": NumberField(specs.LEAD_IN),
-            "full_scale": NumberField(specs.scale_number(design)),
+            "full_scale": NumberField(specs.scale_number(drive_unit(design))),
         }
         self._map = QLineEdit()
-        self.rigs = RigFields(design, self)
+        self.rigs = RigFields(design, view, self)
         self._sync = QCheckBox("Sync channel")
         self._dither = QCheckBox("Dither")
         self._name_parts()
@@ -81,7 +82,8 @@ class StimulusForm(QWidget):
         """The widget of a row."""
         rows: dict[str, QWidget] = {**self._fields, **self._numbers, **self._choices}
         rows |= {"map": self._map, "sync": self._sync, "dither": self._dither}
-        rows |= {"rig": self.rigs.rig_field, "equaliser": self.rigs.equaliser_field}
+        rows |= {"rig": self.rigs.rig_field, "actuator": self.rigs.actuator_field}
+        rows |= {"equaliser": self.rigs.equaliser_field}
         return rows[name]
 
     def show_theme(self, theme: Theme) -> None:
@@ -153,6 +155,7 @@ class StimulusForm(QWidget):
             ("Fade out", numbers["fade_out"]),
             ("Lead-in", numbers["lead_in"]),
             ("Rig", self.rigs.rig_field),
+            ("Actuator", self.rigs.actuator_field),
             ("Equaliser", self.rigs.equaliser_field),
             ("Full scale", fields["scale"]),
             ("", numbers["full_scale"]),
@@ -208,6 +211,7 @@ class StimulusForm(QWidget):
             self._map: self._fields["channels"].value != "files",
             self._numbers["from"]: self._fields["time"].value == "part",
             self._numbers["to"]: self._fields["time"].value == "part",
+            self.rigs.actuator_field: self.rigs.can_choose_actuator,
             self.rigs.equaliser_field: self.rigs.can_equalise,
             self._fields["scale"]: not self._scale_is_known,
             self._numbers["full_scale"]: self._own_scale,
@@ -215,6 +219,8 @@ class StimulusForm(QWidget):
         }
         for widget, visible in shown.items():
             self._form.setRowVisible(widget, visible)
+        unit = drive_unit(self._design) if self.rigs.equaliser is None else "V"
+        self._numbers["full_scale"].set_spec(specs.scale_number(unit))
 
     @property
     def chosen(self) -> dict[str, str]:
@@ -247,6 +253,7 @@ class StimulusForm(QWidget):
             format=format,
             rate_hz=self._rate_hz(),
             options=options,
+            actuation=self.rigs.actuation,
             rig=self.rigs.rig,
             equaliser=self.rigs.equaliser,
         )

@@ -166,7 +166,9 @@ def test_drives_without_a_unit_are_refused(scaling):
 def test_a_drive_that_leaves_a_velocity_is_refused_through_an_equaliser_alone():
     tap = ss.track(13, ss.waveforms.Tap())
     refused = design_of(tap, actuation=actuation(equaliser=INVERSE))
-    with pytest.raises(InvalidInputError, match=r"Input at place 13: .*52 % .*Centred tap"):
+    with pytest.raises(
+        InvalidInputError, match=r"Input at place 13 cannot be played .*52 % .*Centred tap"
+    ):
         ss.evaluate(refused, "output_rms")
     limb, samples = ss.load_limb("synthetic-1"), ss.tap()
     with pytest.raises(InvalidInputError, match="Centred tap"):

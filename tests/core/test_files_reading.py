@@ -6,6 +6,7 @@ import threading
 import time
 from pathlib import Path
 
+import psutil
 import pytest
 
 from skinsource.errors import FileFormatError, StorageError
@@ -36,6 +37,16 @@ def test_a_file_far_too_large_is_refused_unread(tmp_path):
         file.truncate(2**40)
     with pytest.raises(FileFormatError, match="1099511627776 bytes"):
         read_bytes(path, most=100)
+
+
+@posix
+def test_a_folder_that_is_read_as_a_file_leaves_nothing_open(tmp_path):
+    process = psutil.Process()
+    before = process.num_fds()
+    for _ in range(8):
+        with pytest.raises(StorageError):
+            read_bytes(tmp_path, most=100)
+    assert process.num_fds() == before
 
 
 @posix

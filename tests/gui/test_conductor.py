@@ -8,6 +8,7 @@ from skinsource.design import Design, track
 from skinsource.errors import InvalidInputError
 from skinsource.graph import Graph
 from skinsource.view import View
+from skinsource.voices import UnplayableInput
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.state.conductor import Conductor
@@ -28,6 +29,10 @@ def colours(inputs):
     return tuple(one.colour for one in inputs)
 
 
+def unplayable_inputs(inputs):
+    return tuple(UnplayableInput(one.id, "too loud") for one in inputs if one.amplitude == 15)
+
+
 class Recorder(Panel):
     def __init__(self, *needs):
         super().__init__()
@@ -35,6 +40,7 @@ class Recorder(Panel):
         self._needs = frozenset(needs)
         self.results, self.problems, self.stale, self.states = [], [], False, []
         self.story, self.marks, self.newer = [], [], 0
+        self.unplayable = ()
 
     @property
     def needs(self):
@@ -63,6 +69,9 @@ class Recorder(Panel):
     def show_problem(self, reason):
         self.problems.append(reason)
 
+    def show_unplayable(self, unplayable):
+        self.unplayable = unplayable
+
 
 @pytest.fixture
 def stage(qtbot):
@@ -77,7 +86,7 @@ def stage(qtbot):
         return loudness(inputs)
 
     gated_loudness.__name__ = "loudness"
-    graph = Graph(gated_loudness, colours)
+    graph = Graph(gated_loudness, colours, unplayable_inputs)
     engine = Engine(lambda: graph)
     loud, colourful = Recorder("loudness"), Recorder("colours")
     for panel in (loud, colourful):
@@ -213,6 +222,15 @@ def test_an_impossible_request_shows_its_reason_and_the_next_one_recovers(qtbot,
     stage.amplitude(1.0)
     assert stage.loud.results[-1]["loudness"].tolist() == [1.0]
     assert len(stage.colourful.results) == drawn + 1  # its picture was emptied
+
+
+def test_panels_are_told_which_inputs_results_are_without(stage):
+    stage.amplitude(15)
+    told = (UnplayableInput(1, "too loud"),)
+    assert (stage.loud.unplayable, stage.colourful.unplayable) == (told, told)
+    assert stage.loud.results[-1]["loudness"].tolist() == [15.0]
+    stage.amplitude(13)
+    assert stage.loud.unplayable == ()
 
 
 def test_a_fault_of_the_studio_is_told_as_one(qtbot, stage):

@@ -9,6 +9,7 @@ from skinsource.design import Design, track
 from skinsource.design_file import open_design, save_design
 from skinsource.view import View
 from skinsource.waveforms import Tone
+from skinsource_gui.compared import SILENT
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 
 STRANGE = Design(limb="foot-1", inputs=(track(location=25, waveform=Tone(frequency_hz=2000.0)),))
@@ -74,7 +75,8 @@ def test_what_the_limb_does_not_have_is_said_in_one_sentence(
 ):
     design = Design(limb="synthetic-1", inputs=(one,))
     opened(design, View(outputs=outputs))
-    qtbot.waitUntil(lambda: words in message(window), timeout=30_000)
+    qtbot.waitUntil(lambda: words in window.notice.text, timeout=30_000)
+    assert message(window) == SILENT
     assert window.document.design == design
     assert window.document.view.outputs == outputs
     for panel in window.panels:

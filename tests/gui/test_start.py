@@ -1,13 +1,18 @@
 import gc
 import os
+import signal
 import subprocess
 import sys
+from functools import partial
 
 import pytest
 from PySide6.QtCore import QObject
 
+import skinsource as ss
 from skinsource.catalogue import available_limbs
+from skinsource.export import export_levels
 from skinsource.extras import extra_line
+from skinsource.view import View
 from skinsource_gui import __main__ as start
 from skinsource_gui import system_libraries
 from skinsource_gui.late_modules import UNCALLED
@@ -63,16 +68,22 @@ def test_help_is_given_without_a_display():
     assert "--render" in done.stdout
 
 
-def test_without_a_display_the_start_design_is_rendered_and_the_files_are_named(
-    tmp_path, monkeypatch
-):
+@pytest.fixture
+def run_without_display(tmp_path, monkeypatch):
+    """Start the studio in an empty folder, without a display."""
     for name in ("DISPLAY", "WAYLAND_DISPLAY"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.chdir(tmp_path)
     root = os.path.dirname(os.path.dirname(start.__file__))
-    done = run(PYTHONPATH=os.pathsep.join([root, os.path.join(root, "core")]))
+    return partial(run, PYTHONPATH=os.pathsep.join([root, os.path.join(root, "core")]))
+
+
+def test_without_a_display_the_start_design_is_rendered_and_the_files_are_named(
+    tmp_path, run_without_display
+):
+    done = run_without_display()
     assert done.returncode == 0, done.stderr
-    assert "There is no display" in done.stdout
+    assert "There is no display here. Rendering the start design to" in done.stdout
     folder = tmp_path / "build" / "first-run"
     names = {"window.png", "rms-map.png", "rms-map.csv", "traces.csv"}
     assert {path.name for path in folder.iterdir()} == names
@@ -81,6 +92,65 @@ def test_without_a_display_the_start_design_is_rendered_and_the_files_are_named(
     table = (folder / "rms-map.csv").read_text(encoding="utf-8")
     assert "SYNTHETIC" in table
     assert len([line for line in table.splitlines() if not line.startswith("#")]) == 73
+
+
+def design(limb="synthetic-1", frequency_hz=200.0):
+    return ss.Design(limb=limb, inputs=(ss.track(5, ss.waveforms.Tone(frequency_hz=frequency_hz)),))
+
+
+def test_without_a_display_the_design_that_is_named_is_rendered(tmp_path, run_without_display):
+    ss.save_design(tmp_path / "d.skinsource", design())
+    done = run_without_display("d.skinsource")
+    assert done.returncode == 0, done.stderr
+    assert "Rendering d.skinsource to" in done.stdout
+    export_levels(tmp_path / "expected.csv", design(), View())
+    rendered = tmp_path / "build" / "first-run" / "rms-map.csv"
+    assert rendered.read_bytes() == (tmp_path / "expected.csv").read_bytes()
+
+
+def test_without_a_display_a_design_that_is_missing_is_one_sentence(tmp_path, run_without_display):
+    done = run_without_display("missing.skinsource")
+    assert (done.returncode, len(done.stderr.splitlines())) == (1, 1)
+    assert done.stderr.startswith("skinsource-gui: missing.skinsource: cannot be read")
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (b"junk", "not a SkinSource design"),
+        (design(limb="absent"), "absent"),
+        (design(frequency_hz=2000.0), "650 Hz"),
+    ],
+)
+def test_what_cannot_be_rendered_is_one_sentence_and_leaves_no_file(tmp_path, content, words):
+    path = tmp_path / "d.skinsource"
+    if isinstance(content, bytes):
+        path.write_bytes(content)
+    else:
+        ss.save_design(path, content)
+    done = run("--render", tmp_path / "folder", path)
+    assert (done.returncode, done.stdout, len(done.stderr.splitlines())) == (1, "", 1)
+    assert done.stderr.startswith("skinsource-gui: ")
+    assert words in done.stderr
+    assert list(tmp_path.iterdir()) == [path]
+
+
+INTERRUPTED = """
+import signal, sys
+import skinsource.export
+from skinsource_gui.__main__ import main
+skinsource.export.export_levels = lambda *_: signal.raise_signal(signal.SIGINT)
+main(["--render", sys.argv[1]])
+"""
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows tells no process what signal ended another")
+def test_ctrl_c_ends_rendering_without_a_word_and_without_a_file(tmp_path):
+    code = [sys.executable, "-c", INTERRUPTED, str(tmp_path / "folder")]
+    done = subprocess.run(code, capture_output=True, text=True, timeout=120)
+    assert (done.returncode, done.stdout, done.stderr) == (-signal.SIGINT, "", "")
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_missing_system_libraries_end_in_the_exact_install_line(monkeypatch, capsys):

@@ -27,14 +27,14 @@ def actuator_looked_at(
 
 
 def actuator_demand(
-    placed: tuple[Placed, ...],
+    sampled_voices: tuple[Placed, ...],
     selected_input: int | None,
     sample_rate_hz: float,
     band_hz: Band | None,
     actuator_looked_at: ActuatorSettings,
 ) -> Demand:
     """What the place of the selected input asks of the actuator."""
-    return demand_of(actuator_looked_at, placed, selected_input, sample_rate_hz, band_hz)
+    return demand_of(actuator_looked_at, sampled_voices, selected_input, sample_rate_hz, band_hz)
 
 
 RULES = (actuator_looked_at, actuator_demand)

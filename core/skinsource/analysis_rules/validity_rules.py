@@ -6,6 +6,7 @@ from skinsource.limb import PUBLISHED, Limb
 from skinsource.scaling.response_scaling import Scaling
 from skinsource.validity import (
     SPATIAL_LIMIT_HZ,
+    Finding,
     Findings,
     are_probe_accelerations,
     fastest_probe,
@@ -13,6 +14,7 @@ from skinsource.validity import (
     found_in_outputs,
     found_in_setup,
 )
+from skinsource.voices import UnplayableInput, unplayable_words
 
 
 def validity(
@@ -21,11 +23,13 @@ def validity(
     limb_data: Limb,
     scaling: Scaling,
     actuation: Actuation | None,
+    unplayable_inputs: tuple[UnplayableInput, ...],
 ) -> Findings:
     """Conditions of the measurement, and whether they are kept: see `skinsource.validity`."""
     synthetic = limb_data.synthetic
     places = [place for place, _ in place_drives]
     return (
+        *_left_out(unplayable_inputs),
         *found_in_drives(
             place_drives,
             limb_data.sample_rate_hz,
@@ -52,6 +56,15 @@ def fastest_probe_m_per_s(
         return None
     drives = [samples for _, samples in place_drives]
     return fastest_probe(drives, limb_data.sample_rate_hz, limb_data.band_hz)
+
+
+def _left_out(unplayable: tuple[UnplayableInput, ...]) -> Findings:
+    """Say that a prediction is not of all inputs, wherever its numbers are taken."""
+    words = unplayable_words(unplayable)
+    if not words:
+        return ()
+    sentence = f"{words} The prediction leaves out what cannot be played."
+    return (Finding(name="inputs", state="left", sentence=sentence, in_short=sentence),)
 
 
 RULES = (validity, fastest_probe_m_per_s)

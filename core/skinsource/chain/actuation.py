@@ -106,12 +106,16 @@ class Actuation:
         )
 
     @property
+    def title(self) -> str:
+        """The rig, or the actuator: "Example voice coil"."""
+        names = list(dict.fromkeys(one.actuator or one.model.title for one in self.actuators))
+        return self.rig or (names[0] if len(names) == 1 else f"{len(names)} actuators")
+
+    @property
     def words(self) -> str:
         """What it is, in a few words: "Example voice coil, regularised inverse"."""
-        names = list(dict.fromkeys(one.actuator or one.model.title for one in self.actuators))
-        what = self.rig or (names[0] if len(names) == 1 else f"{len(names)} actuators")
         how = "no equaliser" if self.equaliser is None else _lower(self.equaliser.title)
-        return f"{what}, {how}"
+        return f"{self.title}, {how}"
 
 
 def _lower(words: str) -> str:

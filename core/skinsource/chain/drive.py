@@ -48,9 +48,12 @@ def drive_played(
     Raises
     ------
     InvalidInputError
-        A sample is not a usable number; the message names the input place.
+        A part cannot be sampled, or a sample is not a usable number; the message names the place.
     """
-    pieces = [drawn(part) for part in chain.parts]
+    try:
+        pieces = [drawn(part) for part in chain.parts]
+    except InvalidInputError as error:
+        raise InvalidInputError(f"Input at place {place}, {chain.title}: {error}") from error
     for part, piece in zip(chain.parts, pieces, strict=True):
         _check(piece, part.title, place)
     samples = _mixed(chain, sample_rate_hz, pieces)

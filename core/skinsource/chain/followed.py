@@ -28,4 +28,9 @@ def refuse_unfollowed(
     lowest_hz = followed_band(band_hz, sample_rate_hz)[0]
     found = net_velocity(drive.samples, sample_rate_hz, lowest_hz)
     if not found.returns:
-        raise InvalidInputError(f"Input at place {place}: {found.reason}")
+        raise InvalidInputError(
+            f"Input at place {place} cannot be played through this actuator: it leaves a velocity, "
+            f"and {100.0 * found.share_below_band:.0f} % of its energy lies below {lowest_hz:g} "
+            "Hz. Choose a waveform whose velocity returns to zero, for a tap the 'Centred tap', or "
+            "let it fade in and out."
+        )

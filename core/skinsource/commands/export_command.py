@@ -28,7 +28,8 @@ def add_to(subparsers: Any) -> None:
         help="write the stimulus of a design file: WAV, CSV, MATLAB, C and others",
         description="Writes what the actuators get, and beside it OUT.json, which says what its "
         "numbers mean. One channel per place in use; the largest sample is full scale. Prints the "
-        "paths, and below them, indented, what is lost and whether it is calibrated.",
+        "paths, and below them, indented, what is lost, what it is equalised for and whether it is "
+        "calibrated.",
         epilog=f"formats:\n{listed}",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
@@ -86,6 +87,11 @@ def _add_options(parser: argparse.ArgumentParser) -> None:
             metavar="|".join(options),
             help=f"for {', '.join(formats)}",
         )
+    parser.add_argument(
+        "--accept-loss",
+        action="store_true",
+        help="write it even though a channel loses more than 1 dB of its energy to the rate",
+    )
     parser.add_argument("--rig", type=Path, metavar="FILE", help="a .skinrig file: what is wired")
     parser.add_argument(
         "--equalise",
@@ -126,6 +132,7 @@ def _export(arguments: argparse.Namespace) -> int:
         channel_map=arguments.channel_map,
         full_scale=arguments.full_scale,
         dither_seed=arguments.dither,
+        accept_loss=arguments.accept_loss,
         choices={name: value for name, value in chosen.items() if value is not None},
     )
     rig = None if arguments.rig is None else open_rig(arguments.rig)
@@ -143,7 +150,7 @@ def _export(arguments: argparse.Namespace) -> int:
         sys.stderr.write(f"skinsource: confirmed: {one}\n")
     for path in done.files:
         sys.stdout.write(f"{path}\n")
-    for note in filter(None, (done.edges, done.loses, done.calibration)):
+    for note in filter(None, (done.edges, done.loses, done.equalised, done.calibration)):
         sys.stdout.write(f"  {note[:1].upper()}{note[1:].rstrip('.')}.\n")
     return 0
 

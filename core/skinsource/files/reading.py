@@ -21,9 +21,8 @@ def read_bytes(path: Path, *, most: int) -> bytes:
         It holds more than ``most`` bytes.
     """
     try:
-        handle = os.open(path, os.O_RDONLY | getattr(os, "O_BINARY", 0) | _AT_ONCE)
-        with os.fdopen(handle, "rb") as file:
-            about = os.fstat(handle)
+        with open(path, "rb", opener=_open_at_once) as file:
+            about = os.fstat(file.fileno())
             if not stat.S_ISREG(about.st_mode):
                 raise StorageError(
                     f"{named(path)}: cannot be read (it is no regular file). Choose a file."
@@ -77,5 +76,6 @@ def _mode_of(path: Path) -> int:
         ) from error
 
 
-#: Opening a pipe does not wait for whoever writes to it.
-_AT_ONCE = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0)
+def _open_at_once(path: str, flags: int) -> int:
+    # Opening a pipe does not wait for whoever writes to it.
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))

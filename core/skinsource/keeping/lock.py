@@ -6,8 +6,10 @@ Locks of the operating system do not hold on every network folder, and tell nobo
 import os
 import secrets
 import time
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from threading import RLock
 
 from skinsource.errors import StorageError
 from skinsource.files.reasons import advice_on_writing, named, reason_of
@@ -17,8 +19,11 @@ from skinsource.keeping.owner import Owner, read_owner, still_runs, this_process
 _TRIES = 10
 # Where files cannot be linked, one that is being written is empty for a moment.
 _WRITTEN_AFTER_S = 5.0
+_ASK_EVERY_S = 0.005
 _UNKNOWN = Owner(host="an unknown computer", user="somebody", pid=1, started_s=0.0)
 _DAMAGED = Owner(host="", user="", pid=0, started_s=0.0)
+# A lock is the process's: its threads wait for each other here.
+_IN_THIS_PROCESS = RLock()
 
 
 class Lock:
@@ -74,6 +79,30 @@ class Lock:
         if found is not None and found.is_same(this_process()):
             with suppress(OSError):
                 self.path.unlink()
+
+    @contextmanager
+    def hold(self, wait_s: float = 30.0) -> Iterator[None]:
+        """Have the file for a moment, after whoever has it now.
+
+        Raises
+        ------
+        StorageError
+            Somebody still has it after ``wait_s``, or no lock can be written there.
+        """
+        until_s = time.monotonic() + wait_s
+        with _IN_THIS_PROCESS:
+            while (owner := self.take()) is not None:
+                if time.monotonic() >= until_s:
+                    raise StorageError(
+                        f"{named(self.file)}: cannot be changed while another process has it "
+                        f"({owner.words}). Try again later; if that process has ended, delete "
+                        f"{named(self.path)}."
+                    )
+                time.sleep(_ASK_EVERY_S)
+            try:
+                yield
+            finally:
+                self.release()
 
     def _found(self) -> Owner | None:
         found = read_owner(self.path)

@@ -104,8 +104,8 @@ class Limb:
         kind = "synthetic" if self.synthetic else "measured"
         return f"<Limb {self.name}: {kind}, hand {self.hand_length_mm:g} mm>"
 
-    def response_to(self, location: int) -> Floats:
-        """Impulse responses to one input place, (n_outputs, n_axes, n_taps), in m/s²."""
+    def check_place(self, location: int) -> None:
+        """Raise an `InvalidInputError` where there is no such input place."""
         try:
             check_input_location(location, self.n_inputs)
         except InvalidInputError as error:
@@ -113,6 +113,10 @@ class Limb:
                 f"{self.name} has the places 1 to {self.n_inputs}, and there is an input at place "
                 f"{quoted(location)}. Move the input, or choose another limb."
             ) from error
+
+    def response_to(self, location: int) -> Floats:
+        """Impulse responses to one input place, (n_outputs, n_axes, n_taps), in m/s²."""
+        self.check_place(location)
         if location not in self._responses:
             response = self._read_response(location)
             expected = self.n_outputs, self.n_axes, self.n_taps

@@ -10,6 +10,7 @@ from skinsource.arguments import one_of, real_number, whole_number
 from skinsource.counting import counted
 from skinsource.errors import FileFormatError, InvalidInputError
 from skinsource.files import is_there, named, read_bytes, write_bytes
+from skinsource.keeping.lock import Lock
 from skinsource.limb import MOST_PLACES
 from skinsource.matching.match import Match
 from skinsource.matching.procedure import (
@@ -69,6 +70,7 @@ def add_match(path: Path, new: Match) -> tuple[Match, ...]:
     """Add a row to a table, which is made where there is none; returns all of them.
 
     The file is replaced as a whole: whatever happens, it holds all rows before, or one more.
+    Processes that add at the same time wait for each other.
 
     Raises
     ------
@@ -77,15 +79,16 @@ def add_match(path: Path, new: Match) -> tuple[Match, ...]:
     FileFormatError, StorageError
         The file is no table of matches; it cannot be read or written.
     """
-    before = read_matches(path) if is_there(path) else ()
-    if any(one.key == new.key for one in before):
-        raise InvalidInputError(
-            f"{named(path)} has the {new.direction} match of {new.frequency_hz:g} Hz at place "
-            f"{new.place} by {new.person} already. Nothing was changed."
-        )
-    check_reference(path, before, new.reference)
-    matches = (*before, new)
-    write_bytes(path, _text(matches).encode())
+    with Lock(path).hold():
+        before = read_matches(path) if is_there(path) else ()
+        if any(one.key == new.key for one in before):
+            raise InvalidInputError(
+                f"{named(path)} has the {new.direction} match of {new.frequency_hz:g} Hz at place "
+                f"{new.place} by {new.person} already. Nothing was changed."
+            )
+        check_reference(path, before, new.reference)
+        matches = (*before, new)
+        write_bytes(path, _text(matches).encode())
     return matches
 
 

@@ -118,9 +118,14 @@ def _writers(
         for kind in _FIGURES:
             found[f"figure.{kind}"] = partial(_write_figure, design=design, view=view, kind=kind)
     if audible_inputs(design.inputs):
-        # Full scale is the largest sample: nothing clips, and nothing needs to be confirmed.
+        # Full scale is the largest sample: nothing clips. What the rate loses is in the sidecar.
         found["stimulus.wav"] = lambda path: _stimuli().export_stimulus(
-            design, path, "wav", _RATE_HZ, stop=stop
+            design,
+            path,
+            "wav",
+            _RATE_HZ,
+            options=_stimuli().StimulusOptions(accept_loss=True),
+            stop=stop,
         )
     if rig is not None:
         found["rig.skinrig"] = lambda path: save_rig(path, rig)

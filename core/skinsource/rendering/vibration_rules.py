@@ -52,9 +52,13 @@ def others_spectrum(
     return sum_of_vibrations([to.values for to in to_places], spectra)
 
 
-def edited_response(responses: Responses, edited_unit: UnitVoice | None) -> ResponseSpectrum | None:
-    """Responses to the place of the edited voice."""
-    if edited_unit is None or responses.n_fft is None:
+def edited_response(
+    responses: Responses, edited_unit: UnitVoice | None, edited_drive: Drive | None
+) -> ResponseSpectrum | None:
+    """Responses to the place of the edited voice; None: it moves nothing."""
+    if edited_unit is None or edited_drive is None or responses.n_fft is None:
+        return None
+    if edited_drive.silent:
         return None
     [found] = responses.to([edited_unit.location])
     return found

@@ -7,14 +7,15 @@ that a change of it leaves them alone.  No number depends on which one it is.
 import numpy as np
 
 from skinsource.arrays import Booleans, Floats
-from skinsource.chain import Actuation, Drive, refuse_unfollowed
+from skinsource.chain import Actuation, Drive
+from skinsource.errors import InvalidInputError
 from skinsource.job import Stop, stop_if
-from skinsource.limb import Band, Limb
+from skinsource.limb import Limb
 from skinsource.rendering.drives import active_samples
-from skinsource.rendering.placed import Placed
+from skinsource.rendering.placed import CheckedVoice, Placed, checked_voice
 from skinsource.rendering.remembered import Remembered
 from skinsource.rendering.segments import length_at_once
-from skinsource.voices import UnitVoice, Voice
+from skinsource.voices import UnitVoice, UnplayableInput, Voice
 
 
 def edited_voice(voices: tuple[Voice, ...], selected_input: int | None) -> Voice | None:
@@ -42,53 +43,124 @@ def edited_delay(edited_voice: Voice | None) -> int:
     return 0 if edited_voice is None else edited_voice.start
 
 
+def heard_voices(voices: tuple[Voice, ...]) -> tuple[bool, ...]:
+    """Whether each voice is heard."""
+    return tuple(one.heard for one in voices)
+
+
 def unit_drives(
-    remembered: Remembered, unit_voices: tuple[UnitVoice, ...], sample_rate_hz: float, stop: Stop
-) -> tuple[Drive, ...]:
-    """What each voice plays, heard or not."""
-    return tuple(_drawn(remembered, one, sample_rate_hz, stop) for one in unit_voices)
+    remembered: Remembered,
+    unit_voices: tuple[UnitVoice, ...],
+    heard_voices: tuple[bool, ...],
+    sample_rate_hz: float,
+    leave_out_unplayable: bool,
+    stop: Stop,
+) -> tuple[Drive | None, ...]:
+    """What each voice plays, heard or not; None: it cannot be sampled, and need not be."""
+    drives: list[Drive | None] = []
+    for unit, heard in zip(unit_voices, heard_voices, strict=True):
+        stop_if(stop)
+        try:
+            drives.append(remembered.drives.drawn(unit, sample_rate_hz))
+        except InvalidInputError:
+            if heard and not leave_out_unplayable:
+                raise
+            drives.append(None)
+    return tuple(drives)
 
 
-def input_waveforms(unit_drives: tuple[Drive, ...]) -> tuple[Floats, ...]:
-    """What each input plays, muted or not, from its first clip on: (n_times,) each."""
+def input_waveforms(unit_drives: tuple[Drive | None, ...]) -> tuple[Floats | None, ...]:
+    """What each input plays, muted or not, from its first clip on: (n_times,) each, or None."""
+    return tuple(None if drive is None else _unscaled(drive) for drive in unit_drives)
+
+
+def _unscaled(drive: Drive) -> Floats:
     # Long ones are not held twice: most have a peak of exactly 1.
-    return tuple(
-        drive.samples if drive.factor in (0.0, 1.0) else drive.samples * drive.factor
-        for drive in unit_drives
-    )
+    return drive.samples if drive.factor in (0.0, 1.0) else drive.samples * drive.factor
 
 
-def edited_drive(
+def edited_checked(
     remembered: Remembered,
     edited_unit: UnitVoice | None,
-    sample_rate_hz: float,
-    band_hz: Band | None,
+    limb_data: Limb,
     actuation: Actuation | None,
+    leave_out_unplayable: bool,
     stop: Stop,
-) -> Drive | None:
-    """What the edited voice plays; refused where no actuator could follow it."""
+) -> CheckedVoice | None:
+    """What the edited voice plays, or why it cannot be played."""
     if edited_unit is None:
         return None
-    drive = _drawn(remembered, edited_unit, sample_rate_hz, stop)
-    refuse_unfollowed(actuation, drive, sample_rate_hz, band_hz, edited_unit.location)
-    return drive
+    stop_if(stop)
+    leave_out = leave_out_unplayable
+    return checked_voice(remembered, edited_unit, limb_data, actuation, leave_out=leave_out)
+
+
+def others_checked(
+    remembered: Remembered,
+    other_voices: tuple[Voice, ...],
+    limb_data: Limb,
+    actuation: Actuation | None,
+    leave_out_unplayable: bool,
+    stop: Stop,
+) -> tuple[CheckedVoice, ...]:
+    """What the other voices play, or why they cannot be played."""
+    checked, leave_out = [], leave_out_unplayable
+    for one in other_voices:
+        stop_if(stop)
+        checked.append(
+            checked_voice(remembered, one.unit, limb_data, actuation, leave_out=leave_out)
+        )
+    return tuple(checked)
+
+
+def checked_voices(
+    voices: tuple[Voice, ...],
+    edited_voice: Voice | None,
+    edited_checked: CheckedVoice | None,
+    other_voices: tuple[Voice, ...],
+    others_checked: tuple[CheckedVoice, ...],
+) -> tuple[tuple[Voice, CheckedVoice], ...]:
+    """All voices that are heard, in their order, and what each plays."""
+    checked = {one.id: each for one, each in zip(other_voices, others_checked, strict=True)}
+    if edited_voice is not None and edited_checked is not None:
+        checked[edited_voice.id] = edited_checked
+    return tuple((one, checked[one.id]) for one in voices if one.id in checked)
+
+
+def edited_drive(edited_checked: CheckedVoice | None) -> Drive | None:
+    """What the edited voice plays; None where it cannot be played."""
+    return None if edited_checked is None else edited_checked.played
 
 
 def others_placed(
-    remembered: Remembered,
-    other_voices: tuple[Voice, ...],
-    sample_rate_hz: float,
-    band_hz: Band | None,
-    actuation: Actuation | None,
-    stop: Stop,
+    other_voices: tuple[Voice, ...], others_checked: tuple[CheckedVoice, ...]
 ) -> tuple[Placed, ...]:
-    """The other voices with their drives."""
-    found = []
-    for one in other_voices:
-        drive = _drawn(remembered, one.unit, sample_rate_hz, stop)
-        refuse_unfollowed(actuation, drive, sample_rate_hz, band_hz, one.location)
-        found.append(Placed(one, drive, one.start))
-    return tuple(found)
+    """The other voices with their drives, without those that cannot be played."""
+    return tuple(
+        Placed(one, checked.played, one.start)
+        for one, checked in zip(other_voices, others_checked, strict=True)
+        if checked.played is not None
+    )
+
+
+def unplayable_inputs(
+    checked_voices: tuple[tuple[Voice, CheckedVoice], ...],
+) -> tuple[UnplayableInput, ...]:
+    """Inputs that are heard and cannot be played; nothing is predicted of them."""
+    return tuple(
+        UnplayableInput(one.id, checked.problem)
+        for one, checked in checked_voices
+        if checked.problem
+    )
+
+
+def sampled_voices(checked_voices: tuple[tuple[Voice, CheckedVoice], ...]) -> tuple[Placed, ...]:
+    """Voices that are heard, with their drives, also those that no actuator can follow."""
+    return tuple(
+        Placed(one, checked.drive, one.start)
+        for one, checked in checked_voices
+        if checked.drive is not None
+    )
 
 
 def placed(
@@ -129,11 +201,12 @@ def n_fft(
     response_samples: int,
     others_placed: tuple[Placed, ...],
     edited_unit: UnitVoice | None,
+    edited_drive: Drive | None,
     driven_limb: Limb,
 ) -> int | None:
     """Length of transforms; None where the response is too long to be transformed at once."""
     places = {one.voice.location for one in others_placed}
-    if edited_unit is not None:
+    if edited_unit is not None and edited_drive is not None:
         places.add(edited_unit.location)
     return length_at_once(response_samples, len(places), driven_limb.n_outputs * driven_limb.n_axes)
 
@@ -163,21 +236,22 @@ def edited_active(
     return active_samples(played, driven_limb.n_taps)
 
 
-def _drawn(remembered: Remembered, unit: UnitVoice, sample_rate_hz: float, stop: Stop) -> Drive:
-    stop_if(stop)
-    return remembered.drives.drawn(unit, sample_rate_hz)
-
-
 RULES = (
     edited_voice,
     other_voices,
     unit_voices,
     edited_unit,
     edited_delay,
+    heard_voices,
     unit_drives,
     input_waveforms,
+    edited_checked,
+    others_checked,
+    checked_voices,
     edited_drive,
     others_placed,
+    unplayable_inputs,
+    sampled_voices,
     placed,
     stimulus_samples,
     response_samples,

@@ -17,9 +17,12 @@ class Channel:
         Words for it.
     inputs
         Ids of the inputs of the design that it plays.
+    loss_db
+        How much of its energy does not reach the sample rate.
     """
 
     number: int
     place: int | None
     title: str
     inputs: tuple[int, ...] = ()
+    loss_db: float = 0.0

@@ -7,6 +7,7 @@ from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from skinsource.chain import Actuation
 from skinsource.design import Design
 from skinsource.equalising import Equaliser
 from skinsource.errors import NotConfirmedError, StorageError
@@ -15,7 +16,14 @@ from skinsource.job import Progress, Stop, never, silent, stop_if
 from skinsource.rigs import Rig
 from skinsource.stimulus import Stage
 from skinsource.stimulus_export.naming import sidecar_path
-from skinsource.stimulus_export.notes import calibration_of, edges_of, loses_of
+from skinsource.stimulus_export.notes import (
+    calibration_of,
+    edges_of,
+    equalised_of,
+    loses_of,
+    lost_at_rate,
+    refused_loss_of,
+)
 from skinsource.stimulus_export.options import StimulusOptions
 from skinsource.stimulus_export.preparing import Prepared, prepared
 from skinsource.stimulus_export.safety import Limit, objections
@@ -43,9 +51,10 @@ class Exported:
         Samples that were cut off.
     objections
         What was confirmed.
-    edges, loses, calibration
+    edges, loses, calibration, equalised
         Which channels begin or end hard; what of the drive is not in the files; whether m/s² follow
-        from the samples: in words, as in the sidecars.  "" where nothing is to be said.
+        from the samples; what they are equalised for: in words, as in the sidecars.  "" where
+        nothing is to be said.
     """
 
     files: tuple[Path, ...]
@@ -55,6 +64,7 @@ class Exported:
     edges: str
     loses: str
     calibration: str
+    equalised: str
 
 
 def export_stimulus(
@@ -66,6 +76,7 @@ def export_stimulus(
     full_scale: float | None = None,
     options: StimulusOptions | None = None,
     confirmed: bool = False,
+    actuation: Actuation | None = None,
     rig: Rig | None = None,
     equaliser: Equaliser | None = None,
     stages: Sequence[Stage] = (),
@@ -89,8 +100,9 @@ def export_stimulus(
         Drive that becomes full scale, in its unit; what else shall differ from the above.
     confirmed
         Whether it is written even though samples clip or limits are passed.
-    rig, equaliser
-        What is wired; what makes volts, for it or for what the design is predicted through.
+    actuation, rig, equaliser
+        Actuators, None: those that the design is predicted through; what is wired; what makes
+        volts, for the rig or else for the actuators.
     stages, limits, progress, stop
         What is done at the rate of the device; what the drives may not pass; as of a job.
 
@@ -99,23 +111,28 @@ def export_stimulus(
     InvalidInputError
         Nothing is heard, or something cannot be had.
     NotConfirmedError
-        Samples would clip or limits be passed.
+        Samples would clip, limits be passed, or a channel lose more than 1 dB to the rate.
     StorageError
         The folder cannot be written, or the disk is full.
     """
     target = Path(path)
+    options = options or StimulusOptions()
     progress(0, 0, "Computing")
     ready = prepared(
         design,
         target,
         format_named(format, target),
         rate_hz,
-        _with_full_scale(options or StimulusOptions(), full_scale),
+        _with_full_scale(options, full_scale),
         stages=stages,
+        actuation=actuation,
         rig=rig,
         equaliser=equaliser,
         stop=stop,
     )
+    if not options.accept_loss and (refused := refused_loss_of(ready)):
+        lost = lost_at_rate([one for _, one in ready.files])
+        raise NotConfirmedError(f"{lost} {refused[:-1]}, or accept the loss (--accept-loss).")
     return write_prepared(ready, confirmed=confirmed, limits=limits, progress=progress, stop=stop)
 
 
@@ -148,6 +165,7 @@ def write_prepared(
         edges=edges_of(ready),
         loses=loses_of(ready),
         calibration=calibration_of(ready),
+        equalised=equalised_of(ready),
     )
 
 

@@ -35,6 +35,8 @@ class StimulusOptions:
         What full scale stands for, in the unit of the drive; None: the largest sample.
     dither_seed
         Of dither where whole numbers are written; None: no dither.
+    accept_loss
+        Whether it is written even though a channel loses more than 1 dB of its energy to the rate.
     choices
         Of what the format offers: ``{"samples": "pcm24"}``.
     """
@@ -52,6 +54,7 @@ class StimulusOptions:
     channel_map: tuple[int, ...] = ()
     full_scale: float | None = None
     dither_seed: int | None = None
+    accept_loss: bool = False
     choices: Mapping[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:

@@ -7,7 +7,13 @@ import numpy as np
 
 from skinsource.arrays import Floats
 from skinsource.job import Progress, Stop, never, silent, stop_if
-from skinsource.stimulus_export.notes import calibration_of, edges_of, loses_of
+from skinsource.stimulus_export.notes import (
+    calibration_of,
+    edges_of,
+    equalised_of,
+    loses_of,
+    refused_loss_of,
+)
 from skinsource.stimulus_export.preparing import Prepared, clipped_samples
 from skinsource.stimulus_export.safety import Limit, objections
 
@@ -63,10 +69,10 @@ class Overview:
         Which channels begin or end hard, in words; "": none.
     loses
         What of the drive is not in the files; "": nothing.
-    calibration
-        Whether m/s² follow from the samples, in words.
+    calibration, equalised
+        Whether m/s² follow from the samples; what they are equalised for: in words.
     objections
-        What must be confirmed.
+        What must be confirmed, or accepted.
     """
 
     channels: tuple[ChannelOverview, ...]
@@ -79,6 +85,7 @@ class Overview:
     edges: str
     loses: str
     calibration: str
+    equalised: str
     objections: tuple[str, ...]
 
     @property
@@ -132,7 +139,8 @@ def overview_of(
         edges=edges_of(ready),
         loses=loses_of(ready),
         calibration=calibration_of(ready),
-        objections=objections(ready, limits),
+        equalised=equalised_of(ready),
+        objections=tuple(filter(None, (refused_loss_of(ready), *objections(ready, limits)))),
     )
 
 

@@ -28,6 +28,7 @@ from skinsource.stimulus import (
 )
 from skinsource.stimulus.wiring import FULL_SCALE_UNIT, for_rig, through_actuators
 from skinsource.stimulus_export.edges import Ends, cut_ends
+from skinsource.stimulus_export.losses import with_losses
 from skinsource.stimulus_export.naming import marked
 from skinsource.stimulus_export.options import StimulusOptions
 from skinsource.stimulus_export.parts import parts
@@ -53,8 +54,8 @@ class Prepared:
         What stands before the ending in the name of each file, see `naming.marked`.
     cut
         At which ends a part of the design was cut out.
-    rig, equaliser
-        What it is made for, and what makes volts of accelerations; None: neither is known.
+    actuation, rig, equaliser
+        What it is made for, and what makes volts of accelerations; None: not known.
     """
 
     format: StimulusFormat
@@ -63,6 +64,7 @@ class Prepared:
     files: tuple[tuple[Path, Outgoing], ...]
     marks: tuple[str, ...]
     cut: tuple[Ends, ...] = ()
+    actuation: Actuation | None = None
     rig: Rig | None = None
     equaliser: Equaliser | None = None
 
@@ -97,6 +99,7 @@ def prepared(
     options: StimulusOptions,
     *,
     stages: Sequence[Stage] = (),
+    actuation: Actuation | None = None,
     rig: Rig | None = None,
     equaliser: Equaliser | None = None,
     progress: Progress = silent,
@@ -110,9 +113,12 @@ def prepared(
         What goes where, as what, and how.
     rate_hz
         None: the usual one of the format, which is also taken where it knows no other.
-    stages, rig, equaliser
-        What is done at that rate; what the channels are wired to; what makes volts of
-        accelerations: full scale is then that of each channel, not the largest sample.
+    stages, actuation
+        What is done at that rate; the actuators where no rig says them, None: those that the
+        design is predicted through.
+    rig, equaliser
+        What the channels are wired to; what makes volts of accelerations: with a rig, full scale
+        is then that of each channel, not the largest sample.
     progress, stop
         Told how many channels have that rate; as of a job.
 
@@ -130,7 +136,11 @@ def prepared(
         lead_in_s, options = options.lead_in_s, replace(options, lead_in_s=0.0)
     made = _made(design, rate_hz, options, stages, lead_in_s, (progress, stop))
     stop_if(stop)
-    drives = _cut(_for_rig(made, rig, equaliser, options, design.actuated), options)
+    actuation = design.actuated if actuation is None else actuation
+    drives = _cut(_for_rig(made, rig, equaliser, options, actuation), options)
+    if drives.sample_rate_hz != drives.own_rate_hz:
+        own = _made(design, None, options, (), 0.0, (silent, stop))
+        drives = with_losses(drives, own, options, stop)
     gain = 1.0 if drives.unit == FULL_SCALE_UNIT else _gain(drives, options)
     apart = parts(drives, gain, format, options)
     places = [marked(path, format, mark) for mark in apart]
@@ -145,6 +155,7 @@ def prepared(
         files=files,
         marks=tuple(apart),
         cut=cut,
+        actuation=actuation,
         rig=rig,
         equaliser=equaliser,
     )
@@ -187,7 +198,7 @@ def _for_rig(
     rig: Rig | None,
     equaliser: Equaliser | None,
     options: StimulusOptions,
-    actuated: Actuation | None,
+    actuation: Actuation | None,
 ) -> Stimulus:
     """The stimulus as the channels of ``rig`` want it."""
     own_scale = options.full_scale is not None
@@ -200,12 +211,12 @@ def _for_rig(
         return for_rig(made, rig, equaliser, scaled=own_scale)
     if equaliser is None:
         return made
-    if actuated is None:
+    if actuation is None:
         raise InvalidInputError(
             "An equaliser needs to know what is at each place: choose a rig, or let the design be "
             "predicted through an actuator."
         )
-    return through_actuators(made, actuated, equaliser)
+    return through_actuators(made, actuation, equaliser)
 
 
 def _cut(made: Stimulus, options: StimulusOptions) -> Stimulus:

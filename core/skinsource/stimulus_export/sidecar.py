@@ -14,7 +14,7 @@ from skinsource.design import Design, Input
 from skinsource.own_limbs import drive_unit_known
 from skinsource.stimulus import Stimulus
 from skinsource.stimulus_export.edges import edge_words
-from skinsource.stimulus_export.notes import loses_of
+from skinsource.stimulus_export.notes import equalised_of, loses_of
 from skinsource.stimulus_export.preparing import Prepared, clipped_samples
 from skinsource.stimulus_export.rigged import about_channels, about_equaliser
 from skinsource.stimulus_export.validity import about_validity
@@ -72,6 +72,7 @@ def sidecar_of(
         "n_times": stimulus.n_times,
         "duration_s": stimulus.duration_s,
         **_about_rig(ready, stimulus, _channels(stimulus, counts)),
+        "equalised": equalised_of(ready),
         "inputs": [_about_input(one) for one in outgoing.design.inputs],
         "gain": ready.gain,
         "meaning": _MEANING,
@@ -82,7 +83,7 @@ def sidecar_of(
         "confirmed": list(confirmed),
         "edges": edge_words([stimulus], ready.cut),
         "errors": _errors(stimulus, facts),
-        "loses": loses_of(ready),
+        "loses": loses_of(ready, outgoing),
         "versions": versions(),
         **{name: value for name, value in facts.items() if name != "clipped_samples"},
     }
@@ -98,10 +99,16 @@ def _about_rig(
     wiring = about_channels(stimulus, ready.rig) if ready.rig is not None else []
     for one, wires in zip(channels, wiring, strict=False):
         one.update(wires)
+    actuators = [one.get("actuator") for one in wiring]
+    if ready.rig is None and ready.equaliser is not None and ready.actuation is not None:
+        actuators = [
+            None if one.place is None else ready.actuation.at(one.place).actuator
+            for one in stimulus.channels
+        ]
     return {
         "channels": channels,
         "rig": None if ready.rig is None else ready.rig.title,
-        "actuator": [one.get("actuator") for one in wiring] or None,
+        "actuator": actuators or None,
         "equaliser": about_equaliser(ready.equaliser),
     }
 

@@ -14,7 +14,8 @@ class Finding:
     Attributes
     ----------
     name
-        ``"band"``, ``"drive"``, ``"spacing"``, ``"noise"``, ``"limb"`` or ``"scaling"``.
+        ``"band"``, ``"drive"``, ``"spacing"``, ``"noise"``, ``"limb"`` or ``"scaling"``; or
+        ``"inputs"``, where some are left out because they cannot be played.
     state
         Whether the design keeps it.
     sentence

@@ -16,6 +16,7 @@ from skinsource.errors import InvalidInputError
 from skinsource.locations import input_words
 from skinsource.own_limbs import facts_of
 from skinsource.view import View
+from skinsource.voices import UnplayableInput
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.clip_editor.body import EditorBody
 from skinsource_gui.panels.clip_editor.drawing import Drawing
@@ -49,6 +50,7 @@ class ClipEditorPanel(Panel):
         self._waveforms: Mapping[int, Floats] = {}
         self._raw: tuple[Any, float, Floats | None] = (None, 0.0, None)
         self._said: tuple[Clip | None, Design | None, str] = (None, None, "")
+        self._unplayable: frozenset[int] = frozenset()
         self._drawing, self._shaping = Drawing(self), Shaping(self)
         self._look, self._pen = Look(self), self._drawing.pen
         self._gliding = Gliding(self)
@@ -101,6 +103,11 @@ class ClipEditorPanel(Panel):
         self._rate_hz = results["sample_rate_hz"]
         self._waveforms = waveforms_of(results)
         self._show()
+
+    def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
+        self._unplayable = frozenset(one.id for one in unplayable)
+        if self.clip is not None:
+            self._say(self.clip)
 
     def show_late(self, late: bool) -> None:
         self._canvas.item.show_late(late)
@@ -177,6 +184,8 @@ class ClipEditorPanel(Panel):
         if said_of is not clip or design is not self._design:
             words = _words(clip, self._design)
             self._said = clip, self._design, words
+        if self._view.selected_input in self._unplayable and not clip.muted:
+            words = f"{words} · cannot be played"
         self._toolbar.show_words(words, enabled=True, hint=self._canvas.tool.hint)
 
     def _sampled(self, clip: Clip) -> Floats | None:

@@ -142,7 +142,7 @@ class Card(QAbstractButton):
             painter.drawText(area, centre, f"Ctrl+{self.number}")
             return
         below = QRectF(area.left(), area.bottom() - 2 * line, area.width(), line)
-        painter.setPen(QColor(theme.text))
+        painter.setPen(QColor(theme.error if compared.left_out else theme.text))
         painter.drawText(below, centre, fitted_level(painter, level_words(compared), area.width()))
         painter.setPen(QColor(theme.dim))
         gain = match_words(compared.gain)

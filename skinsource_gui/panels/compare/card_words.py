@@ -88,5 +88,6 @@ def sentence(compared: Compared, *, present: bool) -> str:
         f"shown {gain} to match" if gain else "",
         "in the window" if present else "",
         compared.problem,
+        compared.left_out,
     ]
     return ", ".join(part for part in parts if part)

@@ -5,6 +5,7 @@ from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QLabel,
     QStackedLayout,
@@ -17,6 +18,7 @@ from skinsource.chain import is_gain, peak_text
 from skinsource.design import AMPLITUDE_GAIN, Design, Input, amplitude_spec, audible_inputs
 from skinsource.edits.selection import clip_of, clips_of
 from skinsource.view import View
+from skinsource.voices import UnplayableInput
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.inspector.effects.chain_edits import ChainEdits
 from skinsource_gui.panels.inspector.effects.effect_chain import EffectChain
@@ -49,6 +51,7 @@ class InspectorPanel(Panel):
         self._shown: tuple[tuple[int, ...], ...] = ()
         self._view = View()
         self._results: Mapping[str, Any] | None = None
+        self._problems: Mapping[int, str] = {}
         self._selection = Selection(self)
         self._selection.edited.connect(self.edited)
         self._selection.field_refused.connect(self._show_refused)
@@ -114,14 +117,22 @@ class InspectorPanel(Panel):
         self._fields.show_rate(results["sample_rate_hz"])
         self._show_waveform()
 
+    def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
+        self._problems = {one.id: one.problem for one in unplayable}
+        if self._selection.last is not None:
+            self._show_look(self._selection.last)
+
     def _show_waveform(self) -> None:
         results = self._results or {"input_waveforms": ()}
         waveforms = results["input_waveforms"]
         # Results of an older design may have another number of inputs; the next ones come soon.
         one = self._selection.last
         if one is not None and len(waveforms) == len(self._design.inputs):
-            index = self._design.index_of(one.id)
-            self._preview.show_samples(waveforms[index], results["sample_rate_hz"])
+            samples = waveforms[self._design.index_of(one.id)]
+            if samples is None:
+                self._preview.show_words("Cannot be sampled at the rate of this limb")
+            else:
+                self._preview.show_samples(samples, results["sample_rate_hz"])
         else:
             self._preview.show_words("")
 
@@ -199,7 +210,10 @@ class InspectorPanel(Panel):
         changes.field_refused.connect(chain.show_refused)
 
     def _show_look(self, one: Input) -> None:
-        self._preview.set_look(self._theme.input_colour(one.colour), flipped=one.amplitude < 0)
+        problem = self._problems.get(one.id, "")
+        colour = QColor(self._theme.error) if problem else self._theme.input_colour(one.colour)
+        self._preview.set_look(colour, flipped=one.amplitude < 0)
+        self._preview.setAccessibleDescription(problem)
 
     def _show_refused(self, name: str, reason: str) -> None:
         # Each number is allowed alone, but not together with the others.

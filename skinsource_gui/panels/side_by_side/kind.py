@@ -74,9 +74,10 @@ class Kind:
 
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
         """What the levels are."""
-        del compared
         words = f"RMS of {signal_words(view.axes, view.method)} · {span_words(view.span)}"
-        return " · ".join(part for part in (words, shown_words(design, view)) if part)
+        without = "without inputs that cannot be played"
+        left_out = without if any(one.left_out for one in compared) else ""
+        return " · ".join(part for part in (words, shown_words(design, view), left_out) if part)
 
     def shown(self, settings: SideBySideSettings) -> str:
         """What is shown of the sides: the levels where there is no choice."""

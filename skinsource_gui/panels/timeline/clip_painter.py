@@ -36,6 +36,7 @@ def paint_clip(
     loudest: float,
     selected: bool,
     shown_elsewhere: bool,
+    unplayable: bool,
     awaited: bool,
     handles: bool,
     view: QRectF,
@@ -48,9 +49,10 @@ def paint_clip(
         What it plays, or None while it is not known.
     loudest
         The largest gain of its track, which takes the full height.
-    selected, shown_elsewhere, awaited, handles
-        Whether it is selected; whether the inspector shows it; whether what it plays is late;
-        whether its ends show that they can be dragged.
+    selected, shown_elsewhere, unplayable, awaited, handles
+        Whether it is selected; whether the inspector shows it; whether its track cannot be played
+        because of it; whether what it plays is late; whether its ends show that they can be
+        dragged.
     view
         What can be seen: no more is painted.
     """
@@ -73,6 +75,8 @@ def paint_clip(
         words = words_of(box)
         _write(painter, f"{words} · updating…" if awaited else words, shown, theme, pale=pale)
     _paint_frame(painter, box.rect, shown, theme, colour, selected=selected)
+    if unplayable:
+        _paint_frame(painter, box.rect, shown, theme, QColor(theme.error), selected=False)
     if shown_elsewhere and not selected:
         mark_clip(painter, box.rect, shown, pictures.mark, QColor(theme.accent))
     if handles:

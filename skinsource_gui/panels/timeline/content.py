@@ -102,6 +102,14 @@ class Content:
             if lane.track.gain_curve or lane.track.id in self.gain_shown
         ]
 
+    def unplayable_on(self, lane: Lane) -> frozenset[int]:
+        """Clips for which a lane cannot be played: that cannot be sampled, or else all of them."""
+        if not lane.problem:
+            return frozenset()
+        sounding = [clip.id for clip in lane.track.clips if not clip.muted]
+        known = self.waveforms.keys() | self.awaited
+        return frozenset([one for one in sounding if one not in known] or sounding)
+
     def boxes_on(self, lane: Lane) -> list[Box]:
         """Clips of a lane that can be seen, in painting order."""
         if lane.bottom_px <= self.ruler_px or lane.top_px >= self.height_px:

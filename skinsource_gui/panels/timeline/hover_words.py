@@ -20,7 +20,7 @@ _GESTURES = {
 
 
 def hover_words(content: Content, at: QPointF) -> str:
-    """What can be dragged here, and how many clips lie here; "" where there is nothing to say."""
+    """Why the clip here cannot be played, what can be dragged, how many clips lie here; or ""."""
     box = content.box_at(at)
     if box is None:
         return ""
@@ -28,4 +28,4 @@ def hover_words(content: Content, at: QPointF) -> str:
     several = f"{count} clips here: click again, or {_NEXT}, for the next" if count > 1 else ""
     names = _GESTURES.get(part_at(box.rect, at, box.fades_px), ())
     found = (gesture("clips", name) for name in names)
-    return tooltip(several, *(f"{one.words}: {one.means}" for one in found))
+    return tooltip(box.lane.problem, several, *(f"{one.words}: {one.means}" for one in found))

@@ -30,6 +30,8 @@ class Lane:
         Where it lies.
     silent
         Why it is not heard, or "".
+    problem
+        Why it cannot be played, or "".
     selected
         Whether its track is selected.
     """
@@ -39,6 +41,7 @@ class Lane:
     height_px: float
     silent: str
     selected: bool
+    problem: str = ""
 
     @property
     def bottom_px(self) -> float:

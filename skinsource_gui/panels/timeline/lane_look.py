@@ -16,7 +16,7 @@ def frame_of(content: Content) -> Hashable:
 
 def same_ground(one: Lane, other: Lane) -> bool:
     """Whether a lane looks alike but for its clips."""
-    return (one.selected, one.silent) == (other.selected, other.silent)
+    return (one.selected, one.silent, one.problem) == (other.selected, other.silent, other.problem)
 
 
 def same_chosen(before: Content, after: Content) -> bool:

@@ -164,7 +164,7 @@ class LanesItem(pyqtgraph.GraphicsObject):
         painter.fillRect(words.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._ground)
         if lane.selected:
             painter.fillRect(words.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._tint)
-        painter.setPen(QColor(self._theme.dim))
+        painter.setPen(QColor(self._theme.error if lane.problem else self._theme.dim))
         painter.drawText(room, flags, lane.silent)
 
     def _paint_after_end(self, painter: QPainter, content: Content, lanes: QRectF) -> None:
@@ -179,6 +179,7 @@ class LanesItem(pyqtgraph.GraphicsObject):
 
     def _paint_clips(self, painter: QPainter, content: Content, lane: Lane, lanes: QRectF) -> None:
         loudest = max((abs(one.gain) for one in lane.track.clips), default=0.0)
+        unplayable = content.unplayable_on(lane)
         for box in content.boxes_on(lane):
             paint_clip(
                 painter,
@@ -190,6 +191,7 @@ class LanesItem(pyqtgraph.GraphicsObject):
                 loudest=loudest,
                 selected=box.clip.id in content.selected,
                 shown_elsewhere=box.clip.id in content.chosen,
+                unplayable=box.clip.id in unplayable,
                 awaited=box.clip.id in content.awaited,
                 handles=box.clip.id == self._hovered and box.rect.width() > 40,
                 view=lanes,

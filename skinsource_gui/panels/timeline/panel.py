@@ -10,6 +10,7 @@ from skinsource.arrays import Floats
 from skinsource.clips import Clip
 from skinsource.design import Design
 from skinsource.view import View
+from skinsource.voices import UnplayableInput
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.timeline.gestures.gesture import Shown
 from skinsource_gui.panels.timeline.heads.heads import Heads
@@ -99,6 +100,9 @@ class TimelinePanel(Panel):
         self._then = {clip.id: clip for clip in clips}
         self._waveforms = waveforms_of(results)
         self.show_late(self.late)
+
+    def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
+        self._table.show_problems({one.id: one.problem for one in unplayable})
 
     def show_late(self, late: bool) -> None:
         # What a clip that plays something else now played would be drawn as long as that.

@@ -1,6 +1,6 @@
 """Heads, lanes, ruler and scroll bars, which move together."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt
 from PySide6.QtGui import QResizeEvent
@@ -34,6 +34,7 @@ class TrackTable(QWidget):
         heads.setFixedWidth(heads_px(self.fontMetrics().height()))
         heads.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._design, self._view = Design(limb=""), View()
+        self._problems: Mapping[int, str] = {}
         self.lanes, self.toolbar, self.time_bar = LanesView(), TimelineToolbar(), TimeBar()
         self._bar = QScrollBar(Qt.Orientation.Vertical)
         self._bar.setAccessibleName("Tracks shown")
@@ -61,6 +62,12 @@ class TrackTable(QWidget):
         self.toolbar.show_state(snaps=self.lanes.snaps, zoomed=view.time_range_s is not None)
         self.place_lanes()
 
+    def show_problems(self, problems: Mapping[int, str]) -> None:
+        """Mark tracks that cannot be played: why, by the ids of their inputs."""
+        if problems != self._problems:
+            self._problems = problems
+            self.place_lanes()
+
     def show_playhead(self, view: View) -> None:
         """Show a view in which the playhead alone has moved."""
         self._view = view
@@ -71,7 +78,8 @@ class TrackTable(QWidget):
         self._heads.setFixedWidth(heads_px(self.fontMetrics().height()))
         self.toolbar.setFixedSize(self._heads.width(), int(self.lanes.ruler_px))
         top = int(self.lanes.ruler_px) - self._heads.verticalScrollBar().value()
-        lanes = lanes_of(self._design, self._view, self._heads.rows.rows, top)
+        rows = self._heads.rows.rows
+        lanes = lanes_of(self._design, self._view, rows, top, self._problems)
         self.lanes.show_state(self._design, self._view, lanes)
         content = self.lanes.content
         self.time_bar.show_range(content.scale.shown_s, content.whole_s)
@@ -99,19 +107,30 @@ class TrackTable(QWidget):
 
 
 def lanes_of(
-    design: Design, view: View, rows: Sequence[InputRow], top_px: float
+    design: Design,
+    view: View,
+    rows: Sequence[InputRow],
+    top_px: float,
+    problems: Mapping[int, str],
 ) -> tuple[Lane, ...]:
-    """The lanes of a design, each as high as its head; the first begins at ``top_px``."""
+    """The lanes of a design, each as high as its head; the first begins at ``top_px``.
+
+    ``problems``: why inputs cannot be played, by their ids.
+    """
     audible = {one.id for one in audible_inputs(design.inputs)}
     lanes = []
     # A list that takes over other heads scrolls before the lanes know of them; they come next.
     for track, row in zip(design.inputs, rows, strict=False):
+        heard = track.id in audible
+        # What is muted meanwhile has no problem any more.
+        problem = problems.get(track.id, "") if heard else ""
         lanes.append(
             Lane(
                 track=track,
                 top_px=float(top_px),
                 height_px=float(row.height()),
-                silent=_why_silent(track, heard=track.id in audible),
+                silent="cannot be played" if problem else _why_silent(track, heard=heard),
+                problem=problem,
                 selected=track.id in view.selected_inputs,
             )
         )

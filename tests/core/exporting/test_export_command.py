@@ -26,8 +26,9 @@ def test_it_writes_the_file_and_its_sidecar_and_says_where_and_that_it_is_uncali
     call = ["export", str(saved), "--format", "wav", "--rate", "44100", "--out", str(out)]
     assert main(call) == 0
     told = capsys.readouterr()
-    path, said = told.out.splitlines()
+    path, equalised, said = told.out.splitlines()
     assert path == str(out)
+    assert equalised == "  Not equalised (raw accelerations)."
     assert said.startswith("  Uncalibrated: no rig says how many volts")
     assert told.err == ""
     about = soundfile.info(out)
@@ -46,7 +47,7 @@ def test_every_format_takes_a_rate_or_ignores_it_and_says_what_it_loses(
     about = json.loads((tmp_path / "out.json").read_text())
     assert about["format"] == name
     assert about["calibration"].startswith("uncalibrated")
-    expected = [about[key].rstrip(".") for key in ("edges", "loses", "calibration")]
+    expected = [about[key].rstrip(".") for key in ("edges", "loses", "equalised", "calibration")]
     assert [line.strip().rstrip(".").lower() for line in said] == [
         words.lower() for words in expected if words
     ]

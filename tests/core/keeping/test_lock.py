@@ -64,6 +64,16 @@ def test_a_process_elsewhere_cannot_be_asked_and_keeps_its_file(lock, elsewhere)
     assert read_owner(lock.path) == this_process()
 
 
+def test_a_file_is_held_for_a_moment_and_not_while_another_process_has_it(lock, elsewhere):
+    with lock.hold():
+        assert read_owner(lock.path) == this_process()
+    assert not lock.path.exists()
+    lock.path.write_bytes(to_bytes(elsewhere))
+    with pytest.raises(StorageError, match=r"tap\.skinsource: .*ana on lab-3"), lock.hold(0.0):
+        pass
+    assert read_owner(lock.path) == elsewhere
+
+
 @pytest.mark.parametrize(
     "text",
     [b"", b"{}", b"[1]", b"\xff", json.dumps({"host": "a", "user": "b", "pid": -1}).encode()],

@@ -1,7 +1,10 @@
 """Matches: what is asked in which order, what is stored, and what follows from it."""
 
 import csv
+import subprocess
+import sys
 from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import numpy as np
@@ -13,6 +16,19 @@ from skinsource.matching import MatchingRun, Procedure, Strengths, add_match, re
 from skinsource.matching.procedure import HIGHEST_DB, LOWEST_DB
 
 ANNA = Procedure(person="Anna", frequencies_hz=(50.0, 250.0), places=(3, 7), seed=4)
+
+ADDING = """
+import sys
+from pathlib import Path
+from skinsource.matching import MatchingRun, Procedure
+frequencies_hz = tuple(float(hz) for hz in range(50, 100))
+procedure = Procedure(person=sys.argv[2], frequencies_hz=frequencies_hz, places=(3,))
+run = MatchingRun(procedure, Path(sys.argv[1]))
+print("ready", flush=True)
+sys.stdin.readline()
+while run.trial is not None:
+    run.store()
+"""
 
 
 def store_all(procedure, path, level_db=3.0):
@@ -111,6 +127,36 @@ def test_a_match_is_never_stored_twice(tmp_path):
         other.store()
     assert path.read_bytes() == before
     assert other.trial == ANNA.trials[0]
+
+
+def test_two_processes_that_add_matches_at_the_same_time_lose_none(tmp_path):
+    path = tmp_path / "matches.csv"
+    people = [
+        subprocess.Popen(
+            [sys.executable, "-c", ADDING, path, name],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+        )
+        for name in ("Anna", "Ben")
+    ]
+    for person in people:
+        assert person.stdout.readline() == b"ready\n"
+    for person in people:
+        person.stdin.close()
+    for person in people:
+        with person:
+            assert person.stdout.read() == b""
+        assert person.returncode == 0
+    assert Counter(row.person for row in read_matches(path)) == {"Anna": 100, "Ben": 100}
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_threads_that_add_matches_at_the_same_time_lose_none(tmp_path):
+    path = tmp_path / "matches.csv"
+    match = MatchingRun(ANNA, path).store()
+    with ThreadPoolExecutor(4) as pool:
+        list(pool.map(lambda place: add_match(path, replace(match, place=place)), range(8, 21)))
+    assert len(read_matches(path)) == 14
 
 
 def test_of_a_rehearsal_nothing_is_kept(tmp_path):

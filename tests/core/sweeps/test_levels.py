@@ -219,7 +219,7 @@ def test_an_actuator_that_cannot_be_is_a_row_that_says_why():
     through = ss.sweep([tap, replace(tap, actuation=actuation(names[1]))])
     assert list(through.failed) == [2]
     # By name of its place: it is refused when it is prepared, not when an actuator is driven.
-    assert through.failed[2].startswith("Input at place 7: the drive leaves a velocity")
+    assert through.failed[2].startswith("Input at place 7 cannot be played through")
     assert "expected a name" in ss.sweep(tap, {"actuator": [3]}).failed[1]
     upstream = ss.Design(limb="synthetic-1", inputs=DESIGN.inputs, scaling="relative")
     assert "Probe acceleration" in ss.sweep(upstream, {"actuator": names[1:]}).failed[1]

@@ -16,6 +16,7 @@ from skinsource.errors import InvalidInputError, Stopped, StorageError
 from skinsource.keeping.lock import Lock
 from skinsource.sweeps import Order, Plan, Sweep, run
 from skinsource.sweeps.folder import JOURNAL
+from skinsource.sweeps.journal import Journal
 from skinsource.sweeps.workers import measured
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.05)
@@ -105,6 +106,56 @@ def test_a_line_that_was_cut_or_damaged_is_measured_again(tmp_path):
         journal.write_bytes(damaged)
         table = ss.sweep(DESIGN, {"frequency_hz": FREQUENCIES}, out=tmp_path)
         assert rows_of(table) == rows_of(whole)
+
+
+def test_a_damaged_byte_costs_the_journal_no_line_but_its_own(tmp_path):
+    path = tmp_path / JOURNAL
+    rows = {1: {"rms": 1.5}, 2: "too loud", 3: {"rms": 3.0}, 4: {"rms": 4.0}}
+    with Journal(path, "a" * 64) as journal:
+        for number, row in rows.items():
+            journal.add(number, row)
+    content = path.read_bytes()
+    ends = [k for k, byte in enumerate(content) if byte == ord("\n")]
+    for at in range(len(content)):
+        damaged = bytearray(content)
+        damaged[at] ^= 2
+        path.write_bytes(damaged)
+        with Journal(path, "a" * 64) as journal:
+            left = dict(journal.rows)
+        # The first line names the sweep; the end of a line is also the beginning of the next.
+        line = sum(end < at for end in ends)
+        lost = {line, line + 1} if at in ends[1:] else {line}
+        assert left.items() <= rows.items()
+        assert rows.keys() - left.keys() <= lost - {0}
+        written = path.read_bytes()
+        assert written == damaged[: len(written)]
+        assert len(written) >= ends[-2] + 1
+
+
+def test_a_line_that_is_measured_again_is_added_to_the_damaged_journal(tmp_path):
+    whole = ss.sweep(DESIGN, {"frequency_hz": FREQUENCIES}, out=tmp_path)
+    lines = (tmp_path / JOURNAL).read_bytes().splitlines(keepends=True)
+    damaged = [*lines[:3], lines[3].replace(b"rms", b"rmS", 1), *lines[4:]]
+    (tmp_path / JOURNAL).write_bytes(b"".join(damaged))
+    begun = []
+    table = ss.sweep(
+        DESIGN,
+        {"frequency_hz": FREQUENCIES},
+        out=tmp_path,
+        progress=lambda done, *_: begun.append(done),
+    )
+    assert begun[0] == 5
+    assert rows_of(table) == rows_of(whole)
+    assert (tmp_path / JOURNAL).read_bytes() == b"".join([*damaged, lines[3]])
+
+
+def test_what_is_no_journal_is_renamed_and_never_changed(tmp_path):
+    foreign = [b"my notes", b"first line\nsecond line\n", bytes(1000)]
+    for content in foreign:
+        (tmp_path / JOURNAL).write_bytes(content)
+        ss.sweep(DESIGN, {"frequency_hz": (50.0,)}, out=tmp_path)
+    renamed = [tmp_path / f"measured set aside {number}.jsonl" for number in (1, 2, 3)]
+    assert [path.read_bytes() for path in renamed] == foreign
 
 
 def test_a_folder_of_another_sweep_is_refused(tmp_path):

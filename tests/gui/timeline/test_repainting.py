@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QApplication, QScrollBar
 from skinsource.clips import Clip
 from skinsource.design import Design, Input
 from skinsource.effects import Fade
+from skinsource.voices import UnplayableInput
 from skinsource.waveforms import Tap, Tone
 from skinsource_gui.panels.timeline.clip_lengths import ClipLengths
 from skinsource_gui.panels.timeline.clip_painter import mark_clip
@@ -54,6 +55,20 @@ def changed(bench, index, **changes):
     """Show a design in which the first clip of a track is something else."""
     clip = bench.design.inputs[index].clips[0]
     bench.show(bench.design.with_clip(clip.id, **changes))
+
+
+def test_a_lane_that_cannot_be_played_is_framed_and_no_other(bench):
+    before = picture(bench)
+    (unplayable, *_) = bench.design.inputs
+    bench.panel.show_unplayable((UnplayableInput(unplayable.id, "Too low. Choose another."),))
+    after = picture(bench)
+    frames = [box.rect for box in bench.lanes.content.boxes]
+    reddened = [
+        QColor(after.pixel(round(rect.center().x()), round(rect.top()))).red()
+        > QColor(before.pixel(round(rect.center().x()), round(rect.top()))).red()
+        for rect in frames
+    ]
+    assert reddened == [True, True] + [False] * (len(frames) - 2)
 
 
 def test_an_edit_of_one_clip_repaints_one_lane(bench):

@@ -3,10 +3,11 @@
 from skinsource.arrays import Floats
 from skinsource.clips import Clip
 from skinsource.effects import placed
+from skinsource.errors import InvalidInputError
 from skinsource.job import Stop, stop_if
 from skinsource.rendering.of_clips.drawn_clips import DrawnClips
 
-_Known = tuple[Clip, float, Floats]
+_Known = tuple[Clip, float, Floats | None]
 
 
 class ClipWaveforms:
@@ -18,8 +19,11 @@ class ClipWaveforms:
 
     def of(
         self, tracks: tuple[tuple[Clip, ...], ...], sample_rate_hz: float, stop: Stop
-    ) -> tuple[tuple[Floats, ...], ...]:
-        """What each clip of each track plays, (n_times,), after its effects and before its gain."""
+    ) -> tuple[tuple[Floats | None, ...], ...]:
+        """What each clip of each track plays, (n_times,), after its effects and before its gain.
+
+        None: it cannot be sampled.
+        """
         found: dict[int, _Known] = {}
         for clips in tracks:
             for one in clips:
@@ -31,7 +35,10 @@ class ClipWaveforms:
         self._known = found
         return tuple(tuple(found[one.id][2] for one in clips) for clips in tracks)
 
-    def _samples(self, one: Clip, sample_rate_hz: float) -> Floats:
+    def _samples(self, one: Clip, sample_rate_hz: float) -> Floats | None:
         effects = tuple(effect for effect in one.effects if effect.on)
-        _, shift_s = placed(one.waveform, effects, one.onset_s, sample_rate_hz)
-        return self._drawn.of(one.waveform, effects, sample_rate_hz, shift_s)
+        try:
+            _, shift_s = placed(one.waveform, effects, one.onset_s, sample_rate_hz)
+            return self._drawn.of(one.waveform, effects, sample_rate_hz, shift_s)
+        except InvalidInputError:
+            return None

@@ -1,0 +1,130 @@
+"""Inputs that cannot be played: an error in scripts and files, left out where it is asked for."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.chain import Actuation, ActuatorAt
+from skinsource.clips import Clip
+from skinsource.design import Design, Input, track
+from skinsource.equalising import RegularisedInverse
+from skinsource.errors import InvalidInputError
+from skinsource.export import export_levels
+from skinsource.presets.shipped import SHIPPED
+from skinsource.quantities import new_graph, sources
+from skinsource.view import View
+from skinsource.waveforms import Chirplet, Tap, Tone
+
+TONE = track(7, Tone(frequency_hz=100.0))
+COIL = ActuatorAt(actuator="Coil", model=ss.actuators.load("kastor-2023-air"))
+EQUALISED = Actuation(actuators=(COIL,), equaliser=RegularisedInverse())
+BEYOND_HALF_THE_RATE = Chirplet(600.0)
+UNPLAYABLE = {
+    "cannot be sampled": (track(8, BEYOND_HALF_THE_RATE), None),
+    "leaves a velocity": (track(8, Tap()), EQUALISED),
+    "no such place": (track(25), None),
+    "no actuator there": (track(8), Actuation(actuators=(replace(COIL, place=7),))),
+}
+SHOWN = ("output_levels_db", "selected_traces", "selected_spectra", "validity", "actuator_demand")
+
+
+def design_of(bad, actuation):
+    return Design(limb="synthetic-1", inputs=(TONE, bad), actuation=actuation)
+
+
+def shown(design, *, edited=1, leave_out=True):
+    """What the studio shows."""
+    given = sources(design, View(selected_inputs=(edited,)), leave_out_unplayable=leave_out)
+    return new_graph().evaluate((*SHOWN, "unplayable_inputs", "input_waveforms"), given)
+
+
+@pytest.fixture(params=UNPLAYABLE)
+def design(request):
+    return design_of(*UNPLAYABLE[request.param])
+
+
+@pytest.mark.parametrize("edited", [1, 2])
+def test_the_others_are_predicted_as_if_it_were_muted(design, edited):
+    found = shown(design, edited=edited)
+    muted = shown(design.with_input(1, muted=True), edited=edited, leave_out=False)
+    assert np.array_equal(found["output_levels_db"], muted["output_levels_db"])
+    assert np.array_equal(found["selected_traces"], muted["selected_traces"])
+    assert np.isfinite(found["output_levels_db"]).all()
+    assert muted["unplayable_inputs"] == ()
+
+
+def test_it_is_named_with_the_reason_in_one_sentence(design):
+    (unplayable,) = shown(design)["unplayable_inputs"]
+    assert unplayable.id == 2
+    assert str(design.inputs[1].location) in unplayable.sentence
+    assert unplayable.sentence.count(". ") == 0
+    with pytest.raises(InvalidInputError) as error:
+        ss.evaluate(design, "output_levels_db")
+    assert str(error.value) == unplayable.problem
+
+
+def test_what_is_taken_from_the_prediction_says_what_it_is_without(design):
+    (first, *_) = shown(design)["validity"]
+    (unplayable,) = shown(design)["unplayable_inputs"]
+    assert (first.name, first.state) == ("inputs", "left")
+    assert unplayable.sentence.removesuffix(".") in first.in_short
+
+
+def test_several_are_said_in_one_sentence():
+    bad = track(8, BEYOND_HALF_THE_RATE)
+    two, four = (Design(limb="synthetic-1", inputs=(TONE, *[bad] * count)) for count in (2, 4))
+    (said, *_) = shown(two)["validity"]
+    assert "; 1 more input cannot be played either." in said.sentence
+    (said, *_) = shown(four)["validity"]
+    assert "; 3 more inputs cannot be played either." in said.sentence
+
+
+def test_a_preset_that_the_actuator_cannot_follow_is_left_out():
+    preset = next(one for one in SHIPPED if one.name == "Heartbeat")
+    (lane,) = preset.fragment.lanes
+    heartbeat = Input(location=6, clips=lane.clips)
+    (unplayable,) = shown(design_of(heartbeat, EQUALISED))["unplayable_inputs"]
+    assert unplayable.sentence.startswith("Input at place 6 cannot be played through this actuator")
+    assert unplayable.sentence.endswith("of its energy lies below 25 Hz.")
+
+
+def test_files_are_not_written_without_it(design, tmp_path):
+    with pytest.raises(InvalidInputError):
+        export_levels(tmp_path / "levels.csv", design, View())
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_actuator_panel_is_told_of_a_drive_that_cannot_be_followed():
+    found = shown(design_of(*UNPLAYABLE["leaves a velocity"]), edited=2)
+    assert found["actuator_demand"].place == 8
+    assert found["actuator_demand"].leaves_velocity
+
+
+def test_a_muted_input_that_cannot_be_sampled_changes_nothing(design):
+    muted = design.with_input(1, muted=True)
+    alone = replace(design, inputs=design.inputs[:1])
+    wanted = ("output_levels_db", "selected_traces", "surface_levels_db", "input_waveforms")
+    found, expected = ss.evaluate(muted, *wanted), ss.evaluate(alone, *wanted)
+    for name in wanted[:-1]:
+        np.testing.assert_allclose(found[name], expected[name], rtol=1e-9, atol=1e-12)
+    assert np.array_equal(found["input_waveforms"][0], expected["input_waveforms"][0])
+
+
+def test_of_a_muted_input_that_cannot_be_sampled_there_is_no_waveform():
+    bad = track(8, BEYOND_HALF_THE_RATE)
+    design = Design(limb="synthetic-1", inputs=(TONE, replace(bad, muted=True)))
+    assert ss.evaluate(design, "input_waveforms")["input_waveforms"][1] is None
+    with pytest.raises(InvalidInputError, match="Input at place 8, Chirplet"):
+        ss.evaluate(design.with_input(1, muted=False), "input_waveforms")
+
+
+def test_of_clips_that_cannot_be_sampled_there_are_no_pictures():
+    clips = (Clip(), Clip(waveform=BEYOND_HALF_THE_RATE, muted=True))
+    design = Design(limb="synthetic-1", inputs=(Input(location=7, clips=clips),))
+    found = ss.evaluate(design, "clip_waveforms", "output_levels_db")
+    ((good, bad),) = found["clip_waveforms"]
+    assert good.size
+    assert bad is None
+    assert np.isfinite(found["output_levels_db"]).all()

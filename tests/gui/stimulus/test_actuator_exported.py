@@ -1,0 +1,127 @@
+"""Exports start with what the panel Actuator shows, whether or not predictions go through it."""
+
+import json
+
+import pytest
+
+import skinsource as ss
+from skinsource.actuator_demand import ActuatorSettings, actuation_of
+from skinsource.actuators import load
+from skinsource.equalising import PolePairReplacement, RegularisedInverse, resonance_of
+from skinsource.panel_settings import with_settings
+from skinsource.view import View
+from skinsource_gui.stimulus_page.remembering import recall, remembered
+from skinsource_gui.stimulus_page.stimulus_form import StimulusForm
+from tests.gui.actuator.bench import brought_forward
+from tests.gui.actuator.bench import choose as choose_in_panel
+from tests.gui.stimulus.conftest import opened
+from tests.gui.stimulus.stimulus_bench import choose, export, label
+
+DESIGN = ss.Design(
+    limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Gabor(200.0, cycles=8.0), onset_s=0.1),)
+)
+FINGERTIP, TITLE = "kastor-2023-air", "Fingertip voice coil, in air"
+RAW = "Not equalised (raw accelerations)."
+
+
+def view_of(**settings):
+    return with_settings(View(), "actuator", ActuatorSettings(**settings))
+
+
+@pytest.fixture
+def form_on(qtbot):
+    def make(design, view):
+        found = StimulusForm(design, view)
+        qtbot.addWidget(found)
+        return found
+
+    return make
+
+
+def order_of(form):
+    found = []
+    form.changed.connect(found.append)
+    form.want()
+    return found[-1]
+
+
+def test_what_was_chosen_in_the_panel_is_exported_and_said(make_window, qtbot, save_as):
+    window = make_window(DESIGN)
+    choose_in_panel(brought_forward(window, qtbot), "actuator", FINGERTIP)
+    assert window.document.design.actuated is None
+    window.do("export_stimulus")
+    page = opened(window.stimuli, qtbot)
+    assert label(page, "summary").endswith(f"Equalised for {TITLE} (regularised inverse).")
+    assert page.form.field("actuator").currentText() == f"{TITLE} (as in the panel)"
+    path = save_as("volts.wav")
+    export(window, page, qtbot)
+    told = json.loads((path.parent / "volts.wav.json").read_text())
+    assert told["equalised"] == f"Equalised for {TITLE} (regularised inverse)"
+    assert told["unit"] == "V"
+    assert told["actuator"] == [TITLE]
+    # The next page starts there again, and another choice is free.
+    window.do("export_stimulus")
+    page = opened(window.stimuli, qtbot)
+    choose(page, qtbot, "equaliser", "none")
+    assert label(page, "summary").endswith(RAW)
+    choose(page, qtbot, "equaliser", "minimum")
+    assert "Equalised for" in label(page, "summary")
+    choose(page, qtbot, "actuator", "none")
+    assert label(page, "summary").endswith(RAW)
+    assert not page.form.field("equaliser").isVisible()
+    page.reject()
+
+
+def test_where_nothing_was_chosen_nothing_is_equalised(page, qtbot):
+    assert page.form.field("actuator").isVisible()
+    assert page.form.field("actuator").value == "none"
+    assert RAW in label(page, "summary")
+
+
+def test_how_the_panel_is_drawn_is_no_choice(form_on):
+    order = order_of(form_on(DESIGN, view_of(picture="step", layout="stacked")))
+    assert order.equaliser is None
+    assert order.actuation is None
+
+
+def test_an_actuator_without_an_equaliser_stays_raw(form_on):
+    order = order_of(form_on(DESIGN, view_of(actuator=FINGERTIP, equaliser="none")))
+    assert order.equaliser is None
+
+
+def test_changed_parameters_and_equaliser_go_with_it(form_on):
+    settings = ActuatorSettings(actuator=FINGERTIP, boost_db=6.0).with_parameter(
+        "resistance_ohm", 5.5
+    )
+    order = order_of(form_on(DESIGN, with_settings(View(), "actuator", settings)))
+    assert order.actuation == actuation_of(settings)
+    assert order.actuation.actuators[0].model.resistance_ohm == 5.5
+    assert order.equaliser == RegularisedInverse(boost_db=6.0)
+
+
+def test_another_actuator_gets_a_pole_pair_of_its_own(form_on):
+    form = form_on(DESIGN, view_of(equaliser="pole_pair", new_quality=1.5))
+    form.field("actuator").choose(FINGERTIP)
+    assert order_of(form).equaliser == PolePairReplacement(*resonance_of(load(FINGERTIP)), 1.5)
+
+
+def test_drives_that_are_no_accelerations_start_without_an_equaliser(form_on):
+    design = ss.Design(limb="synthetic-1", scaling="upstream", inputs=DESIGN.inputs)
+    assert order_of(form_on(design, view_of(actuator=FINGERTIP))).equaliser is None
+
+
+@pytest.mark.parametrize("last", ["none", "linear"])
+def test_what_is_remembered_does_not_replace_what_the_panel_shows(form_on, last):
+    before = form_on(DESIGN, View())
+    before.field("equaliser").choose(last)
+    form = form_on(DESIGN, view_of(actuator=FINGERTIP, boost_db=9.0))
+    recall(form, remembered(before))
+    assert order_of(form).equaliser == RegularisedInverse(boost_db=9.0)
+
+
+def test_full_scale_of_equalised_drives_is_in_volts(form_on):
+    form = form_on(DESIGN, view_of(actuator=FINGERTIP))
+    form.want()
+    assert form.field("full_scale").spec.unit == "V"
+    form.field("equaliser").choose("none")
+    assert form.field("full_scale").spec.unit == "m/s²"

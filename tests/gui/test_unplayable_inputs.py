@@ -1,0 +1,132 @@
+"""An input that cannot be played blanks nothing: the others are shown, and it is marked."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.chain import Actuation, ActuatorAt
+from skinsource.design import Design, Input, track
+from skinsource.equalising import RegularisedInverse
+from skinsource.presets.shipped import SHIPPED
+from skinsource.view import View
+from skinsource.waveforms import Chirplet, Tone
+from tests.gui.curve_panels.bench import plot_of
+
+TONE = track(7, Tone(frequency_hz=100.0))
+HEARTBEAT = Input(
+    location=6,
+    clips=next(one for one in SHIPPED if one.name == "Heartbeat").fragment.lanes[0].clips,
+)
+COIL = ActuatorAt(actuator="Coil", model=ss.actuators.load("kastor-2023-air"))
+EQUALISED = Actuation(actuators=(COIL,), equaliser=RegularisedInverse())
+DESIGNS = {
+    "cannot be followed": Design(limb="synthetic-1", inputs=(TONE, HEARTBEAT), actuation=EQUALISED),
+    "cannot be sampled": Design(limb="synthetic-1", inputs=(TONE, track(8, Chirplet(600.0)))),
+}
+VIEW = View(selected_inputs=(2,), outputs=(29,))
+
+
+@pytest.fixture(params=DESIGNS)
+def design(request):
+    return DESIGNS[request.param]
+
+
+@pytest.fixture
+def window(make_window, design):
+    return make_window(design, VIEW)
+
+
+@pytest.fixture
+def settle(window, qtbot):
+    def wait():
+        window.catch_up()
+        qtbot.waitUntil(lambda: not window.engine.busy, timeout=30_000)
+
+    wait()
+    return wait
+
+
+def content(window):
+    return window.panel("timeline")._table.lanes.content
+
+
+def test_the_others_are_shown_as_if_it_were_muted(window, design, settle):
+    skin, tone = window.panel("skin"), design.clips[0]
+    muted = design.with_input(1, muted=True)
+    expected = ss.evaluate(muted, "output_levels_db")["output_levels_db"]
+    np.testing.assert_allclose(skin.map.content.values, expected, atol=1e-9)
+    assert content(window).waveforms[tone.id].size
+
+
+def test_it_is_said_once_and_marked(window, design, settle):
+    good, bad = content(window).lanes
+    assert window.notice.text.startswith(f"Input at place {bad.track.location}")
+    assert bad.problem.startswith(window.notice.text.removesuffix("."))
+    said = [window.panel("skin").map.content.message]
+    said += [plot_of(window.panel(name)).message for name in ("traces", "spectra")]
+    assert said == ["", "", ""]
+    assert (good.problem, bad.silent) == ("", "cannot be played")
+    assert content(window).unplayable_on(good) == frozenset()
+    assert content(window).unplayable_on(bad) == {clip.id for clip in bad.track.clips}
+
+
+def test_closed_it_is_not_said_again_until_it_is_something_else(window, design, settle):
+    document = window.document
+    words = window.notice.text
+    window.notice.be_quiet()
+    document.edit("Amplitude", design.with_input(0, amplitude=0.5))
+    settle()
+    assert window.notice.text == ""
+    document.edit("Mute", document.design.with_input(1, muted=True))
+    settle()
+    document.undo_stack.undo()
+    settle()
+    assert window.notice.text == words
+
+
+def test_muted_it_is_neither_said_nor_marked(window, design, settle):
+    window.document.edit("Mute", design.with_input(1, muted=True))
+    settle()
+    assert window.notice.text == ""
+    _, bad = content(window).lanes
+    assert (bad.problem, bad.silent) == ("", "muted")
+
+
+def test_lamps_stay_lit_and_say_what_is_left_out(window, settle, qtbot):
+    lamps = window.validity.lamps
+    qtbot.waitUntil(lambda: bool(lamps.findings), timeout=30_000)
+    states = {one.name: one.state for one in lamps.findings}
+    assert states["inputs"] == "left"
+    assert states["band"] == "kept"
+    assert "cannot be played" in window.panel("skin").caption()
+
+
+def test_snapshots_keep_their_numbers(window, design, settle, qtbot):
+    window.docks["compare"].bring_forward()
+    panel, words = window.panel("compare"), window.notice.text
+    qtbot.waitUntil(panel.isVisible)
+    window.comparison.store("1")
+    settle()
+    card = panel.cards[1]
+    qtbot.waitUntil(lambda: card.compared.values is not None, timeout=30_000)
+    expected = window.panel("skin").map.content.values
+    np.testing.assert_allclose(card.compared.values["output_levels_db"], expected, atol=1e-9)
+    assert card.compared.left_out == words
+    assert words in card.accessibleName()
+
+
+def test_a_muted_clip_that_cannot_be_sampled_does_not_matter(make_window, qtbot):
+    design = DESIGNS["cannot be sampled"]
+    bad = design.inputs[1].clips[0]
+    for muted in (design.with_input(1, muted=True), design.with_clip(bad.id, muted=True)):
+        window = make_window(muted, VIEW)
+        assert window.notice.text == ""
+        assert window.panel("skin").map.content.message == ""
+        assert set(content(window).waveforms) == {design.clips[0].id}
+        assert content(window).lanes[1].problem == ""
+        expected = ss.evaluate(replace(muted, inputs=muted.inputs[:1]), "output_levels_db")
+        found = window.panel("skin").map.content.values
+        np.testing.assert_allclose(found, expected["output_levels_db"], atol=1e-9)
+        window.close()
