@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.comparing import EDITED, Snapshot, match_words
+from skinsource.comparing import EDITED, Snapshot, gain_words, match_words
 from skinsource.decibels import FLOOR_DB
 from skinsource.design import Design
 from skinsource.view import View
@@ -73,8 +73,14 @@ def alike_in_level(compared: Sequence[Compared], *, matched: bool) -> bool:
 
 def shown_words(design: Design | None, view: View) -> str:
     """What is said where the design in the window is shown louder or softer than it is."""
-    words = "" if design is None else match_words(view.match_gain(design))
-    return f"{words[:1].lower()}{words[1:]}"
+    return "" if design is None else match_words(view.match_gain(design))
+
+
+def matched_text(compared: Sequence[Compared]) -> str:
+    """By how much which of them are shown louder or softer: ``"2: −3.2 dB, matched"``; or ""."""
+    gains = [(one.name, gain_words(one.gain)) for one in compared]
+    said = ", ".join(f"{name}: {gain}" for name, gain in gains if gain)
+    return f"{said}, matched" if said else ""
 
 
 def gain_db(compared: Compared) -> float:

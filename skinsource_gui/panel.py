@@ -1,6 +1,7 @@
 """What every panel is."""
 
 from collections.abc import Callable, Mapping
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -68,6 +69,8 @@ class Panel(ComparesDesigns):
         self.setAutoFillBackground(True)
         #: What stands below a picture of it; the window says how to find out.
         self.caption: Callable[[], str] = str
+        #: While this lasts it shows no matched levels: it is for what is taken out of it.
+        self.as_stored: Callable[[], AbstractContextManager[None]] = nullcontext
         #: Where something would go in another panel that is dragged from here and held over a
         #: place of the screen; None: it is let go.  The window says how to find out.
         self.held_over: Callable[[QPoint | None], DropPlace | None] = _nowhere

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from skinsource import choice_words, displaying, fields
-from skinsource.chain import Actuation, amplitude_meaning, amplitude_unit
+from skinsource.chain import Actuation, amplitude_meaning, amplitude_text, amplitude_unit
 from skinsource.clips import Clip, Marker, numbered
 from skinsource.clips.clip import ID
 from skinsource.clips.marker import LATEST_S
@@ -38,6 +38,12 @@ AMPLITUDE = NumberSpec(
     maximum=1000.0,
     step=0.05,
     hint="A negative amplitude turns the polarity",
+)
+#: Of an input whose amplitude is a plain factor, see `skinsource.chain.is_gain`.
+AMPLITUDE_GAIN = replace(
+    AMPLITUDE,
+    label="Gain",
+    hint="Factor on what was recorded. A negative gain turns the polarity",
 )
 
 TITLE = TextSpec(label="Title", longest=200, one_line=True)
@@ -163,7 +169,8 @@ class Design:
 
     def _repr_html_(self) -> str:
         """What a notebook shows."""
-        return displaying.html_of(self, audible_indices(self.inputs), amplitude_unit(self))
+        amplitudes = [amplitude_text(self, one) for one in self.inputs]
+        return displaying.html_of(self, audible_indices(self.inputs), amplitudes)
 
     @property
     def ids(self) -> tuple[int, ...]:

@@ -34,6 +34,8 @@ class Samples:
         Above zero.
     unit
         ``"m/s²"``, or empty for a plain drive.
+    peak
+        Largest magnitude of a value.
     digest
         SHA-256 over all of it, in hexadecimal: the name of these samples in files.
     """
@@ -41,6 +43,7 @@ class Samples:
     values: NDArray[np.float64]
     sample_rate_hz: float
     unit: str = ""
+    peak: float = field(init=False)
     digest: str = field(init=False)
 
     def __post_init__(self) -> None:
@@ -53,6 +56,7 @@ class Samples:
             raise InvalidInputError(f"unit is {quoted(self.unit)}, expected a short text")
         object.__setattr__(self, "sample_rate_hz", float(rate))
         object.__setattr__(self, "values", _read_only(self.values))
+        object.__setattr__(self, "peak", float(np.abs(self.values).max()))
         object.__setattr__(self, "digest", self._digest())
 
     def __repr__(self) -> str:

@@ -145,7 +145,7 @@ class View:
         Designs to compare with, each under a number of its own; the one that was stored or shown
         last stands last.
     levels_matched
-        Whether they are shown as loud as each other.
+        Whether they are shown and played as loud as each other; exports never are.
     panels
         What only one panel looks at, see `skinsource.panel_settings`.
     """
@@ -164,7 +164,7 @@ class View:
     window_count: int = fields.number(5, WINDOW_COUNT)
     window_s: float = fields.number(0.12, WINDOW_LENGTH)
     snapshots: tuple[Snapshot, ...] = fields.field(SNAPSHOTS, ())
-    levels_matched: bool = fields.switch(True, LEVELS_MATCHED)
+    levels_matched: bool = fields.switch(False, LEVELS_MATCHED)
     panels: PanelFields = fields.field(PANELS, ())
 
     def __post_init__(self) -> None:

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QFormLayout, QWidget
 from skinsource.fields import ChoiceSpec, NumberSpec
 from skinsource.limb import SAMPLE_RATE_HZ
 from skinsource.recordings import UNITS, Found, ImportChoice, Series, suggested
+from skinsource.recordings.choice import usual_scale
 from skinsource.recordings.limits import LEAST_RATE_HZ, MOST_PART_S, MOST_RATE_HZ
 from skinsource.recordings.three_axes import other_axes
 from skinsource_gui.theme import Theme
@@ -168,6 +169,7 @@ class ChoiceForm(QWidget):
             self._form.addRow(labels.get(name, ""), widget)
         self._form.setRowVisible(self._missing, False)
         self._signal.chosen.connect(self._choose_signal)
+        self._unit.chosen.connect(lambda unit, *_: self._scale.set_value(usual_scale(unit)))
         for field in (self._axes, self._timing, self._time_unit, self._unit, self._scale):
             field.chosen.connect(self._take_over)
         self._start.edited.connect(lambda *_: self._choose_part())
@@ -211,6 +213,7 @@ class ChoiceForm(QWidget):
         self._rate.set_value(stated or ASSUMED_RATE_HZ)
         self._time_unit.set_value(f"{first.time_unit_s:g}")
         self._unit.set_value(first.unit)
+        self._scale.set_value(first.scale)
         self._form.setRowVisible(self._unit, not series.unit)
         self._offset.setChecked(first.remove_offset)
         lasts_s = series.n_samples / (stated or ASSUMED_RATE_HZ)

@@ -6,7 +6,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from skinsource.limb import Band
-from skinsource.recordings import Taken
+from skinsource.recordings import UNITS, ImportChoice, Taken
 from skinsource.samples import Samples
 from skinsource.spectra import share_outside_band
 from skinsource_gui.theme import UNIT_PX, Theme, tabular
@@ -57,18 +57,18 @@ class ImportPreview(QWidget):
         self._spectrum.show_theme(theme)
         self._notes.setStyleSheet(f"color: {theme.dim};")
 
-    def show_taken(self, taken: Taken, band_hz: Band | None) -> None:
-        """Show what will be imported, and the band in which the limb was measured."""
+    def show_taken(self, taken: Taken, choice: ImportChoice, band_hz: Band | None) -> None:
+        """Show what ``choice`` will import, and the band in which the limb was measured."""
         samples = taken.samples
-        peak = float(np.abs(samples.values).max())
         rate = samples.sample_rate_hz
-        self._waveform.show_samples(samples.values / (peak or 1.0), rate)
+        self._waveform.show_samples(samples.values / (samples.peak or 1.0), rate)
         self._spectrum.show_samples(samples.values, rate, band_hz)
         rms = float(np.sqrt(np.mean(samples.values**2)))
         unit = f" {samples.unit}" if samples.unit else ""
+        also = _in_own_unit(samples, choice)
         self._numbers.setText(
-            f"{samples.duration_s:.4g} s · peak {peak:.3g}{unit} · RMS {rms:.3g}{unit} · "
-            f"{samples.values.size} samples at {rate:g} Hz"
+            f"{samples.duration_s:.4g} s · peak {samples.peak:.3g}{unit}{also} · "
+            f"RMS {rms:.3g}{unit} · {samples.values.size} samples at {rate:g} Hz"
             + ("" if band_hz is None else f"\n{_outside(samples, band_hz)}")
         )
         self._notes.setText(" ".join(taken.notes))
@@ -84,6 +84,15 @@ class ImportPreview(QWidget):
     def set_pale(self, pale: bool) -> None:
         """Whether something newer is on its way."""
         self._waveform.set_pale(pale)
+
+
+def _in_own_unit(samples: Samples, choice: ImportChoice) -> str:
+    """The peak in the unit of the file, where that is another acceleration: ``" (0.50 g)"``."""
+    unit = UNITS[choice.unit]
+    if choice.scale != "keep" or unit.factor == 1.0 or unit.derivatives:
+        return ""
+    peak = samples.peak / unit.factor
+    return f" ({peak:.2f} {unit.name})" if peak >= 0.1 else f" ({peak:.2g} {unit.name})"
 
 
 def _outside(samples: Samples, band_hz: Band) -> str:

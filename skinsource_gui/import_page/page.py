@@ -213,7 +213,7 @@ class ImportPage(QDialog):
             return
         self._taken = taken
         self._bar.hide()
-        self._preview.show_taken(taken, self._band_hz)
+        self._preview.show_taken(taken, choice, self._band_hz)
         self._import_button.setEnabled(True)
         self._import_button.setDefault(True)
 

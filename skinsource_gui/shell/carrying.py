@@ -1,6 +1,7 @@
 """What pictures and numbers carry out of the studio: stimulus, limbs, and conditions not kept."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -42,10 +43,18 @@ class Carrying:
         Whose design, and who judges it.
     panels
         Each of them is told once it is made; those that compare say with what.
+    catch_up
+        Waits until the panels in sight show the present design.
     """
 
-    def __init__(self, document: Document, engine: Engine, panels: MadePanels) -> None:
-        self._document, self._judging = document, Judging(engine)
+    def __init__(
+        self,
+        document: Document,
+        engine: Engine,
+        panels: MadePanels,
+        catch_up: Callable[[], None],
+    ) -> None:
+        self._document, self._judging, self._catch_up = document, Judging(engine), catch_up
         panels.each(self._equip)
 
     def caption(self, *panels: Panel) -> str:
@@ -55,7 +64,6 @@ class Carrying:
         named = [(_words(one), one.design) for one in compared]
         words = caption_of(
             design,
-            self._document.view.match_gain(design),
             compared=named,
             limbs=tuple(one.given["limb"] for one in found),
             notes=in_short(self._judged(found, panels)),
@@ -70,13 +78,20 @@ class Carrying:
         """What stands in a table of their numbers."""
         return in_full(self._judged(self._shown(panels), panels))
 
+    @contextmanager
+    def as_stored(self) -> Iterator[None]:
+        """Have panels show no matched levels while something of them is taken out."""
+        with self._document.as_stored():
+            self._catch_up()
+            yield
+
     def _equip(self, panel: Panel) -> None:
         caption, lines = partial(self.caption, panel), partial(self.lines, panel)
-        panel.caption = caption
+        panel.caption, panel.as_stored = caption, self.as_stored
         for exports in panel.findChildren(SignalExports):
-            exports.caption, exports.lines = caption, lines
+            exports.caption, exports.lines, exports.as_stored = caption, lines, self.as_stored
         for button in panel.findChildren(CopyButton):
-            button.lines = lines
+            button.lines, button.as_stored = lines, self.as_stored
 
     def _judged(self, found: Sequence[_Shown], panels: Sequence[Panel]) -> list[Judged]:
         judged = [
@@ -102,7 +117,7 @@ class Carrying:
 
     def _shown(self, panels: Sequence[Panel]) -> list[_Shown]:
         """The design in the window, where it is shown, and others that the panels show."""
-        design, view = self._document.design, self._document.view
+        design, view = self._document.design, self._document.seen
         compared = self._compared(panels)
         here = shown(compared, design)
         label = short_limb_title(design.limb)

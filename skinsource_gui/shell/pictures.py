@@ -63,7 +63,7 @@ class PanelPictures:
         in_use: PanelInUse,
     ) -> None:
         self._frame, self._panels = frame, panels
-        self._carrying = Carrying(document, engine, panels)
+        self._carrying = Carrying(document, engine, panels, catch_up)
         self._appearance, self._catch_up, self._docks = appearance, catch_up, docks
         self._in_use = in_use
 
@@ -104,10 +104,11 @@ class PanelPictures:
     ) -> None:
         """A panel, which need not be in sight."""
         if panel.isVisible():
-            with self._in_colours(theme):
+            with self._carrying.as_stored(), self._in_colours(theme):
                 panel.draw_picture(painter, width, height, theme)
             return
-        with staged(self._docks[panel.name], width, height) as make_room:
+        stage = staged(self._docks[panel.name], width, height)
+        with self._carrying.as_stored(), stage as make_room:
             self._catch_up()
             # Parts that come and go with results ask for their room now.
             QApplication.processEvents(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
@@ -123,7 +124,7 @@ class PanelPictures:
         if whole.isEmpty():
             return
         scale = min(width / whole.width(), height / whole.height())
-        with self._in_colours(theme):
+        with self._carrying.as_stored(), self._in_colours(theme):
             painter.save()
             painter.scale(scale, scale)
             painter.translate(-whole.topLeft())

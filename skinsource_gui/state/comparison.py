@@ -149,8 +149,7 @@ class Comparison(QObject):
                 document.apply(outcome, self._going)
                 matched = match_words(gain)
                 if isinstance(outcome, Edit) and matched:
-                    words = f"{matched[:1].lower()}{matched[1:]}"
-                    self.done.emit(f"{_named(number)} is {words}. {_AS_STORED}")
+                    self.done.emit(f"{_named(number)} is shown {matched}. {_AS_STORED}")
                 elif isinstance(outcome, Edit) and outcome.design != asked[0]:
                     self.done.emit(_shown_words(number, document))
 
@@ -237,7 +236,7 @@ class Comparison(QObject):
     def _compared(self, wanted: frozenset[str]) -> tuple[Compared, ...]:
         """Every snapshot; with values where all that is ``wanted`` is known."""
         found = []
-        matched = self._document.view.levels_matched
+        matched = self._document.seen.levels_matched
         for one in sorted(self._together(), key=lambda one: one.number):
             known = self._found(one, wanted)
             found.append(

@@ -75,7 +75,7 @@ class Conductor(QObject):
 
     def _tell(self, panel: Panel) -> None:
         self._told.add(panel)
-        panel.show_state(self._document.design, self._document.view)
+        panel.show_state(self._document.design, self._document.seen)
 
     def _note_visibility(self, panel: Panel) -> None:
         if panel.isVisible() and panel not in self._told:
@@ -100,7 +100,7 @@ class Conductor(QObject):
     def _follow_playhead(self) -> None:
         for panel in self._panels:
             if panel.isVisible():
-                panel.show_playhead(self._document.view)
+                panel.show_playhead(self._document.seen)
             else:
                 self._told.discard(panel)
 
@@ -116,7 +116,7 @@ class Conductor(QObject):
         if not any(panel.needs for panel in visible):
             return
         visible = self._without_refused(visible)
-        given = sources_shown(self._document.design, self._document.view)
+        given = sources_shown(self._document.design, self._document.seen)
         wanted = self._also.union(*(panel.needs for panel in visible))
         if not wanted:
             return

@@ -1,5 +1,7 @@
 """The open design, its history, and the view on it."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from time import time
@@ -56,6 +58,7 @@ class Document(QObject):
         self.recovered_from: Path | None = None
         self._saved_view = self._view
         self._was_modified = self._lost = self._read_only = self._on_the_way = False
+        self._as_stored = False
         # Whether something else than what was saved has been made since, and not taken back.
         self._made = False
         self.undo_stack = QUndoStack(self)
@@ -71,6 +74,25 @@ class Document(QObject):
     def view(self) -> View:
         """What is looked at now."""
         return self._view
+
+    @property
+    def seen(self) -> View:
+        """What panels show: the view, and no matched levels where they were `as_stored`."""
+        return replace(self._view, levels_matched=False) if self._as_stored else self._view
+
+    @contextmanager
+    def as_stored(self) -> Iterator[None]:
+        """Let panels show snapshots as loud as they were stored; what is played stays as it is."""
+        if self._as_stored or not self._view.levels_matched:
+            yield
+            return
+        self._as_stored = True
+        self.changed.emit()
+        try:
+            yield
+        finally:
+            self._as_stored = False
+            self.changed.emit()
 
     @property
     def path(self) -> Path | None:

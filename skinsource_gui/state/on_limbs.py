@@ -102,7 +102,7 @@ class OnLimbs(QObject):
     def _sources(self, asked: tuple[Design, View]) -> dict[str, Any]:
         """What evaluation starts from; as loud as the design is shown in the window."""
         document = self._document
-        return sources_of_levels(*asked, match_gain=document.view.match_gain(document.design))
+        return sources_of_levels(*asked, match_gain=document.seen.match_gain(document.design))
 
     def _is_known(self, limb: str, needs: frozenset[str], given: dict[str, Any]) -> bool:
         found = self._found.get(limb)

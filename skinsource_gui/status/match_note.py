@@ -11,8 +11,8 @@ from skinsource.design import Design
 from skinsource.view import View
 
 _ABOUT = (
-    "What is predicted and played has this gain; the design, its file and exported stimuli have "
-    "the amplitudes that were stored. Click to keep it, or to see the design as stored."
+    "What is shown and played has this gain; the design, its file and all exports have the "
+    "amplitudes that were stored. Click to keep it, or to see the design as stored."
 )
 
 
@@ -43,7 +43,7 @@ class MatchNote(QToolButton):
         gain = view.match_gain(design)
         words = match_words(gain)
         if words != self.accessibleName():
-            self.setText(words.partition(":")[0])
+            self.setText(words)
             self.setAccessibleName(words)
             self.setToolTip(f"{words}. {_ABOUT}" if words else "")
         self.setVisible(bool(words))

@@ -1,6 +1,7 @@
 """The button that copies the numbers of a panel."""
 
 from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
@@ -21,12 +22,15 @@ class CopyButton(QToolButton):
     ----------
     lines
         Gives what follows the numbers: what is to be known of them.
+    as_stored
+        While this lasts the numbers are those of no matched levels.
     """
 
     def __init__(self, panel: str, table: Callable[[], str], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._table = table
         self.lines: Callable[[], Sequence[str]] = tuple
+        self.as_stored: Callable[[], AbstractContextManager[None]] = nullcontext
         self.setObjectName(f"{panel}_copy")
         self.setText("Copy")
         self.setToolTip(
@@ -50,7 +54,8 @@ class CopyButton(QToolButton):
 
     def _copy(self) -> None:
         # Who judges the present design lets its numbers be there first: they are taken then.
-        lines = self.lines()
-        table = self._table()
+        with self.as_stored():
+            lines = self.lines()
+            table = self._table()
         below = [f"# {line}\n" for line in lines] if table else []
         QGuiApplication.clipboard().setText(f"{table}{''.join(below)}")

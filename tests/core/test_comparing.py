@@ -41,6 +41,7 @@ DESIGN = Design(
 )
 OTHER = DESIGN.with_input(0, amplitude=0.123).with_input(1, location=3)
 THIRD = DESIGN.with_input(0, location=9)
+MATCHED = View(levels_matched=True)
 levels = st.lists(st.floats(-200.0, 60.0), min_size=3, max_size=3).map(np.array)
 
 
@@ -179,7 +180,7 @@ def test_what_was_edited_comes_back():
 
 
 def test_with_levels_matched_the_way_back_leads_to_the_same_numbers():
-    _, view = store(DESIGN, View(), 1)
+    _, view = store(DESIGN, MATCHED, 1)
     _, view = store(OTHER, view, 2)
     there = edits.show_snapshot(OTHER, view, 1, 1.0)
     back = edits.show_snapshot(there.design, there.view, 2, 1 / 3)
@@ -192,8 +193,16 @@ def test_with_levels_matched_the_way_back_leads_to_the_same_numbers():
     assert isinstance(edits.show_snapshot(DESIGN, view, 2, 1e7), Refusal)
 
 
+def test_levels_are_not_matched_unless_that_is_asked_for():
+    _, view = store(DESIGN, View(), 1)
+    view = edits.show_snapshot(DESIGN, view, 1, 0.5).view
+    assert not view.levels_matched
+    assert view.match_gain(DESIGN) == 1.0
+    assert edits.match_levels(DESIGN, view, on=True).view.match_gain(DESIGN) == 0.5
+
+
 def test_only_the_snapshot_that_is_shown_has_its_gain_and_what_is_edited_has_none():
-    _, view = store(OTHER, View(), 1)
+    _, view = store(OTHER, MATCHED, 1)
     _, view = store(DESIGN, view, 2)
     view = edits.show_snapshot(DESIGN, view, 2, 0.5).view
     assert view.match_gain(DESIGN) == 0.5
@@ -204,7 +213,7 @@ def test_only_the_snapshot_that_is_shown_has_its_gain_and_what_is_edited_has_non
 
 
 def test_to_keep_a_gain_is_an_edit_of_all_amplitudes():
-    _, view = store(OTHER, View(), 1)
+    _, view = store(OTHER, MATCHED, 1)
     view = edits.show_snapshot(OTHER, view, 1, 0.5).view
     kept = edits.keep_match_gain(OTHER, view)
     assert kept.label == "Keep \N{MINUS SIGN}6.0 dB"

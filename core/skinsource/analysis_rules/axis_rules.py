@@ -63,12 +63,12 @@ def axis_above_noise_db(
     single_axes: tuple[Projection, ...],
     axis_record_rms: tuple[Floats, ...],
     noise_energy: Floats | None,
-    response_samples: int,
+    record_samples: int,
 ) -> tuple[Floats | None, ...]:
     """Level along each axis above that of its noise, (n_outputs,) each, dB; None: not known."""
     return tuple(
         noise_rules.above_noise_db(
-            record, noise_rules.output_noise_rms(noise_energy, one, response_samples)
+            record, noise_rules.output_noise_rms(noise_energy, one, record_samples)
         )
         for one, record in zip(single_axes, axis_record_rms, strict=True)
     )

@@ -5,6 +5,7 @@ import scipy
 
 from skinsource.analysis.noise import noise_rms, predicted_noise_energy, tells_noise
 from skinsource.arrays import Floats
+from skinsource.chain import Actuation, transfers_of
 from skinsource.job import Stop
 from skinsource.limb import Limb
 from skinsource.rendering.placed import Placed
@@ -36,28 +37,29 @@ def place_drives(
 
 def noise_energy(
     place_drives: tuple[tuple[int, Floats], ...],
-    driven_limb: Limb,
+    limb_data: Limb,
     scaling: Scaling,
+    actuation: Actuation | None,
     match_gain: float,
 ) -> Floats | None:
     """Energy of the noise of the responses in the prediction, (n_outputs, n_axes).
 
     None where there is none to tell: in silence, and where `place_noise` knows of none.
     """
-    noise = noise_of_places(place_drives, driven_limb)
+    noise = noise_of_places(place_drives, limb_data)
     if noise is None:
         return None
-    drives = shaped_drives(place_drives, driven_limb, scaling)
-    return match_gain**2 * predicted_noise_energy(drives, noise, driven_limb.n_taps)
+    drives = shaped_drives(place_drives, limb_data, scaling, actuation)
+    return match_gain**2 * predicted_noise_energy(drives, noise, limb_data.n_taps)
 
 
 def output_noise_rms(
-    noise_energy: Floats | None, projection: Projection, response_samples: int
+    noise_energy: Floats | None, projection: Projection, record_samples: int
 ) -> Floats | None:
-    """RMS over the whole response of what is noise in each projected signal, (n_outputs,)."""
+    """RMS over the whole record of what is noise in each projected signal, (n_outputs,)."""
     if noise_energy is None:
         return None
-    return projected_rms(noise_energy, projection, response_samples)
+    return projected_rms(noise_energy, projection, record_samples)
 
 
 def above_noise_db(record_rms: Floats, output_noise_rms: Floats | None) -> Floats | None:
@@ -115,14 +117,30 @@ def probe_inverse(n_taps: int, sample_rate_hz: float) -> Floats:
     return per_probe_acceleration(pulse, sample_rate_hz)
 
 
-def shaped_drives(
-    place_drives: tuple[tuple[int, Floats], ...], limb: Limb, scaling: Scaling
-) -> dict[int, Floats]:
-    """What the noise is convolved with: in probe scaling it went through the inverse pulse.
+def noise_path(limb: Limb, scaling: Scaling, actuation: Actuation | None, place: int) -> Floats:
+    """Impulse response that the noise in the responses to a place goes through, (n,).
 
-    That one has its middle at half of its length: what went through it comes later by so much.
+    In probe scaling that is the inverse pulse, with its middle at half of its length; through an
+    actuator, it is followed by what equaliser and actuator of the place make of a drive.
     """
-    if not divided_by_pulse(limb, scaling):
-        return dict(place_drives)
-    inverse = probe_inverse(limb.n_taps, limb.sample_rate_hz)
-    return {place: scipy.signal.oaconvolve(played, inverse) for place, played in place_drives}
+    rate = limb.sample_rate_hz
+    path = np.ones(1)
+    if divided_by_pulse(limb, scaling):
+        path = probe_inverse(limb.n_taps, rate)
+    if actuation is None:
+        return path
+    transfers = transfers_of(actuation, rate, limb.band_hz)
+    return scipy.signal.oaconvolve(path, transfers[actuation.at(place).place].samples)
+
+
+def shaped_drives(
+    place_drives: tuple[tuple[int, Floats], ...],
+    limb: Limb,
+    scaling: Scaling,
+    actuation: Actuation | None,
+) -> dict[int, Floats]:
+    """What the noise of the responses is convolved with, by place: see `noise_path`."""
+    return {
+        place: scipy.signal.oaconvolve(played, noise_path(limb, scaling, actuation, place))
+        for place, played in place_drives
+    }

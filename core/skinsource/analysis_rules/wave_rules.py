@@ -13,8 +13,9 @@ from skinsource.analysis.travelling import (
     straightness,
     travelling_wave,
 )
-from skinsource.analysis_rules.noise_rules import divided_by_pulse, place_noise, probe_inverse
+from skinsource.analysis_rules.noise_rules import divided_by_pulse, noise_path, place_noise
 from skinsource.arrays import Floats
+from skinsource.chain import Actuation
 from skinsource.job import Stop
 from skinsource.limb import Limb
 from skinsource.rendering.vibration import Vibration
@@ -52,11 +53,13 @@ def transfer_place(voices: tuple[Voice, ...], selected_input: int | None) -> int
 
 
 def transfer(
+    limb_data: Limb,
     driven_limb: Limb,
     transfer_place: int,
     shown_outputs: tuple[int, ...],
     axis_numbers: tuple[int, ...],
     scaling: Scaling,
+    actuation: Actuation | None,
 ) -> Transfer | None:
     """From one input place to the selected outputs; None where there is neither.
 
@@ -66,15 +69,16 @@ def transfer(
         return None
     rows = [output - 1 for output in shown_outputs]
     rate, n_taps = driven_limb.sample_rate_hz, driven_limb.n_taps
-    raw = driven_limb.response_to(transfer_place)[rows][:, list(axis_numbers)]
-    noise = place_noise(driven_limb, transfer_place)
-    sigma = np.zeros(raw.shape[:2]) if noise is None else noise[rows][:, list(axis_numbers)]
-    band_hz = driven_limb.band_hz
-    if not divided_by_pulse(driven_limb, scaling):
-        return transfer_function(raw, rate, sigma, band_hz=band_hz)
-    gain = np.abs(scipy.fft.rfft(probe_inverse(n_taps, rate)))
-    accelerated = per_probe_acceleration(raw, rate)
-    return transfer_function(accelerated, rate, sigma, gain, band_hz=band_hz)
+    response = driven_limb.response_to(transfer_place)[rows][:, list(axis_numbers)]
+    if divided_by_pulse(driven_limb, scaling):
+        response = per_probe_acceleration(response, rate)
+    noise = place_noise(limb_data, transfer_place)
+    sigma = np.zeros(response.shape[:2]) if noise is None else noise[rows][:, list(axis_numbers)]
+    path = noise_path(limb_data, scaling, actuation, transfer_place)
+    # Behind an actuator responses are longer than what was measured, and so noisy.
+    share = limb_data.n_taps / n_taps
+    gain = np.sqrt(share) * np.abs(scipy.fft.rfft(path, n_taps))
+    return transfer_function(response, rate, sigma, gain, band_hz=driven_limb.band_hz)
 
 
 def line_wave(

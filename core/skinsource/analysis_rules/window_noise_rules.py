@@ -14,6 +14,7 @@ from skinsource.analysis_rules.noise_rules import (
     shaped_drives,
 )
 from skinsource.arrays import Floats
+from skinsource.chain import Actuation
 from skinsource.limb import Limb
 from skinsource.rendering.projecting import Projection
 from skinsource.scaling.response_scaling import Scaling
@@ -23,8 +24,9 @@ _LEAST_RATIO = 10.0 ** (LEAST_ABOVE_NOISE_DB / 20.0)
 
 def noise_rms_of_windows(
     place_drives: tuple[tuple[int, Floats], ...],
-    driven_limb: Limb,
+    limb_data: Limb,
     scaling: Scaling,
+    actuation: Actuation | None,
     match_gain: float,
     projection: Projection,
     windows: Windows,
@@ -33,13 +35,13 @@ def noise_rms_of_windows(
 
     None where there is none to tell, as for `noise_energy`.
     """
-    noise = noise_of_places(place_drives, driven_limb)
+    noise = noise_of_places(place_drives, limb_data)
     if noise is None:
         return None
-    n_taps = driven_limb.n_taps
-    late = n_taps // 2 if divided_by_pulse(driven_limb, scaling) else 0
+    n_taps = limb_data.n_taps
+    late = n_taps // 2 if divided_by_pulse(limb_data, scaling) else 0
     later = replace(windows, first_sample=windows.first_sample + late)
-    drives = shaped_drives(place_drives, driven_limb, scaling)
+    drives = shaped_drives(place_drives, limb_data, scaling, actuation)
     energy = windowed_noise_energy(drives, noise, n_taps, later)
     return match_gain * projected_rms(energy, projection, windows.window_samples)
 

@@ -10,27 +10,30 @@ if TYPE_CHECKING:
         ARBITRARY_UNIT,
         amplitude_meaning,
         amplitude_note,
+        amplitude_text,
         amplitude_unit,
         drive_unit,
+        is_gain,
+        peak_text,
     )
     from skinsource.chain.chain import Chain, Curve, Part
     from skinsource.chain.drive import LARGEST, Drive, drive_of, drive_played, first_unusable
     from skinsource.chain.followed import refuse_unfollowed
     from skinsource.chain.of_rig import actuation_of_rig
-    from skinsource.chain.placing import placed_chain
+    from skinsource.chain.placing import drive_of_clips, placed_chain
     from skinsource.chain.transfer import Transfer, transfers_of
 else:
     __getattr__, __dir__ = late_names(
         __name__,
         {
             "actuation": "Actuation ActuatorAt",
-            "amplitudes": "ARBITRARY_UNIT amplitude_meaning amplitude_note amplitude_unit "
-            "drive_unit",
+            "amplitudes": "ARBITRARY_UNIT amplitude_meaning amplitude_note amplitude_text "
+            "amplitude_unit drive_unit is_gain peak_text",
             "chain": "Chain Curve Part",
             "drive": "LARGEST Drive drive_of drive_played first_unusable",
             "followed": "refuse_unfollowed",
             "of_rig": "actuation_of_rig",
-            "placing": "placed_chain",
+            "placing": "drive_of_clips placed_chain",
             "transfer": "Transfer transfers_of",
         },
     )
@@ -48,11 +51,15 @@ __all__ = [
     "actuation_of_rig",
     "amplitude_meaning",
     "amplitude_note",
+    "amplitude_text",
     "amplitude_unit",
     "drive_of",
+    "drive_of_clips",
     "drive_played",
     "drive_unit",
     "first_unusable",
+    "is_gain",
+    "peak_text",
     "placed_chain",
     "refuse_unfollowed",
     "transfers_of",

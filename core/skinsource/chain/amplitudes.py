@@ -1,11 +1,19 @@
 """What an amplitude means: a matter of the scaling, of actuators, and of what the limb answers."""
 
+from functools import lru_cache
 from typing import Protocol
 
+import numpy as np
+
 from skinsource.chain.actuation import Actuation
+from skinsource.chain.chain import Curve
+from skinsource.chain.placing import drive_of_clips
+from skinsource.clips import Clip
+from skinsource.errors import InvalidInputError
 from skinsource.limb import Limb
-from skinsource.own_limbs import drive_unit_known
+from skinsource.own_limbs import drive_unit_known, facts_of
 from skinsource.scaling.response_scaling import Scaling
+from skinsource.waveforms import Layers, Recording, Waveform
 
 #: Arbitrary units: that of a drive of which nobody says what it is.
 ARBITRARY_UNIT = "a.u."
@@ -24,6 +32,9 @@ _MEANINGS_OF_DRIVES: dict[Scaling, str] = {
     "probe": "In the unit of the drive that the responses of this limb answer; which one is not "
     f"known ({ARBITRARY_UNIT})",
 }
+
+# A peak of 1 that was sampled or rounded.
+_ROUNDING = 1e-3
 
 
 class Driven(Protocol):
@@ -44,6 +55,54 @@ class Driven(Protocol):
     @property
     def actuated(self) -> Actuation | None:
         """Actuators that the drives go through."""
+
+
+class Track(Protocol):
+    """An input, as far as its strength depends on it."""
+
+    @property
+    def location(self) -> int:
+        """Where it is."""
+
+    @property
+    def amplitude(self) -> float:
+        """What all that it plays is multiplied with."""
+
+    @property
+    def clips(self) -> tuple[Clip, ...]:
+        """What it plays."""
+
+    @property
+    def gain_curve(self) -> Curve:
+        """What that is multiplied with over time."""
+
+
+def is_gain(design: Driven, one: Track) -> bool:
+    """Whether the amplitude of an input is a plain factor, on a recording that has its own size.
+
+    Under upstream scaling it is not: what is played reaches that peak on the skin, of any size.
+    """
+    return design.scaling != "upstream" and any(
+        _has_its_own_size(clip.waveform) for clip in one.clips if not clip.muted
+    )
+
+
+def peak_text(design: Driven, one: Track) -> str:
+    """Peak of all that an input plays, ``"4.88 m/s²"``; empty where it cannot be played."""
+    rate_hz = facts_of(design.limb).sample_rate_hz
+    try:
+        peak = abs(one.amplitude) * _peak_of(one.clips, one.gain_curve, rate_hz, one.location)
+    except InvalidInputError:
+        return ""
+    return f"{peak:.3g} {amplitude_unit(design)}"
+
+
+def amplitude_text(design: Driven, one: Track) -> str:
+    """How strong an input is: ``"2 m/s²"``, or ``"gain 2, peak 9.76 m/s²"``."""
+    if not is_gain(design, one):
+        return f"{one.amplitude:g} {amplitude_unit(design)}"
+    peak = peak_text(design, one)
+    return f"gain {one.amplitude:g}" + (f", peak {peak}" if peak else "")
 
 
 def amplitude_unit(design: Driven) -> str:
@@ -92,6 +151,23 @@ def drive_unit(design: Driven, limb: Limb | None = None) -> str:
     if known or design.scaling == "upstream":
         return _DRIVE_UNITS[design.scaling]
     return ARBITRARY_UNIT
+
+
+def _has_its_own_size(waveform: Waveform) -> bool:
+    """Whether it plays a recording that was not scaled to a peak of 1."""
+    if isinstance(waveform, Layers):
+        return any(_has_its_own_size(part.waveform) for part in waveform.parts if not part.muted)
+    if not isinstance(waveform, Recording):
+        return False
+    return waveform.samples.unit != "" or abs(waveform.samples.peak - 1.0) > _ROUNDING
+
+
+@lru_cache(maxsize=16)
+def _peak_of(
+    clips: tuple[Clip, ...], gain_curve: Curve, sample_rate_hz: float, place: int
+) -> float:
+    _, drive = drive_of_clips(clips, gain_curve, sample_rate_hz, place)
+    return drive.factor * float(np.abs(drive.samples).max(initial=0.0))
 
 
 def _unit_known(design: Driven) -> bool:

@@ -1,10 +1,12 @@
-"""From clips on a track to a chain and the sample at which it starts."""
+"""From clips on a track to a chain, the sample at which it starts, and what it plays."""
 
 from collections.abc import Iterable
 
+from skinsource.arrays import Floats
 from skinsource.chain.chain import Chain, Curve, Part
+from skinsource.chain.drive import Drive, drive_played
 from skinsource.clips import Clip
-from skinsource.effects import placed
+from skinsource.effects import placed, played
 
 
 def placed_chain(
@@ -26,6 +28,24 @@ def placed_chain(
         for at, *rest, one in found
     )
     return first, Chain(parts, gain_curve, first if gain_curve else 0)
+
+
+def drive_of_clips(
+    clips: Iterable[Clip], gain_curve: Curve, sample_rate_hz: float, place: int
+) -> tuple[int, Drive]:
+    """Sample at which the first clip that sounds begins, and what all play from there on.
+
+    Raises
+    ------
+    InvalidInputError
+        See `drive_played`, which names ``place``.
+    """
+    first, chain = placed_chain(clips, gain_curve, sample_rate_hz)
+
+    def drawn(part: Part) -> Floats:
+        return played(part.waveform, part.effects, sample_rate_hz, part.shift_s)
+
+    return first, drive_played(chain, sample_rate_hz, place, drawn)
 
 
 def _put_in_order(found: list[tuple[int, float, float, Clip]]) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.arrays import Floats
-from skinsource.chain import amplitude_note, amplitude_unit
+from skinsource.chain import amplitude_note, amplitude_text, is_gain
 from skinsource.choice_words import SCALINGS, level_words, limb_word, signal_words, word_of
 from skinsource.clips import Clip
 from skinsource.counting import counted
@@ -97,24 +97,26 @@ def _about_design(design: Design) -> list[str]:
 
 
 def _about_inputs(design: Design) -> list[str]:
-    unit = amplitude_unit(design)
     heard = len(audible_inputs(design.inputs))
     meaning = amplitude_note(design.limb, design.limb_digest, design.scaling, design.actuated)
     return [
         *([f"amplitude {meaning}"] if meaning else []),
         f"inputs    {len(design.inputs)}, {heard} of them heard",
-        *(line for one in design.inputs for line in _about_input(one, unit, design.limb)),
+        *(line for one in design.inputs for line in _about_input(one, design)),
     ]
 
 
-def _about_input(one: Input, unit: str, limb: str) -> list[str]:
+def _about_input(one: Input, design: Design) -> list[str]:
     marks = "".join(
         f", {word}" for word, is_so in (("muted", one.muted), ("solo", one.solo)) if is_so
     )
     curve = f", gain curve of {counted(len(one.gain_curve), 'point')}" if one.gain_curve else ""
+    strength = amplitude_text(design, one)
+    if not is_gain(design, one):
+        strength = f"amplitude {strength}"
     return [
-        f"  {one.id:3}  place {one.location}, {input_words(one.location, limb).name}: "
-        f"amplitude {one.amplitude:g} {unit}{curve}{marks}",
+        f"  {one.id:3}  place {one.location}, {input_words(one.location, design.limb).name}: "
+        f"{strength}{curve}{marks}",
         *(f"       from {clip.onset_s:g} s: {_about_clip(clip)}" for clip in one.clips),
     ]
 

@@ -48,9 +48,9 @@ def gain_words(gain: float) -> str:
 
 
 def match_words(gain: float) -> str:
-    """What is said of results that are shown with a factor; empty where it is none."""
+    """What axes say of results that are shown with a factor, "−3.2 dB, matched"; or nothing."""
     words = gain_words(gain)
-    return f"Shown {words}: levels of snapshots matched" if words else ""
+    return f"{words}, matched" if words else ""
 
 
 def difference_db(

@@ -15,11 +15,6 @@ from skinsource.scaling.response_scaling import Scaling
 _MOST_TRACKS, _MOST_CLIPS = 20, 40
 
 
-class _Input(Track, Protocol):
-    @property
-    def amplitude(self) -> float: ...
-
-
 class Shown(Protocol):
     """What is shown of a design, which shows itself by this."""
 
@@ -36,7 +31,7 @@ class Shown(Protocol):
         """What its amplitudes are."""
 
     @property
-    def inputs(self) -> Sequence[_Input]:
+    def inputs(self) -> Sequence[Track]:
         """Its tracks."""
 
     @property
@@ -44,7 +39,7 @@ class Shown(Protocol):
         """What all of them play."""
 
 
-def html_of(design: Shown, heard: Collection[int], unit: str) -> str:
+def html_of(design: Shown, heard: Collection[int], amplitudes: Sequence[str]) -> str:
     """Return a piece of HTML that needs nothing else.
 
     Parameters
@@ -53,8 +48,8 @@ def html_of(design: Shown, heard: Collection[int], unit: str) -> str:
         What is shown.
     heard
         Which of its inputs are heard, counted from 0.
-    unit
-        Of amplitudes.
+    amplitudes
+        How strong each of its inputs is, in words.
     """
     title = escape(design.title) or "Design"
     limb = escape(_limb(design.limb))
@@ -68,18 +63,18 @@ def html_of(design: Shown, heard: Collection[int], unit: str) -> str:
     labels = [_place(one.location, design.limb) for one in inputs]
     shown = [index in heard for index in range(len(inputs))]
     parts.append(tracks_svg(inputs, shown, labels, max(end_s, 0.02), rate_hz))
-    parts.append(_table(design, unit))
+    parts.append(_table(design, amplitudes))
     return "".join(parts)
 
 
-def _table(design: Shown, unit: str) -> str:
+def _table(design: Shown, amplitudes: Sequence[str]) -> str:
     rows = [
-        (one.location, one.amplitude, clip)
-        for one in design.inputs[:_MOST_TRACKS]
+        (one.location, amplitude, clip)
+        for one, amplitude in zip(design.inputs[:_MOST_TRACKS], amplitudes, strict=False)
         for clip in one.clips
     ]
     cells = [
-        f"<tr><td>{location}</td><td>{amplitude:g} {unit}</td><td>{1e3 * clip.onset_s:g} ms</td>"
+        f"<tr><td>{location}</td><td>{amplitude}</td><td>{1e3 * clip.onset_s:g} ms</td>"
         f"<td>{escape(clip.waveform.title)}</td><td>{escape(str(clip.waveform))}</td></tr>"
         for location, amplitude, clip in rows[:_MOST_CLIPS]
     ]

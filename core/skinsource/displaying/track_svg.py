@@ -7,9 +7,8 @@ from typing import Protocol
 import numpy as np
 
 from skinsource.arrays import Floats
-from skinsource.chain import drive_played, placed_chain
+from skinsource.chain import drive_of_clips
 from skinsource.clips import Clip
-from skinsource.effects import played
 from skinsource.errors import InvalidInputError
 from skinsource.quoting import sentence
 
@@ -70,33 +69,21 @@ def _lane(
         f'<line x1="{left}" x2="{left + _LANE_PX}" y1="{middle}" y2="{middle}" stroke="#DDDDDD"/>',
     ]
     try:
-        first, samples = _played(one, sample_rate_hz)
+        first, drive = drive_of_clips(one.clips, one.gain_curve, sample_rate_hz, one.location)
     except InvalidInputError as error:
         words = escape(sentence(str(error))[:90])
         text = f'<text x="{left}" y="{middle - 3:.1f}" fill="{_DIM}" font-size="9">{words}</text>'
         return [*found, text]
-    size = float(np.abs(samples).max(initial=0.0))
-    if size == 0.0:
+    if drive.silent:
         return found
+    size = float(np.abs(drive.samples).max())
     scale = _LANE_PX / (end_s * sample_rate_hz)
     points = " ".join(
         f"{left + x:.1f},{middle - 0.44 * _LANES_PX * y:.1f}"
-        for x, y in _outline(samples / size, first * scale, scale)
+        for x, y in _outline(drive.samples / size, first * scale, scale)
     )
     line = f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="1"/>'
     return [*found, line]
-
-
-def _played(one: Track, sample_rate_hz: float) -> tuple[int, Floats]:
-    """First sample, and what is played from there on."""
-    first, chain = placed_chain(one.clips, one.gain_curve, sample_rate_hz)
-    drive = drive_played(
-        chain,
-        sample_rate_hz,
-        one.location,
-        lambda part: played(part.waveform, part.effects, sample_rate_hz, part.shift_s),
-    )
-    return first, drive.samples
 
 
 def _outline(samples: Floats, start: float, scale: float) -> list[tuple[float, float]]:

@@ -33,7 +33,8 @@ class ImportChoice:
     unit
         One of `skinsource.recordings.units.UNITS`.
     scale
-        ``"peak"``: a drive of peak 1; ``"keep"``: the size it has, accelerations in m/s².
+        ``"peak"``: a drive of peak 1; ``"keep"``: the size it has, accelerations in m/s².  See
+        `usual_scale`.
     remove_offset
         Whether the mean of the part is taken off.
     start_s, duration_s
@@ -78,15 +79,22 @@ class ImportChoice:
             )
 
 
+def usual_scale(unit: str) -> Scale:
+    """What is likely to be wanted of a unit: a physical one keeps its size, full scale has none."""
+    return "keep" if UNITS[unit].becomes else "peak"
+
+
 def suggested(found: Found, series: Series | None = None) -> ImportChoice:
     """What is likely to be wanted: the first signal of a file, as far as the file describes it."""
     one = series or found.signals()[0]
     stated = found.rate_of(one)
     stamps = found.time_of(one)
+    unit = one.unit or "full scale"
     return ImportChoice(
         series=one.key,
         rate_hz=stated if stamps is None else None,
         time=stamps.key if stamps else None,
         time_unit_s=stamps.time_unit_s if stamps else 1.0,
-        unit=one.unit or "full scale",
+        unit=unit,
+        scale=usual_scale(unit),
     )

@@ -58,7 +58,8 @@ def take(
     path
         The file.
     choice
-        What is taken; without one the first signal, as the file describes it.
+        What is taken; without one the first signal, as the file describes it: in a physical unit
+        it keeps its size, else its peak becomes 1.
     to_hz
         The rate of the result, in Hz.
     progress, stop

@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QPoint, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QMenu, QSizePolicy, QWidget
 
-from skinsource.comparing import gain_words
+from skinsource.comparing import gain_words, match_words
 from skinsource_gui.compared import Compared, is_silent
 from skinsource_gui.panels.compare.card_words import level_words, sentence
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
@@ -145,7 +145,9 @@ class Card(QAbstractButton):
         painter.setPen(QColor(theme.error if compared.left_out else theme.text))
         painter.drawText(below, centre, fitted_level(painter, level_words(compared), area.width()))
         painter.setPen(QColor(theme.dim))
-        gain = fitted_level(painter, gain_words(compared.gain), area.width())
+        gain = match_words(compared.gain)
+        if painter.fontMetrics().horizontalAdvance(gain) > area.width():
+            gain = fitted_level(painter, gain_words(compared.gain), area.width())
         painter.drawText(below.translated(0, line), centre, gain)
         if self._map is not None and self._scale is not None:
             # Rings of inputs reach beyond the outline.

@@ -7,7 +7,7 @@ from skinsource.choice_words import short_limb_title
 from skinsource.comparing import EDITED, alike, gain_words, louder, loudest_db
 from skinsource.decibels import FLOOR_DB
 from skinsource.quoting import printable
-from skinsource_gui.compared import LEVELS_MATCHED, Compared, alike_in_level, gain_db
+from skinsource_gui.compared import LEVELS_MATCHED, Compared, alike_in_level, gain_db, matched_text
 from skinsource_gui.widgets.fields.level_text import minus
 
 #: Levels that differ by less are shown as the same.
@@ -56,7 +56,9 @@ def difference_words(present: Compared, other: Compared, *, matched: bool) -> tu
     """What stands above and below a map of their difference."""
     name = title(present)
     heading = f"{name[:1].upper()}{name[1:]} minus {title(other)}"
-    words = f"dB, {LEVELS_MATCHED}" if matched else "dB, as stored"
+    words = "dB, as stored"
+    if matched:
+        words = f"dB, {matched_text((other, present)) or LEVELS_MATCHED}"
     mine, theirs = (one.snapshot.design.limb for one in (present, other))
     if mine == theirs:
         return heading, words

@@ -3,9 +3,10 @@
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from skinsource import edits, scenes
+from skinsource.chain import is_gain, peak_text
 from skinsource.clips import Clip
 from skinsource.clips.clip import ONSET as ONSET_S
-from skinsource.design import AMPLITUDE, Design, Input, amplitude_spec
+from skinsource.design import AMPLITUDE, AMPLITUDE_GAIN, Design, Input, amplitude_spec
 from skinsource.edits.selection import clip_of
 from skinsource.fields import Spec, specs_of
 from skinsource.panel_settings import settings_of, with_settings
@@ -110,12 +111,15 @@ class FrequencyAndAmplitudePanel(Panel):
         if clip is not None:
             playing = f"{clip.waveform.title}{stretched_text(clip)}"
         played = f"{playing} at place {one.location}"
+        factor = is_gain(design, one)
+        if factor:
+            played += f" · peak {peak_text(design, one)}"
         title = scenes.title_of(design) if design.title else ""
         self._words.show_phrases(*((f"{title} · {played}", title) if title else ()), played)
         if clip is not None:
             self._onset.set_value(clip.onset_s)
             self._onset_part.setVisible(control == TURNS_ONSET)
-        self._amplitude.set_spec(amplitude_spec(design))
+        self._amplitude.set_spec(AMPLITUDE_GAIN if factor else amplitude_spec(design))
         self._amplitude.set_value(one.amplitude)
         self._show_frequency(clip if control in (ALL, TURNS_FREQUENCY) else None)
 

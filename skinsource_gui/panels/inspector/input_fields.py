@@ -1,5 +1,6 @@
 """The fields of an input."""
 
+from dataclasses import replace
 from functools import lru_cache
 
 from PySide6.QtCore import QObject, Qt, Signal
@@ -79,16 +80,25 @@ class InputFields(QObject):
         self._curve = FieldCell("gain_curve", GAIN_CURVE)
         for cell in (self._amplitude, self._onset, self._gain, self._curve):
             cell.edited.connect(self.edited)
+        self._peak = WordsCell("Peak", "")
+        self._peak.words.setObjectName("peak")
+        self._peak.words.setToolTip("Of all that the track plays, with its gain")
         self._lasts = WordsCell("Lasts", "")
         self._lasts.words.setObjectName("played_length")
         self._lasts.words.setToolTip("What is heard of the waveform, or how long it is drawn out")
 
     def show_input(
-        self, one: Input, together: tuple[Input, ...], amplitude: NumberSpec, view: View
+        self,
+        one: Input,
+        together: tuple[Input, ...],
+        amplitude: NumberSpec,
+        view: View,
+        peak: str = "",
     ) -> None:
         """Show an input, and where those that are edited ``together`` differ.
 
-        ``amplitude`` says what one means; ``view`` says which clips are selected.
+        ``amplitude`` says what one means; ``view`` says which clips are selected; ``peak`` is said
+        of an input whose amplitude is a plain factor.
         """
         self._view = view
         clip = clip_of(one, view)
@@ -98,16 +108,18 @@ class InputFields(QObject):
         curved = one.id if one.gain_curve or self._curve_of == one.id else None
         lasts = "" if clip is None else played_length_text(clip)
         others = (several, curved) != (self._several, self._curve_of)
-        lasted = bool(self._lasts.words.text())
+        before = self._said
         self._lasts.words.setText(lasts)
+        self._peak.words.setText(peak)
         if kind is not self._built_for or others:
             self._several, self._curve_of = several, curved
             self._build_own(None if clip is None else clip.waveform)
-        elif bool(lasts) != lasted:
+        elif self._said != before:
             self.grid.show_cells(self._cells())
         if self._length is not None and clip is not None:
             self._length.words.setText(fixed_length_text(clip.waveform))
         self._amplitude.set_spec(amplitude)
+        self._gain.set_spec(replace(GAIN, label="Clip gain") if peak else GAIN)
         pairs = [(other, each) for other in together for each in clips_of(other, view) or (None,)]
         for cell in self._fields():
             cell.set_value(_value(one, cell.name, clip))
@@ -150,15 +162,25 @@ class InputFields(QObject):
         """Take over colours."""
         self._theme = theme
         # Those that are not shown now, too.
-        for cell in {*self._cells(), self._onset, self._gain, self._curve, self._lasts}:
+        hidden = self._onset, self._gain, self._curve, self._lasts, self._peak
+        for cell in {*self._cells(), *hidden}:
             cell.show_theme(theme)
+
+    @property
+    def _said(self) -> tuple[bool, bool]:
+        """Whether it is said how long a clip lasts, and which peak results."""
+        return bool(self._lasts.words.text()), bool(self._peak.words.text())
 
     def _cells(self) -> tuple[LabelledCell, ...]:
         of_clip = () if self._built_for is None else (self._onset,)
         gain = (self._gain,) if self._several else ()
-        own = (self.kind, *self._own, *((self._lasts,) if self._lasts.words.text() else ()))
+        lasts, peak = (
+            (cell,) if said else ()
+            for cell, said in zip((self._lasts, self._peak), self._said, strict=True)
+        )
+        own = (self.kind, *self._own, *lasts)
         curve = () if self._curve_of is None else (self._curve,)
-        return (*own, self._amplitude, *gain, *of_clip, self.place, *curve)
+        return (*own, self._amplitude, *peak, *gain, *of_clip, self.place, *curve)
 
     def _fields(self) -> list[FieldCell]:
         return [cell for cell in self._cells() if isinstance(cell, FieldCell)]

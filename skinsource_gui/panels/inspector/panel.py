@@ -14,7 +14,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.design import Design, Input, amplitude_spec, audible_inputs
+from skinsource.chain import is_gain, peak_text
+from skinsource.design import AMPLITUDE_GAIN, Design, Input, amplitude_spec, audible_inputs
 from skinsource.edits.selection import clip_of, clips_of
 from skinsource.view import View
 from skinsource.voices import UnplayableInput
@@ -181,9 +182,11 @@ class InspectorPanel(Panel):
     def _show_input(self, one: Input, *, silent: bool) -> None:
         together = self._selection.together
         self._heading.show_input(one, self._design.limb, silent=silent, together=together)
-        amplitude = amplitude_spec(self._design)
+        amplitude, peak = amplitude_spec(self._design), ""
+        if is_gain(self._design, one):
+            amplitude, peak = AMPLITUDE_GAIN, peak_text(self._design, one)
         self._fields.show_limb(self._design.limb)
-        self._fields.show_input(one, together, amplitude, self._view)
+        self._fields.show_input(one, together, amplitude, self._view, peak)
         self._show_chain(one, together)
         self._show_look(one)
 

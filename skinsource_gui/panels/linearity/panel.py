@@ -8,7 +8,7 @@ import numpy as np
 from PySide6.QtWidgets import QToolButton, QWidget
 
 from skinsource.arrays import Floats
-from skinsource.chain import amplitude_unit
+from skinsource.chain import amplitude_unit, is_gain
 from skinsource.checking import (
     Proportion,
     Straightness,
@@ -204,7 +204,8 @@ class LinearityPanel(FigurePanel):
             self.found = shown = proportion(strengths, np.stack(channels), rate_hz, limb.band_hz)
             fastest = results[0]["fastest_probe_m_per_s"]
             self.velocity.setVisible(bool(fastest))
-            self._unit = of_amplitudes(amplitude_unit(design))
+            factors = any(is_gain(design, one) for one in design.inputs)
+            self._unit = of_amplitudes("×" if factors else amplitude_unit(design))
             if fastest and self._settings.velocity:
                 self._unit = of_velocities(fastest / strengths[0])
             self.every = _straightness(strengths, results) if self._settings.every_output else None

@@ -24,8 +24,7 @@ class Column:
     """A column: its title, what it is, and a text and a number for each region.
 
     ``head`` is the title in two narrow lines, where it is not as narrow itself; ``spelt`` what the
-    table for a spreadsheet has in its place, and ``copied`` what it adds; ``computing``: there are
-    no numbers yet.
+    table for a spreadsheet has in its place; ``computing``: there are no numbers yet.
     """
 
     title: str
@@ -34,7 +33,6 @@ class Column:
     head: str = ""
     synthetic: bool = False
     computing: bool = False
-    copied: str = ""
     spelt: str = ""
 
     @property
@@ -61,7 +59,7 @@ def columns_of(snapshots: Sequence[Compared], *, matched: bool) -> list[Column]:
         return found
     said = [f", {LEVELS_MATCHED} ({minus(f'{gain_db(one):+z.1f}')} dB)" for one in snapshots]
     return [
-        replace(column, hint=f"{column.hint}{words}", copied=words) if column.has_levels else column
+        replace(column, hint=f"{column.hint}{words}") if column.has_levels else column
         for column, words in zip(found, said, strict=True)
     ]
 
@@ -147,7 +145,7 @@ def tab_separated(columns: Sequence[Column]) -> str:
         "\t".join(
             (
                 "region_db_re_1_m_per_s2",
-                *(f"{one.spelt or one.title}{one.copied}" for one in columns),
+                *(one.spelt or one.title for one in columns),
             )
         )
     ]

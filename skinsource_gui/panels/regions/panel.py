@@ -19,7 +19,13 @@ from skinsource.design import Design
 from skinsource.limb import PUBLISHED
 from skinsource.own_limbs import missing_limb
 from skinsource.view import View
-from skinsource_gui.compared import LEVELS_MATCHED, Compared, alike_in_level, shown_words
+from skinsource_gui.compared import (
+    LEVELS_MATCHED,
+    Compared,
+    alike_in_level,
+    matched_text,
+    shown_words,
+)
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.regions.columns import (
     NO_REGIONS,
@@ -57,7 +63,7 @@ class RegionsPanel(Panel):
         self._snapshots: Sequence[Compared] = ()
         self._on_limbs: Sequence[Compared] = ()
         self.columns: list[Column] = []
-        self._about = ""
+        self._about = self._shifted = ""
         self.about = WordsLabel("regions_about")
         self.copy = CopyButton(self.name, lambda: tab_separated(self.columns))
         self.copy.offer(False)
@@ -130,6 +136,8 @@ class RegionsPanel(Panel):
     def _show_columns(self) -> None:
         matched = alike_in_level(self._snapshots, matched=self._matched)
         stored = columns_of(self._snapshots, matched=matched)
+        told = matched and any(one.has_levels for one in stored)
+        self._shifted = (matched_text(self._snapshots) or LEVELS_MATCHED) if told else ""
         people = columns_of_people(self._on_limbs)
         self.columns = [*stored, *people]
         computing = any(one.computing for one in self.columns)
@@ -171,6 +179,5 @@ class RegionsPanel(Panel):
         some = any(one.synthetic for one in self.columns)
         note = " · syn.: a synthetic limb, computed" if some else ""
         # Only the columns of snapshots are shifted: those of people are as they are.
-        matched = any(one.copied for one in self.columns)
-        shifted = f" · snapshots: {LEVELS_MATCHED}" if matched else ""
+        shifted = f" · snapshots: {self._shifted}" if self._shifted else ""
         self.about.say(f"{self._about}{shifted}{note}")

@@ -1,16 +1,18 @@
 """What can stand side by side: where it comes from, and what is said of it."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any, ClassVar
 
 from skinsource.choice_words import signal_words, span_words
 from skinsource.design import Design
 from skinsource.view import View
-from skinsource_gui.compared import SILENT, Compared, is_silent, shown_words
+from skinsource_gui.compared import SILENT, Compared, is_silent, matched_text, shown_words
 from skinsource_gui.panels.side_by_side.cells import Cells, Names
 from skinsource_gui.panels.side_by_side.content import Cell
 from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 from skinsource_gui.widgets.map.level_look import level_look
+from skinsource_gui.widgets.map.scale_row import with_matched
 
 #: What a map of levels takes.
 LEVELS = frozenset(
@@ -89,7 +91,22 @@ class Kind:
         view: View,
         settings: SideBySideSettings,
     ) -> tuple[Cell, ...]:
-        """The maps of the sides, made by ``cells``."""
+        """The maps of the sides, made by ``cells``; scales say by how much levels are matched."""
+        found = self._cells(cells, compared, design, view, settings)
+        matched = matched_text(compared) or shown_words(design, view)
+        return tuple(
+            one if one.scale is None else replace(one, scale=with_matched(one.scale, matched))
+            for one in found
+        )
+
+    def _cells(
+        self,
+        cells: Cells,
+        compared: Sequence[Compared],
+        design: Design,
+        view: View,
+        settings: SideBySideSettings,
+    ) -> tuple[Cell, ...]:
         shown = self.shown(settings)
         names = self.names(compared, view, difference=shown == "difference")
         if shown == "levels" and settings.own_maximum:

@@ -3,7 +3,6 @@
 from dataclasses import dataclass, fields, replace
 
 from skinsource.arrays import Floats
-from skinsource.comparing import match_words
 from skinsource.limb import Limb, LimbMap
 from skinsource.quoting import sentence
 from skinsource.surface import SurfaceOperator
@@ -119,11 +118,10 @@ def px_per_mm_of(limb: Limb) -> float:
     return limb.map.hand_length_px / limb.hand_length_mm
 
 
-def note_of(surface: SurfaceOperator | None, limb: Limb, match_gain: float) -> str:
+def note_of(surface: SurfaceOperator | None, limb: Limb) -> str:
     """What one should know about the map and about where its numbers come from."""
-    said = (match_words(match_gain), f"{limb.note[:1].upper()}{limb.note[1:]}")
-    first, last = (sentence(one) if one else "" for one in said)
-    return " ".join(part for part in (first, drawn_note_of(surface), last) if part)
+    last = sentence(f"{limb.note[:1].upper()}{limb.note[1:]}") if limb.note else ""
+    return " ".join(part for part in (drawn_note_of(surface), last) if part)
 
 
 def drawn_note_of(surface: SurfaceOperator | None) -> str:

@@ -30,6 +30,8 @@ class MapQuantity:
         Its length.
     time_s
         The instant that is shown, as the time axis of traces has it.
+    matched
+        By how much it is louder or softer than it was stored, or "".
     """
 
     name: str = LEVELS
@@ -37,6 +39,7 @@ class MapQuantity:
     signal: str = ""
     window_s: float = 0.0
     time_s: float = 0.0
+    matched: str = ""
 
     @property
     def signed(self) -> bool:
@@ -51,6 +54,12 @@ class MapQuantity:
     @property
     def titles(self) -> tuple[str, ...]:
         """Titles of the colour scale; the longest that fits is shown."""
+        if not self.matched:
+            return self._plain_titles
+        return (*(f"{title}, {self.matched}" for title in self._plain_titles), self.matched)
+
+    @property
+    def _plain_titles(self) -> tuple[str, ...]:
         if self.name == LEVELS:
             return f"{_DB}, {level_words(self.span)}", f"{_DB}, {span_words(self.span)}", _DB
         if self.name == SENSATION:

@@ -1,8 +1,10 @@
 """From results to what the map shows."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
+from skinsource.comparing import match_words
 from skinsource.design import Design
 from skinsource.own_limbs import facts_of, own_map
 from skinsource.surface import SurfaceOperator
@@ -33,6 +35,7 @@ class MapResults:
     def __init__(self, choices: MapChoices, time: TimeView, display: MapDisplay) -> None:
         self._choices, self._time, self._display = choices, time, display
         self._surface: SurfaceOperator | None = None
+        self._matched = ""
 
     @property
     def needs(self) -> frozenset[str]:
@@ -56,6 +59,8 @@ class MapResults:
         """Take over what was computed for a design and view."""
         settings = self._choices.settings
         surface = results.get("surface") if "surface" in self.needs else None
+        self._matched = match_words(results["match_gain"])
+        self._time.bar.strip.show_matched(self._matched)
         self._take_limb(results, surface, design)
         self._time.take(results, settings, view)
         if self.moves:
@@ -87,7 +92,9 @@ class MapResults:
         still: dict[str, Any] = {}
         if not self.moves:
             still = {
-                "quantity": MapQuantity(name=settings.quantity, span=view.span),
+                "quantity": MapQuantity(
+                    name=settings.quantity, span=view.span, matched=self._matched
+                ),
                 "value_range": display.colour_bar.range_db,
                 "fixed": self._choices.chosen_range is not None,
                 "colours": settings.colours,
@@ -136,7 +143,7 @@ class MapResults:
             limb_map=results["limb_map"],
             limb="" if design is None else design.limb,
             px_per_mm=px_per_mm_of(limb),
-            note=still_values.limits_and(note_of(surface, limb, results["match_gain"]), shown),
+            note=still_values.limits_and(note_of(surface, limb), shown),
             drawn_note=still_values.limits_and(drawn_note_of(surface), shown),
         )
 
@@ -146,6 +153,7 @@ class MapResults:
         surface = self._surface if settings.map_style == "interpolated" else None
         changes = self._time.changes(settings, view, surface)
         if changes is not None:
-            self._display.change(**changes)
+            quantity = replace(changes["quantity"], matched=self._matched)
+            self._display.change(**{**changes, "quantity": quantity})
         elif self._time.frames.known:
             self._display.set_stale(True)

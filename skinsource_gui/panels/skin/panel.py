@@ -142,10 +142,11 @@ class SkinPanel(Panel):
     def picture(self, width: int, height: int, theme: Theme = LIGHT) -> QImage:
         """What `draw_picture` draws, as pixels, with the caption that the window gives."""
         image = QImage(width, height, QImage.Format.Format_RGB32)
-        painter = QPainter(image)
-        draw = with_caption(self.draw_picture, self.caption())
-        draw(painter, width, height, theme)
-        painter.end()
+        with self.as_stored():
+            painter = QPainter(image)
+            draw = with_caption(self.draw_picture, self.caption())
+            draw(painter, width, height, theme)
+            painter.end()
         return image
 
     def _lay_out(self) -> None:

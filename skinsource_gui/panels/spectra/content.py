@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.arrays import Floats
+from skinsource.comparing import match_words
 from skinsource.decibels import decibels
 from skinsource.limb import Band
 from skinsource.loudest_window import HOLD_WINDOW_S, LOUDEST_WINDOW_S, Span
@@ -86,6 +87,7 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
         about=lines_later(results, *first, each_axis=each_axis),
         heading=heading_of(results, each_axis=each_axis),
         peaks=peaks,
+        matched=match_words(results["match_gain"]),
     )
 
 

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QComboBox, QLabel, QSizePolicy, QWidget
 
 from skinsource.analysis.settings import CEILING, FLOOR, WINDOW, SpectrogramSettings
 from skinsource.choice_words import signal_words
+from skinsource.comparing import match_words
 from skinsource.design import Design
 from skinsource.fields import ChoiceSpec
 from skinsource.locations import output_words
@@ -69,7 +70,8 @@ class SpectrogramPanel(FigurePanel):
     @property
     def needs(self) -> frozenset[str]:
         drawn = {"output_spectrogram", "spectrogram_output", "response_time_s"}
-        return frozenset(drawn | {"sample_rate_hz", "axes", "method", "limb_data"})
+        drawn |= {"sample_rate_hz", "axes", "match_gain", "method", "limb_data"}
+        return frozenset(drawn)
 
     def begin_anew(self) -> None:
         self.picture.begin_anew()
@@ -132,7 +134,10 @@ class SpectrogramPanel(FigurePanel):
         found = results["output_spectrogram"]
         band = _band(self._settings, results["sample_rate_hz"] / 2.0)
         first_s = float(results["response_time_s"][0])
-        self.picture.show_spectrogram(Shown(found=found, first_s=first_s, band_hz=band))
+        matched = match_words(results["match_gain"])
+        self.picture.show_spectrogram(
+            Shown(found=found, first_s=first_s, band_hz=band, matched=matched)
+        )
         number = results["spectrogram_output"]
         limb = results["limb_data"]
         words = [output_text(number, limb.name)]

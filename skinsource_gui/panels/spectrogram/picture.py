@@ -38,11 +38,14 @@ class Shown:
         Time of the first sample of the record.
     band_hz
         Floor and ceiling.
+    matched
+        By how much it is louder or softer than it was stored, or "".
     """
 
     found: Spectrogram
     first_s: float
     band_hz: Range
+    matched: str = ""
 
 
 class SpectrogramPicture(Figure):
@@ -89,7 +92,8 @@ class SpectrogramPicture(Figure):
         if shown is None:
             return
         metrics = QFontMetricsF(painter.font())
-        widest = max(map(metrics.horizontalAdvance, ("−100 dB", _REFERENCE)))
+        said = scale_words(-100.0, top=True, matched=shown.matched)
+        widest = max(map(metrics.horizontalAdvance, said))
         scale_px = widest + _SCALE_PX + 2 * UNIT_PX
         inner = room.adjusted(0, 0, -scale_px, 0)
         self.axes = axes = fitted_axes(inner, _time_axis(shown), _frequency_axis(shown), metrics)
@@ -155,19 +159,22 @@ class SpectrogramPicture(Figure):
         painter.drawRect(ramp)
         painter.setPen(QColor(self.theme.dim))
         low, high = self.range_db
+        matched = "" if self.shown is None else self.shown.matched
         for part in (0.0, 0.5, 1.0):
             y = ramp.bottom() - part * ramp.height()
             place = QRectF(ramp.right() + 4, y - line / 2, room.right() - ramp.right() - 4, line)
-            roomy = ramp.height() > _ROOM_LINES * line
-            for words in scale_words(low + part * (high - low), top=roomy and part == 1.0):
+            told = matched or ramp.height() > _ROOM_LINES * line
+            top = bool(told) and part == 1.0
+            for words in scale_words(low + part * (high - low), top=top, matched=matched):
                 painter.drawText(place, _FLAGS, words)
                 place.translate(0.0, line)
 
 
-def scale_words(level_db: float, *, top: bool) -> tuple[str, ...]:
+def scale_words(level_db: float, *, top: bool, matched: str = "") -> tuple[str, ...]:
     """A level beside the scale; at its ``top``, and below it, what levels are relative to."""
     words = minus(f"{level_db:.0f} dB")
-    return (words, _REFERENCE) if top else (words,)
+    below = matched.rsplit(" ", 1) if matched else ()
+    return (words, _REFERENCE, *below) if top else (words,)
 
 
 def _rows_within(shown: Shown) -> slice:

@@ -107,11 +107,10 @@ class StatisticsPanel(Panel):
         found = results["output_statistics"], results["above_noise_db"]
         rows = rows_of(outputs, *found, limb=results["limb_data"].name)
         self.model.show_rows(rows)
-        matched = match_words(results["match_gain"])
         parts = (
             signal_words(results["axes"], results["method"]),
             f"RMS: {span_words(results['span'])}",
-            f"{matched[:1].lower()}{matched[1:]}",
+            match_words(results["match_gain"]),
             NOISE_WORDS if any(row.noisy for row in rows) else "",
         )
         self.about.say(" · ".join(filter(None, parts)))

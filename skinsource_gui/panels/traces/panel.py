@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource import edits
 from skinsource.arrays import Floats
+from skinsource.comparing import match_words
 from skinsource.design import Design
 from skinsource.own_limbs import facts_of
 from skinsource.panel_settings import settings_of, with_settings
@@ -126,6 +127,7 @@ class TracesPanel(SignalPanel):
             names=output_names(results["outputs"], results["limb"]),
             about=lines_later(results),
             heading=heading_of(results),
+            matched=match_words(results["match_gain"]),
             peaks=() if scale is None else tuple(_largest(results["selected_traces"]).tolist()),
             wave=_wave(results, scale),
         )

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.analysis.travelling import LEAST_EXPLAINED, LEAST_STRAIGHT, TravellingWave
 from skinsource.analysis_rules.wave_rules import LineWave
+from skinsource.comparing import match_words
 from skinsource.design import Design
 from skinsource.view import View
 from skinsource.voices import Voice
@@ -44,7 +45,7 @@ class WavePanel(FigurePanel):
 
     @property
     def needs(self) -> frozenset[str]:
-        return frozenset({"line_wave", "shown_outputs", "limb_data", "voices"})
+        return frozenset({"line_wave", "shown_outputs", "limb_data", "match_gain", "voices"})
 
     def show_state(self, design: Design, view: View) -> None:
         if len(view.outputs) < 2:
@@ -63,7 +64,8 @@ class WavePanel(FigurePanel):
         outputs = results["shown_outputs"]
         self.copy.offer(True)
         self.about.say(_ABOUT.format(axis=found.axis))
-        self.picture.show_wave(found, tuple(outputs.index(one) for one in found.outputs))
+        ranks = tuple(outputs.index(one) for one in found.outputs)
+        self.picture.show_wave(found, ranks, match_words(results["match_gain"]))
         left_out = len(outputs) - len(found.outputs)
         note = f" · {left_out} not on the map" if left_out else ""
         synthetic = " · synthetic limb" if results["limb_data"].synthetic else ""

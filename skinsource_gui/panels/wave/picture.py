@@ -23,11 +23,15 @@ class WavePicture(Figure):
         super().__init__("wave_picture", "Delay and level along the line", parent)
         self.shown: LineWave | None = None
         self._ranks: tuple[int, ...] = ()
+        self._matched = ""
         self._diagrams: list[tuple[Axes, Floats]] = []
 
-    def show_wave(self, shown: LineWave, ranks: tuple[int, ...]) -> None:
-        """Take over what to show; ``ranks`` are those of the outputs in the selection."""
-        self.shown, self._ranks = shown, ranks
+    def show_wave(self, shown: LineWave, ranks: tuple[int, ...], matched: str) -> None:
+        """Take over what to show; ``ranks`` are those of the outputs in the selection.
+
+        ``matched``: by how much it is louder or softer than it was stored, or "".
+        """
+        self.shown, self._ranks, self._matched = shown, ranks, matched
         self.say("")
         self.read_again()
 
@@ -39,7 +43,8 @@ class WavePicture(Figure):
         halves = _halves(room)
         way = Axis(shown=_around(wave.distance_m), title=_WAY, factor=1e3)
         delay = Axis(shown=_around(wave.delay_s), title="Delay (ms)", factor=1e3)
-        level = Axis(shown=_around(wave.level_db), title=f"Level {self.shown.axis} (dB)")
+        title = ", ".join(filter(None, (f"Level {self.shown.axis} (dB)", self._matched)))
+        level = Axis(shown=_around(wave.level_db), title=title)
         self._diagrams = []
         slowness = 1.0 / wave.speed_m_per_s
         for area, axis, values, slope, used in (

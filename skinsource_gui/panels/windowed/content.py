@@ -7,7 +7,7 @@ from skinsource.arrays import Floats
 from skinsource.design import Design, audible_inputs
 from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.map.level_look import USUAL_LOOK, LevelLook
-from skinsource_gui.widgets.map.scale_row import Scale, scale_of_levels
+from skinsource_gui.widgets.map.scale_row import Scale, scale_of_levels, with_matched
 from skinsource_gui.widgets.map.small_map import SmallMap
 
 
@@ -35,6 +35,8 @@ class WindowedContent:
         Whether the responses are computed, not measured.
     traces_late_s
         How much later than here the traces show what is shown; 0 where they do not.
+    matched
+        By how much levels are louder or softer than they were stored, or "".
     look
         Colours and range that were chosen on the skin map.
     """
@@ -50,6 +52,7 @@ class WindowedContent:
     noisy: tuple[tuple[int, ...], ...] = ()
     in_noise: tuple[bool, ...] = ()
     traces_late_s: float = 0.0
+    matched: str = ""
     look: LevelLook = USUAL_LOOK
 
     @property
@@ -109,7 +112,7 @@ class WindowedContent:
     @property
     def scale(self) -> Scale:
         """What the colours of all maps mean."""
-        return scale_of_levels(self.levels_db, self.look)
+        return with_matched(scale_of_levels(self.levels_db, self.look), self.matched)
 
     @property
     def bounds_s(self) -> list[tuple[float, float]]:

@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from skinsource.choice_words import limb_word, signal_words
+from skinsource.comparing import match_words
 from skinsource.decibels import FLOOR_DB
 from skinsource.design import Design
 from skinsource.own_limbs import facts_of
@@ -79,6 +80,7 @@ class WindowedPanel(Panel):
                 "extents_of_windows",
                 "noisy_outputs_of_windows",
                 "windows_in_noise",
+                "match_gain",
             }
         )
 
@@ -113,6 +115,7 @@ class WindowedPanel(Panel):
             noisy=results["noisy_outputs_of_windows"],
             in_noise=results["windows_in_noise"],
             synthetic=results["limb_data"].synthetic,
+            matched=match_words(results["match_gain"]),
             **self._looks,
         )
         message = ""

@@ -121,8 +121,11 @@ class EditedCell(LabelledCell):
         return self._note.text()
 
     def set_spec(self, spec: Spec) -> None:
-        """Change the unit or range."""
+        """Change the unit or range, or what it is called."""
         self.editor.set_spec(spec)
+        if spec.label != self._words:
+            self._words = spec.label
+            self._show_label()
 
     def set_value(self, value: object) -> None:
         """Show a value, and tell nobody."""
@@ -135,8 +138,11 @@ class EditedCell(LabelledCell):
         """Say whether the value shown is only that of one of several inputs."""
         if differs != self._differs:
             self._differs = differs
-            self.label.setText(f"{self._words} ≠" if differs else self._words)
-            self.label.setToolTip(_DIFFERS if differs else "")
+            self._show_label()
+
+    def _show_label(self) -> None:
+        self.label.setText(f"{self._words} ≠" if self._differs else self._words)
+        self.label.setToolTip(_DIFFERS if self._differs else "")
 
     def forget_typing(self) -> None:
         """Close an open editor without committing."""

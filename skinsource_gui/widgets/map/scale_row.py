@@ -1,6 +1,6 @@
 """What the colours of small maps mean, in a row below them."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from PySide6.QtCore import QRectF, Qt
@@ -71,6 +71,11 @@ def scale_of_levels(levels_db: Floats, look: LevelLook) -> Scale:
 def scale_of_own(look: LevelLook) -> Scale:
     """The scale of RMS levels that are each relative to the loudest output of their map."""
     return Scale(range_db=_OF_OWN, words="dB re each map's maximum", colours=look.colours)
+
+
+def with_matched(scale: Scale, matched: str) -> Scale:
+    """The same scale, which says by how much values are louder or softer than stored, if at all."""
+    return replace(scale, words=f"{scale.words}, {matched}") if matched else scale
 
 
 def scale_row_px(line_px: float) -> float:

@@ -9,7 +9,6 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from skinsource import scenes
 from skinsource.choice_words import SCALINGS, limb_word, word_of
-from skinsource.comparing import match_words
 from skinsource.design import Design
 from skinsource.quoting import sentence
 from skinsource_gui.theme import LIGHT, Theme
@@ -31,7 +30,6 @@ _PART_OF_HEIGHT, _MOST_OF_HEIGHT, _LEAST_PX = 0.16, 0.3, 5
 
 def caption_of(
     design: Design,
-    match_gain: float = 1.0,
     *,
     compared: Sequence[Named] = (),
     limbs: Sequence[str] = (),
@@ -43,8 +41,6 @@ def caption_of(
     ----------
     design
         What is played.
-    match_gain
-        With which it is shown, see `View.match_gain`.
     compared
         Designs that are shown side by side, with what they are called there; none: ``design`` is
         shown alone.
@@ -62,13 +58,9 @@ def caption_of(
     limb = f"Limb{'s' if len(titles) > 1 else ''}: {', '.join(titles)}"
     through = dict.fromkeys(one.actuated.words for one in designs if one.actuated is not None)
     driven = f"; predicted through {', '.join(through)}" if through else ""
-    matched = match_words(match_gain)
-    shown = f" {matched}." if matched else ""
     said_last = "".join(f" {one}" for one in notes)
     scaling = ", ".join(scalings)
-    return minus(
-        f"{first}{stimuli_words(named)}. {limb}; scaling: {scaling}{driven}.{shown}{said_last}"
-    )
+    return minus(f"{first}{stimuli_words(named)}. {limb}; scaling: {scaling}{driven}.{said_last}")
 
 
 def lines_of(words: str, metrics: QFontMetricsF, room_px: float) -> list[str]:

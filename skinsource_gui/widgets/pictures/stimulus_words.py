@@ -3,7 +3,7 @@
 import re
 from collections.abc import Sequence
 
-from skinsource.chain import amplitude_unit
+from skinsource.chain import amplitude_text
 from skinsource.clips import Clip
 from skinsource.counting import counted
 from skinsource.design import Design, Input, audible_inputs
@@ -25,8 +25,7 @@ Named = tuple[str, Design]
 def stimulus_words(design: Design) -> str:
     """What is heard, where, how strong."""
     heard = audible_inputs(design.inputs)
-    unit = amplitude_unit(design)
-    said = [_input_words(one, unit) for one in heard[:_MOST_INPUTS]]
+    said = [_input_words(one, design) for one in heard[:_MOST_INPUTS]]
     if len(heard) > _MOST_INPUTS:
         said.append(f"and {counted(len(heard) - _MOST_INPUTS, 'more input')}")
     return "; ".join(said) or "Silent: nothing is driven"
@@ -86,14 +85,14 @@ def _behind(word: str) -> str:
     return found[0] if found else ""
 
 
-def _input_words(one: Input, unit: str) -> str:
+def _input_words(one: Input, design: Design) -> str:
     clips = [clip for clip in one.clips if not clip.muted]
     said = [_clip_words(clip) for clip in clips[:_MOST_CLIPS]]
     if len(clips) > _MOST_CLIPS:
         said.append(counted(len(clips) - _MOST_CLIPS, "more clip"))
-    amplitude = f"{one.amplitude:g} {unit}".strip()
     curve = f", with a gain curve {_points(one.gain_curve)}" if one.gain_curve else ""
-    return f"Place {one.location}, {amplitude}{curve}: {', '.join(said) or 'no clips'}"
+    strength = amplitude_text(design, one)
+    return f"Place {one.location}, {strength}{curve}: {', '.join(said) or 'no clips'}"
 
 
 def _clip_words(clip: Clip) -> str:

@@ -60,6 +60,8 @@ class Curves:
     peaks : (n_names,)
         What the curves of each were divided by, m/s², where they are relative to its peak; none
         elsewhere.
+    matched
+        By how much they are shown louder or softer to match a snapshot, or "".
     wave
         What runs through the points; None: nothing is known between them.
     """
@@ -76,6 +78,7 @@ class Curves:
     about: Callable[[], tuple[str, ...]] = tuple
     heading: tuple[str, ...] = ()
     peaks: tuple[float, ...] = ()
+    matched: str = ""
     wave: Wave | None = None
 
     def __post_init__(self) -> None:

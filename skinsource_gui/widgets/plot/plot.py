@@ -282,6 +282,7 @@ class Plot(Canvas):
             stacked=self.stacked,
             unit=self.unit,
             level=curves.level_words if curves.kind == "level" else "",
+            matched=curves.matched,
             n_curves=len(curves.names),
             scaling=curves.scaling,
             words=self.words,

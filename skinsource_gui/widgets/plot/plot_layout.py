@@ -52,6 +52,8 @@ class Content:
         Whether each curve has a row of its own.
     unit, level
         How values are written; what levels are, or empty where values are none.
+    matched
+        By how much they are louder or softer than they were stored, or "".
     n_curves, scaling
         How many curves there are, drawn or not; what their height means, longest first.
     words
@@ -65,6 +67,7 @@ class Content:
     stacked: bool
     unit: ValueUnit
     level: str
+    matched: str
     n_curves: int
     scaling: tuple[str, ...]
     words: Words
@@ -220,7 +223,8 @@ def _left_margin(ticks: tuple[Tick, ...], metrics: QFontMetricsF, old_px: float)
 
 
 def _unit_words(content: Content, *, unread: bool) -> str:
-    symbol = content.level or content.unit.symbol
+    parts = content.level or content.unit.symbol, content.matched
+    symbol = ", ".join(filter(None, parts))
     if not unread:
         return symbol
     # Too thin for ticks: the range is said in words.

@@ -5,7 +5,6 @@ from functools import partial
 from typing import Any
 
 from skinsource.choice_words import limb_word, signal_words
-from skinsource.comparing import match_words
 from skinsource.export.description import describe_levels, describe_played, describe_projection
 
 #: What a panel has to ask for to be able to say it.
@@ -37,7 +36,6 @@ def lines_later(
 
 def _lines(results: Mapping[str, Any], first: tuple[str, ...], each_axis: bool) -> tuple[str, ...]:
     note, inputs = results["limb_data"].note, results["inputs"]
-    matched = match_words(results["match_gain"])
     return (
         *first,
         *describe_played(results["limb"], note, results["scaling"], inputs, results["actuation"]),
@@ -45,7 +43,6 @@ def _lines(results: Mapping[str, Any], first: tuple[str, ...], each_axis: bool) 
         if each_axis
         else describe_projection(results["axes"], results["method"]),
         describe_levels(results["span"]),
-        *((matched,) if matched else ()),
     )
 
 

@@ -1,6 +1,7 @@
 """What a plot shows, taken elsewhere: a picture, or its numbers."""
 
 from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -29,6 +30,8 @@ class SignalExports(QObject):
         Where files are suggested.
     caption, lines
         Give what stands below a picture, and what else stands in the head of a table.
+    as_stored
+        While this lasts the plot shows no matched levels.
     """
 
     #: A file was written there, `Path`.
@@ -42,6 +45,7 @@ class SignalExports(QObject):
         self.folder = Path()
         self.caption: Callable[[], str] = str
         self.lines: Callable[[], Sequence[str]] = tuple
+        self.as_stored: Callable[[], AbstractContextManager[None]] = nullcontext
         self._options: PictureOptions | None = None
 
     def copy_picture(self) -> None:
@@ -49,7 +53,8 @@ class SignalExports(QObject):
         size, draw = usual_size(self._plot), partial(draw_signals, plot=self._plot)
         words = self.caption()
         height = size.height() + caption_px(words, size.width(), size.height())
-        picture = drawn_image(with_caption(draw, words), size.width(), height)
+        with self.as_stored():
+            picture = drawn_image(with_caption(draw, words), size.width(), height)
         QApplication.clipboard().setImage(picture)
 
     def save_picture(self) -> None:
@@ -75,7 +80,8 @@ class SignalExports(QObject):
         """Ask for a file, and write the curves to it as a table."""
         path = self._ask("Export data", f"{self._plot.objectName()}.csv", _TABLES)
         if path is not None:
-            self._write(path, partial(save_table, path, self._plot, self._title, self.lines()))
+            lines = self.lines()
+            self._write(path, partial(save_table, path, self._plot, self._title, lines))
 
     def _ask(self, title: str, name: str, kinds: str) -> Path | None:
         chosen, kind = QFileDialog.getSaveFileName(
@@ -91,7 +97,8 @@ class SignalExports(QObject):
 
     def _write(self, path: Path, write: Callable[[], None]) -> None:
         try:
-            write()
+            with self.as_stored():
+                write()
         except SkinSourceError as error:
             self.failed.emit(str(error))
         else:

@@ -1,15 +1,18 @@
 """What the graph hands to the panels of analysis, against predictions and other ways to it."""
 
+import json
 from dataclasses import replace
 
 import numpy as np
 import pytest
+import scipy
 
 import skinsource as ss
 from skinsource.analysis.settings import SpectrogramSettings
 from skinsource.analysis.spectrogram import spectrogram
 from skinsource.panel_settings import with_settings
 from skinsource.quantities import new_graph, sources
+from skinsource.scaling.calibration import per_probe_acceleration
 from skinsource.view import View
 
 TONE = ss.waveforms.Tone(frequency_hz=120.0, duration_s=0.1)
@@ -22,6 +25,16 @@ DESIGN = ss.Design(
 )
 VIEW = View(outputs=(20, 24, 69), method="mag")
 LINE = (20, 22, 24, 26)
+COIL, PIEZO = (
+    ss.Actuation(
+        actuators=(ss.ActuatorAt(model=ss.actuators.load(name)),),
+        equaliser=equaliser,
+    )
+    for name, equaliser in (
+        ("kastor-2023-air", ss.equalising.RegularisedInverse()),
+        ("example-piezo", None),
+    )
+)
 
 
 def test_statistics_are_those_of_the_traces():
@@ -120,19 +133,33 @@ def test_a_transfer_function_predicts_what_a_tone_does():
     assert found["transfer"].magnitude[:, at] == pytest.approx(steady, rel=0.05)
 
 
-@pytest.mark.parametrize("scaling", ["probe", "relative", "upstream"])
-def test_noise_of_a_prediction_is_that_of_a_limb_that_is_noise(scaling, make_noisy_limb):
+@pytest.mark.parametrize(
+    ("scaling", "actuation"),
+    [("probe", None), ("relative", None), ("upstream", None), ("probe", COIL), ("probe", PIEZO)],
+)
+def test_noise_of_a_prediction_is_that_of_a_limb_that_is_noise(scaling, actuation, make_noisy_limb):
     limb = make_noisy_limb()
     # Of a tone there would be too few independent samples.
     rough = ss.waveforms.Noise(duration_s=0.4)
     inputs = (ss.track(8, rough), ss.track(8, rough, onset_s=0.1), ss.track(13, rough))
-    design = replace(DESIGN, scaling=scaling, inputs=inputs)
-    given = sources(design, replace(VIEW, method="mag")) | {"limb_data": limb}
-    found = new_graph().evaluate({"above_noise_db", "output_noise_rms", "record_rms"}, given)
-    told, is_there = (np.mean(found[name] ** 2) for name in ("output_noise_rms", "record_rms"))
+    design = replace(DESIGN, scaling=scaling, inputs=inputs, actuation=actuation)
+    view = replace(
+        VIEW, method="mag", windows_cut="length", window_s=0.1, outputs=tuple(range(1, 73))
+    )
+    given = sources(design, view) | {"limb_data": limb}
+    levels = "output_noise_rms", "record_rms"
+    windows = "noise_rms_of_windows", "rms_of_windows"
+    wanted = {*levels, *windows, "above_noise_db", "transfer"}
+    found = new_graph().evaluate(wanted, given)
+    told, is_there = (np.mean(found[name] ** 2) for name in levels)
     assert told == pytest.approx(is_there, rel=0.03)
     ratio_db = 20.0 * np.log10(found["record_rms"] / found["output_noise_rms"])
     assert found["above_noise_db"] == pytest.approx(ratio_db)
+    told, is_there = (np.mean(found[name] ** 2, axis=1) for name in windows)
+    assert told == pytest.approx(is_there, rel=0.1, abs=0.02 * is_there.max())
+    transfer = found["transfer"]
+    told, is_there = (np.mean(one**2, axis=0) for one in (transfer.noise, transfer.magnitude))
+    assert told.sum() == pytest.approx(is_there.sum(), rel=0.03)
 
 
 @pytest.fixture
@@ -164,6 +191,45 @@ def test_outputs_near_the_elbow_are_noise_on_the_measured_limbs(measured):
     found = ss.evaluate(design, "above_noise_db")["above_noise_db"]
     assert (found[66:72] < 6.0).all()
     assert (found[27:29] > 30.0).all()
+
+
+def test_a_prediction_through_an_actuator_is_as_far_above_the_noise_as_one_made_by_hand(
+    measured, tmp_path
+):
+    # The recipe: volts and motion at 48 kHz by exact steps, and noise that is drawn and convolved.
+    tone = ss.waveforms.Tone(frequency_hz=150.0, duration_s=0.3)
+    plain = ss.Design(limb="measured-1", inputs=(ss.track(7, tone, onset_s=0.1),))
+    through = replace(plain, actuation=COIL)
+    model, equaliser = COIL.actuators[0].model, COIL.equaliser
+    (drive,) = ss.stimulus_of(plain, 48_000).samples
+    volts = ss.equalising.equalised(np.pad(drive, (0, 24_000)), 48_000, model, equaliser)
+    moved = ss.resample(model.simulate(volts, 48_000, "first").acceleration, 48_000, 1300)
+    along_z = ss.load_limb("measured-1").response_to(7)[:, 2]
+    quiet = np.sqrt(np.mean(along_z[:, :39] ** 2, axis=1))
+    rng = np.random.default_rng(41)
+    answers, noise = (
+        np.sum(scipy.signal.fftconvolve(taps, moved[None], axes=-1) ** 2, axis=-1)
+        for taps in (
+            per_probe_acceleration(along_z, 1300.0),
+            per_probe_acceleration(rng.normal(size=(300, 522)), 1300.0),
+        )
+    )
+    expected_db = 10.0 * np.log10(answers / (quiet**2 * noise.mean()))
+    view = replace(VIEW, axes="z")
+    found = ss.evaluate(through, "above_noise_db", "validity", view=view)
+    assert found["above_noise_db"] == pytest.approx(expected_db, abs=0.3)
+    noisy = next(one.outputs for one in found["validity"] if one.name == "noise")
+    assert set(np.flatnonzero(expected_db < 5.7) + 1) <= set(noisy)
+    assert set(noisy) <= set(np.flatnonzero(expected_db < 6.3) + 1)
+    assert set(range(67, 73)) <= set(noisy)
+    without = ss.evaluate(plain, "validity", view=view)["validity"]
+    assert next(one.outputs for one in without if one.name == "noise") == noisy
+    said = []
+    for design in (plain, through):
+        ss.export_stimulus(design, tmp_path / "a.wav")
+        sidecar = json.loads((tmp_path / "a.wav.json").read_text("utf-8"))
+        said.append(next(one for one in sidecar["validity"] if one["condition"] == "noise"))
+    assert said[0] == said[1]
 
 
 def test_a_wave_on_the_synthetic_finger_has_the_speed_of_its_model():

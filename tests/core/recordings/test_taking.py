@@ -142,11 +142,24 @@ def test_a_part_between_stamps_is_taken(files, signal, process):
     assert found.name == "a.csv"
 
 
+def test_what_has_a_physical_unit_keeps_its_size_unless_told_otherwise(
+    tmp_path, files, signal, process
+):
+    expected = (signal - signal.mean()) * 9.80665
+    found = take(files["text"], to_hz=2000.0, process=process).samples
+    np.testing.assert_allclose(found.values, expected, rtol=1e-12, atol=1e-12)
+    assert (found.unit, found.peak) == ("m/s²", pytest.approx(np.abs(expected).max()))
+    # Full scale of a sound is no size.
+    write_wav(tmp_path / "a.wav", [0.25 * signal], 2000)
+    assert take(tmp_path / "a.wav", to_hz=2000.0, process=process).samples.peak == 1.0
+    assert ImportChoice(series="0", unit="g").scale == "peak"
+
+
 def test_every_format_leads_to_the_same_drive(files, process):
     digests = set()
     for file_format, path in files.items():
         choice = suggested(process.look(path))
-        choice = replace(choice, unit="full scale")
+        choice = replace(choice, unit="full scale", scale="peak")
         if file_format == "NPY":
             choice = replace(choice, rate_hz=2000.0)
         digests.add(take(path, choice, process=process).samples.digest)

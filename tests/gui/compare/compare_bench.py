@@ -29,6 +29,7 @@ def two_places(window):
 
 def show_matched(window, settle):
     """Store two snapshots, and show the second, made softer to match the first."""
+    window.do("match_levels")
     window.do("store_snapshot_1")
     two_places(window)
     window.do("store_snapshot_2")

@@ -19,7 +19,6 @@ from tests.gui.compare.compare_bench import KEY, cards, edit, levels, shown_leve
 
 
 def test_the_map_shows_how_much_louder_the_design_is(window, panel, settle):
-    window.do("match_levels")
     window.do("store_snapshot_1")
     stored = levels(window.document.design)
     two_places(window)
@@ -41,12 +40,15 @@ def test_the_map_shows_how_much_louder_the_design_is(window, panel, settle):
     matched = stored + present.max() - stored.max()
     expected = np.maximum(present, floor) - np.maximum(matched, floor)
     difference = panel.map.difference
+    by_db = f"{present.max() - stored.max():+.1f} dB".replace("-", "\N{MINUS SIGN}")
+    assert difference.words == f"dB, 1: {by_db}, matched, synthetic limb"
     np.testing.assert_allclose(difference.shown.levels_db, expected, rtol=0, atol=1e-6)
     field = difference.shown.field_levels_db
     assert np.nanmax(np.abs(field)) <= np.abs(expected).max() + 1e-6
 
 
 def test_the_map_compares_snapshots_as_they_are_played(window, panel, settle):
+    window.do("match_levels")
     # Far from a high tone the skin hardly moves: 60 dB below the loudest, nothing counts.
     window.document.edit(
         "f", window.document.design.with_clip(1, waveform=Tone(frequency_hz=500.0))
@@ -85,6 +87,7 @@ def test_words_under_the_pointer_name_the_output_and_its_difference(window, pane
 
 def test_cards_show_each_snapshot_its_level_and_what_is_in_the_window(window, panel, settle):
     assert set(cards(panel)) == {0, 1, 2, 3, 4}
+    window.do("match_levels")
     window.do("store_snapshot_2")
     two_places(window)
     settle()
@@ -142,7 +145,6 @@ def test_a_snapshot_of_a_limb_that_is_not_here_says_so(window, panel, settle):
 
 
 def test_designs_on_two_limbs_differ_output_by_output_and_the_limbs_are_said(window, panel, settle):
-    window.document.look(replace(window.document.view, levels_matched=False))
     one = window.document.design
     window.do("store_snapshot_1")
     two = replace(one, limb="synthetic-2")

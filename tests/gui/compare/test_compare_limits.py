@@ -44,6 +44,7 @@ def test_a_snapshot_on_a_limb_that_was_missing_is_predicted_once_it_is_installed
 
 def test_what_cannot_be_predicted_is_not_said_to_be_as_loud(window, settle, panel):
     here = window.document.design
+    window.do("match_levels")
     window.do("store_snapshot_2")
     window.document.edit("a", replace(here, inputs=(track(18),)))
     window.do("store_snapshot_3")
@@ -54,6 +55,7 @@ def test_what_cannot_be_predicted_is_not_said_to_be_as_loud(window, settle, pane
 
 
 def test_what_is_silent_is_not_said_to_be_as_loud(window, settle, panel):
+    window.do("match_levels")
     window.document.edit("a", Design(limb="synthetic-1"))
     window.do("store_snapshot_1")
     window.document.edit("b", Design(limb="synthetic-1", inputs=(track(7),)))

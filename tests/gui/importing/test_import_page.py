@@ -67,8 +67,9 @@ def test_only_what_the_file_leaves_open_is_asked(page_at, sound, tmp_path):
 def test_choices_change_what_is_shown_and_placed(desk, page_at, qtbot, sound):
     page = page_at(sound)
     choose(page, qtbot, "signal", "1")
+    assert page.form.choice.scale == "peak"
     choose(page, qtbot, "unit", "g")
-    choose(page, qtbot, "scale", "keep")
+    assert page.form.choice.scale == "keep"
     assert "peak 3.89" in page.preview.words
     assert "m/s²" in page.preview.words
     page.accept()
@@ -76,6 +77,23 @@ def test_choices_change_what_is_shown_and_placed(desk, page_at, qtbot, sound):
     assert waveform.samples.unit == "m/s²"
     assert waveform.name == "tap.wav, channel 2"
     assert np.abs(waveform.samples.values).max() == pytest.approx(0.4 * 9.80665, rel=0.02)
+
+
+def test_an_acceleration_in_g_keeps_its_size_and_is_said_in_both_units(
+    desk, page_at, qtbot, tmp_path
+):
+    time_s = np.arange(1280) / 3200.0
+    accel_g = 0.4976 * np.sin(2.0 * np.pi * 25.0 * time_s)
+    rows = "\n".join(f"{t:.9f},{x:.9f}" for t, x in zip(time_s, accel_g, strict=True))
+    (tmp_path / "accel_g.csv").write_text(f"time (s),acceleration (g)\n{rows}\n")
+    page = page_at(tmp_path / "accel_g.csv")
+    assert "peak 4.88 m/s² (0.50 g)" in page.preview.words
+    page.accept()
+    samples = desk.document.design.inputs[-1].clips[-1].waveform.samples
+    assert (samples.unit, samples.peak) == ("m/s²", pytest.approx(4.88, abs=0.01))
+    page = page_at(tmp_path / "accel_g.csv")
+    choose(page, qtbot, "scale", "peak")
+    assert "peak 1 ·" in page.preview.words
 
 
 def test_a_rate_that_is_assumed_is_said_so_until_it_is_typed(page_at, qtbot, tmp_path):
@@ -289,5 +307,4 @@ def test_three_axes_are_offered_as_one(desk, page_at, qtbot, tmp_path):
     waveform = desk.document.design.inputs[-1].clips[-1].waveform
     assert waveform.name == "a.csv, acc_x, acc_y, acc_z"
     expected = dft321((axes - axes.mean(axis=0)).T)
-    expected /= np.abs(expected).max()
-    np.testing.assert_allclose(waveform.samples.values, expected, rtol=0, atol=1e-7)
+    np.testing.assert_allclose(waveform.samples.values, 9.80665 * expected, rtol=0, atol=1e-6)

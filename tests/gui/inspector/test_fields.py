@@ -1,3 +1,6 @@
+from dataclasses import replace
+
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -5,7 +8,10 @@ from PySide6.QtTest import QTest
 from skinsource.design import Design
 from skinsource.edits.kinds import as_kind
 from skinsource.effects import Stretch, Trim
-from skinsource.waveforms import KINDS, Noise, Tone
+from skinsource.samples import Samples
+from skinsource.waveforms import KINDS, Noise, Recording, Tone
+from skinsource_gui.widgets.fields.field_cell import FieldCell
+from skinsource_gui.widgets.fields.field_grid import FieldGrid
 
 
 def test_the_heading_names_the_place(bench):
@@ -159,3 +165,27 @@ def test_how_long_a_clip_lasts_with_its_effects_is_said_where_it_differs(bench):
     assert lasts.text() == "400 ms with its effects"
     bench.show(design)
     assert not lasts.isVisible()
+
+
+def test_a_recording_that_keeps_its_size_has_a_gain_without_a_unit_and_the_peak(bench):
+    def strength():
+        cells = bench.panel.findChild(FieldGrid).findChildren(FieldCell)
+        cell = next(one for one in cells if one.name == "amplitude")
+        return cell.label.text(), cell.field.spec.unit
+
+    def peak():
+        return bench.words("peak").text() if bench.words("peak") else ""
+
+    assert strength() == ("Amplitude", "m/s²")
+    samples = Samples(values=4.88 * np.hanning(301), sample_rate_hz=1300.0, unit="m/s²")
+    clip = replace(bench.one.clips[0], waveform=Recording(samples))
+    bench.show(bench.design.with_input(0, clips=(clip,)))
+    assert strength() == ("Gain", "")
+    assert peak() == "4.88 m/s²"
+    bench.type("amplitude", "0.5")
+    assert bench.one.amplitude == 0.5
+    assert peak() == "2.44 m/s²"
+    normalised = replace(samples, values=samples.values / 4.88, unit="")
+    bench.show(bench.design.with_clip(clip.id, waveform=Recording(normalised)))
+    assert strength() == ("Amplitude", "m/s²")
+    assert not bench.words("peak").isVisible()

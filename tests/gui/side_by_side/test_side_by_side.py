@@ -148,6 +148,9 @@ def test_snapshots_stand_side_by_side_as_loud_as_they_are_shown(window, panel, q
     loudest = [float(cell.values_db.max()) for cell in cells]
     assert loudest[0] == pytest.approx(loudest[1], abs=1e-9)
     assert np.nanmax(cells[1].small.field_levels_db) <= loudest[1] + 1e-9
+    words = panel.maps.content.common_scale.words
+    assert words.startswith("dB re 1 m/s², 2: \N{MINUS SIGN}")
+    assert words.endswith(" dB, matched")
     document.look(replace(document.view, levels_matched=False))
     qtbot.waitUntil(
         lambda: panel.maps.content.cells[1].values_db.max() > loudest[0] + 5.0, timeout=5000

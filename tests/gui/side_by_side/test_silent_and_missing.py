@@ -95,11 +95,9 @@ def test_a_design_that_is_shown_with_a_gain_has_it_on_every_limb_and_axis(choose
     for number, cell in enumerate(panel.maps.content.cells, 1):
         stored = levels(replace(design, limb=f"synthetic-{number}"))
         np.testing.assert_allclose(cell.values_db, stored + gain_db, atol=1e-9)
-    said = "levels of snapshots matched"
-    assert said in panel.maps.content.about
-    assert said in choose(of="axes").maps.content.about
+    said = f"{gain_db:.1f} dB, matched".replace("-", "\N{MINUS SIGN}")
+    for content in (panel.maps.content, choose(of="axes").maps.content):
+        assert content.common_scale.words == f"dB re 1 m/s², {said}"
     window.docks["regions"].bring_forward()
     settle()
-    assert f"people: shown {gain_db:.1f} dB".replace("-", "\N{MINUS SIGN}") in (
-        window.panel("regions").about.text
-    )
+    assert f"people: {said}" in window.panel("regions").about.text

@@ -1,11 +1,13 @@
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
 from skinsource.design import Design, track
-from skinsource.waveforms import Tone
+from skinsource.samples import Samples
+from skinsource.waveforms import Recording, Tone
 from skinsource_gui.panels.timeline.heads.row_places import row_places
 from tests.gui.timeline.bench import PLACES, Bench, click, design_of, results_of
 
@@ -161,3 +163,24 @@ def test_the_row_that_has_the_keyboard_may_give_way_to_others(bench):
     assert [one.id for one in bench.rows.rows] == [54, 55]
     assert bench.rows.hasFocus()
     assert all(one.state.list_focused for one in bench.rows.rows)
+
+
+def test_the_head_of_a_recording_that_keeps_its_size_says_the_peak_beside_a_gain(bench):
+    first, other = bench.row(0), bench.row(1)
+    beside = other.amplitude.geometry()
+    samples = Samples(values=4.88 * np.hanning(301), sample_rate_hz=1300.0, unit="m/s²")
+    clip = replace(bench.design.inputs[0].clips[0], waveform=Recording(samples))
+    bench.show(bench.design.with_input(0, clips=(clip,), amplitude=-0.5))
+    assert (first.amplitude.spec.label, first.amplitude.spec.unit) == ("Gain", "")
+    assert first.amplitude.text() == "\N{MINUS SIGN}0.5"
+    assert first.state.peak == "2.44 m/s²"
+    assert "Peak 2.44 m/s²" in first.toolTip()
+    places = row_places(first.width(), first.fontMetrics().height(), peak=True)
+    assert first.amplitude.geometry() == places.amplitude
+    assert places.amplitude.right() < places.peak.left()
+    assert places.peak.right() < places.remove.left()
+    assert first.fontMetrics().horizontalAdvance(first.state.peak) <= places.peak.width()
+    assert (other.amplitude.spec.unit, other.amplitude.geometry()) == ("m/s²", beside)
+    bench.show(bench.design.with_clip(clip.id, waveform=Tone()))
+    assert first.amplitude.spec.unit == "m/s²"
+    assert first.amplitude.geometry() == beside

@@ -102,7 +102,7 @@ def made(
         )
     settings = {**(panels or {}), CONTROLS: {"control": turned}}
     held = tuple((name, tuple(one.items())) for name, one in settings.items())
-    looked = View(snapshots=snapshots, levels_matched=False, panels=held, **view)
+    looked = View(snapshots=snapshots, panels=held, **view)
     return MadeScene(scene=scene, content=DesignFile(design=titled[shown], view=looked))
 
 

@@ -33,6 +33,7 @@ class SignedStrip(QWidget):
         super().__init__(parent)
         self._theme = LIGHT
         self._range: Range = (-1.0, 1.0)
+        self._matched = ""
         self._kept = KeptPicture()
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setMinimumHeight(70)
@@ -41,6 +42,12 @@ class SignedStrip(QWidget):
         """Show other limits."""
         if limits != self._range:
             self._range = limits
+            self.update()
+
+    def show_matched(self, matched: str) -> None:
+        """Say by how much it is louder or softer than it was stored."""
+        if matched != self._matched:
+            self._matched = matched
             self.update()
 
     def show_theme(self, theme: Theme) -> None:
@@ -52,7 +59,7 @@ class SignedStrip(QWidget):
         painter = QPainter(self)
         painter.setFont(tabular(small_font(self.font())))
         ground = self.palette().window().color()
-        key = (self._range, self._theme)
+        key = (self._range, self._theme, self._matched)
         self._kept.paint(painter, QRectF(self.rect()), key, self._paint, ground)
         painter.end()
 
@@ -61,7 +68,7 @@ class SignedStrip(QWidget):
         end = max(_END_PX, painter.fontMetrics().height() / 2)
         ramp = QRectF(_RAMP_LEFT, end, _RAMP_WIDTH, self.height() - 2 * end)
         limits, table = self._range, colour_table(DIVERGING)
-        quantity = MapQuantity(name=Z)
+        quantity = MapQuantity(name=Z, matched=self._matched)
         paint_colour_scale(painter, ramp, limits, limits, table, self._theme, quantity)
 
 

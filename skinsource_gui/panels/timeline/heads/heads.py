@@ -5,7 +5,8 @@ from functools import partial
 from PySide6.QtCore import QObject, QPoint, Qt, Signal
 from PySide6.QtWidgets import QMenu
 
-from skinsource.design import Design, amplitude_spec, audible_inputs
+from skinsource.chain import is_gain, peak_text
+from skinsource.design import AMPLITUDE_GAIN, Design, amplitude_spec, audible_inputs
 from skinsource.edits.selection import clip_of
 from skinsource.view import View
 from skinsource_gui.panels.timeline.heads.input_list import InputList
@@ -41,6 +42,7 @@ class Heads(QObject):
         self._gain_shown = shown_gain_curves(view)
         audible = {id(one) for one in audible_inputs(design.inputs)}
         amplitude = amplitude_spec(design)
+        peaks = {one.id: peak_text(design, one) for one in design.inputs if is_gain(design, one)}
         self.list.rows.show_rows(
             [
                 RowState(
@@ -49,7 +51,8 @@ class Heads(QObject):
                     selected=one.id in view.selected_inputs,
                     last=one.id == view.selected_input,
                     list_focused=False,
-                    amplitude=amplitude,
+                    amplitude=AMPLITUDE_GAIN if one.id in peaks else amplitude,
+                    peak=peaks.get(one.id, ""),
                     clip=clip_of(one, view),
                     limb=design.limb,
                 )

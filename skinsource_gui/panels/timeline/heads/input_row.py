@@ -32,7 +32,7 @@ class InputRow(QWidget):
         self.setObjectName("input_row")
         self._places = row_places(self.width())
         self.setFixedHeight(ROW_PX)
-        self.amplitude = NumberField(AMPLITUDE, self)
+        self.amplitude = NumberField(AMPLITUDE, self, widest_unit="")
         self.amplitude.setObjectName("amplitude_field")
         # The theme's fields are as high as a line of a form, too high for two lines in a row.
         self.amplitude.setStyleSheet("QLineEdit { min-height: 0; padding: 0 4px; }")
@@ -81,7 +81,10 @@ class InputRow(QWidget):
             f"Input at {place.number}, {place.name}: {state.title}"
             f"{', silent' if state.silent else ''}"
         )
-        show_tooltip(self, f"{place.number} · {place.name}\n{state.figure}")
+        peak = f"\nPeak {state.peak}" if state.peak else ""
+        show_tooltip(self, f"{place.number} · {place.name}\n{state.figure}{peak}")
+        if bool(state.peak) != bool(old and old.peak):
+            self._lay_out()
         if old is None or old.frame != state.frame:
             self.update()
         elif old.words != state.words:
@@ -110,7 +113,8 @@ class InputRow(QWidget):
             self._lay_out()
 
     def _lay_out(self) -> None:
-        places = self._places = row_places(self.width(), self.fontMetrics().height())
+        peak = self._state is not None and bool(self._state.peak)
+        places = self._places = row_places(self.width(), self.fontMetrics().height(), peak=peak)
         self.setFixedHeight(places.row.height())
         self.amplitude.setGeometry(places.amplitude)
         self.mute.setGeometry(places.mute)

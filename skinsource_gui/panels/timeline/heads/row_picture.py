@@ -6,15 +6,16 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPen
 from skinsource.locations import input_words
 from skinsource_gui.panels.timeline.heads.row_places import RowPlaces
 from skinsource_gui.panels.timeline.heads.row_state import RowState
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, Theme, scaled
 from skinsource_gui.widgets.inputs.swatch import paint_swatch
 
 _MARK_PX = 3
 _TINT_ALPHA = 28
+_SMALLER = 0.8
 
 
 def paint_row(painter: QPainter, state: RowState, places: RowPlaces, theme: Theme) -> None:
-    """Paint ground, place and name of a track."""
+    """Paint ground, place and name of a track, and the peak that results from a gain."""
     _paint_ground(painter, state, places.row, theme)
     shown, silent = state.shown, state.silent
     paint_swatch(
@@ -35,6 +36,13 @@ def paint_row(painter: QPainter, state: RowState, places: RowPlaces, theme: Them
     short_name = place.short_name[0].upper() + place.short_name[1:]
     _write(painter, places.name, place.name if fits else short_name)
     painter.setFont(usual)
+    if state.peak:
+        painter.setPen(QColor(theme.dim))
+        painter.setFont(scaled(usual, _SMALLER))
+        room, said = places.peak.width(), f"peak {state.peak}"
+        fits = painter.fontMetrics().horizontalAdvance(said) <= room
+        _write(painter, places.peak, said if fits else state.peak)
+        painter.setFont(usual)
 
 
 def _paint_ground(painter: QPainter, state: RowState, row: QRect, theme: Theme) -> None:

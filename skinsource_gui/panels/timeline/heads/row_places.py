@@ -14,7 +14,7 @@ HEADS_PX, USUAL_LINE_PX = 196, 14
 # Heads of larger text leave the lanes room too.
 _MOST_HEADS_PX = 320
 _LINE_PX, _FIRST_LINE_PX = 20, 3
-_AMPLITUDE_PX = 90
+_AMPLITUDE_PX, _GAIN_PX = 90, 54
 _BETWEEN_PX = 2
 
 
@@ -30,6 +30,8 @@ class RowPlaces:
         Place and its name, which are painted.
     amplitude, mute, solo, remove
         The controls.
+    peak
+        The peak that results from a gain, painted beside it.
     words
         What has to be painted anew when the words change.
     """
@@ -41,6 +43,7 @@ class RowPlaces:
     mute: QRect
     solo: QRect
     remove: QRect
+    peak: QRect
     words: QRect
 
 
@@ -49,7 +52,7 @@ def heads_px(line_px: int) -> int:
     return min(round(HEADS_PX * max(line_px / USUAL_LINE_PX, 1.0)), _MOST_HEADS_PX)
 
 
-def row_places(width: int, line_px: int = USUAL_LINE_PX) -> RowPlaces:
+def row_places(width: int, line_px: int = USUAL_LINE_PX, *, peak: bool = False) -> RowPlaces:
     """Places in a head, in two lines.
 
     Parameters
@@ -58,6 +61,8 @@ def row_places(width: int, line_px: int = USUAL_LINE_PX) -> RowPlaces:
         Of the head, px.
     line_px
         Height of a line of text; where it is larger than usual, so is the head.
+    peak
+        Whether a peak stands beside the amplitude.
     """
     scale = max(line_px / USUAL_LINE_PX, 1.0)
 
@@ -71,7 +76,9 @@ def row_places(width: int, line_px: int = USUAL_LINE_PX) -> RowPlaces:
     step, right = line + _BETWEEN_PX, width - UNIT_PX // 2
     solo, mute = (QRect(right - step * count, first, line, line) for count in (1, 2))
     remove = QRect(right - step, second, line, line)
-    amplitude_px = min(px(_AMPLITUDE_PX), remove.x() - text_left - UNIT_PX // 2)
+    amplitude_px = px(_GAIN_PX if peak else _AMPLITUDE_PX)
+    amplitude_px = min(amplitude_px, remove.x() - text_left - UNIT_PX // 2)
+    peak_left = text_left + amplitude_px + UNIT_PX // 2
     return RowPlaces(
         row=QRect(0, 0, width, height),
         swatch=QRectF(UNIT_PX, (height - swatch) / 2, swatch, swatch),
@@ -80,5 +87,6 @@ def row_places(width: int, line_px: int = USUAL_LINE_PX) -> RowPlaces:
         mute=mute,
         solo=solo,
         remove=remove,
-        words=QRect(0, 0, mute.x(), height),
+        peak=QRect(peak_left, second, remove.x() - peak_left, line + 1),
+        words=QRect(0, 0, remove.x() if peak else mute.x(), height),
     )

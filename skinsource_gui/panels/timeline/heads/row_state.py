@@ -28,6 +28,8 @@ class RowState:
         to the list.
     amplitude
         What an amplitude is, and in which unit.
+    peak
+        The peak that results where the amplitude is a plain factor, else "".
     clip
         The clip that stands for all of them: the selected one, or the first.
     limb
@@ -42,6 +44,7 @@ class RowState:
     amplitude: NumberSpec
     clip: Clip | None
     limb: str = ""
+    peak: str = ""
 
     @property
     def figure(self) -> str:
@@ -58,9 +61,9 @@ class RowState:
         return EMPTY if self.clip is None else clip_text(self.clip)
 
     @property
-    def words(self) -> tuple[int, int, bool, str]:
+    def words(self) -> tuple[int, int, bool, str, str]:
         """What is painted on it: what it plays is said by its tooltip only."""
-        return self.shown.location, self.shown.colour, self.silent, self.limb
+        return self.shown.location, self.shown.colour, self.silent, self.limb, self.peak
 
     @property
     def frame(self) -> tuple[bool, bool, bool]:

@@ -1,0 +1,73 @@
+"""An amplitude is a plain factor on a recording that was not scaled to a peak of 1."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import skinsource as ss
+from skinsource.chain import amplitude_text, is_gain, peak_text
+from skinsource.effects import Fade
+from skinsource.samples import Samples
+
+RATE_HZ = 1300.0
+RECORDED = Samples(values=4.88 * np.hanning(301), sample_rate_hz=RATE_HZ, unit="m/s²")
+SCALED = Samples(values=0.9998 * np.hanning(301), sample_rate_hz=RATE_HZ)
+QUIET = replace(SCALED, values=0.25 * SCALED.values)
+
+
+def design_of(*clips, scaling="probe", **changes):
+    one = ss.Input(location=7, clips=clips, **changes)
+    return ss.Design(limb="synthetic-1", inputs=(one,), scaling=scaling)
+
+
+def clip(samples, **changes):
+    return ss.Clip(waveform=ss.waveforms.Recording(samples), **changes)
+
+
+@pytest.mark.parametrize(
+    ("clips", "expected"),
+    [
+        ((clip(RECORDED),), True),
+        ((clip(QUIET),), True),
+        ((clip(replace(SCALED, unit="m/s²")),), True),
+        ((ss.Clip(waveform=ss.waveforms.Layers((clip(RECORDED),))),), True),
+        ((ss.Clip(), clip(RECORDED)), True),
+        ((ss.Clip(), clip(RECORDED, muted=True)), False),
+        ((clip(SCALED),), False),
+        ((ss.Clip(),), False),
+        ((), False),
+    ],
+)
+def test_it_is_one_where_something_that_sounds_has_its_own_size(clips, expected):
+    for scaling in ("probe", "relative"):
+        design = design_of(*clips, scaling=scaling)
+        assert is_gain(design, design.inputs[0]) is expected
+    # There an amplitude is the peak on the skin, whatever is played.
+    skin = design_of(*clips, scaling="upstream")
+    assert amplitude_text(skin, skin.inputs[0]) == "1 m/s²"
+
+
+@pytest.mark.parametrize(
+    ("clips", "changes", "expected"),
+    [
+        ((clip(RECORDED),), {}, 4.88),
+        ((clip(RECORDED, gain=0.5),), {"amplitude": -3.0}, 7.32),
+        ((clip(RECORDED), clip(RECORDED)), {}, 9.76),
+        ((clip(RECORDED, effects=(Fade(in_s=0.2, out_s=0.0),)),), {}, None),
+        ((clip(RECORDED),), {"gain_curve": ((0.0, 0.1), (1.0, 0.1))}, 0.488),
+    ],
+)
+def test_the_peak_is_the_largest_number_of_what_is_exported(clips, changes, expected):
+    design = design_of(*clips, **changes)
+    (drive,) = ss.stimulus_of(design).samples
+    peak = np.abs(drive).max()
+    if expected is not None:
+        assert peak == pytest.approx(expected)
+    assert peak_text(design, design.inputs[0]) == f"{peak:.3g} m/s²"
+
+
+def test_it_is_said_in_the_unit_of_the_drive():
+    coil = ss.ActuatorAt(model=ss.actuators.load("example-voice-coil"))
+    design = replace(design_of(clip(RECORDED)), actuation=ss.Actuation(actuators=(coil,)))
+    assert amplitude_text(design, design.inputs[0]) == "gain 1, peak 4.88 V"

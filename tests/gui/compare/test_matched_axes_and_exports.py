@@ -1,0 +1,178 @@
+"""While levels of snapshots are matched every axis says so, and nothing that is exported has it."""
+
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from PySide6.QtGui import QFontMetrics
+from PySide6.QtWidgets import QApplication, QFileDialog
+
+from skinsource.comparing import louder, match_words
+from skinsource.panel_settings import settings_of, with_settings
+from skinsource_gui.panels.skin.scale.colour_scale import fitting_title
+from skinsource_gui.panels.skin.settings import SkinSettings
+from skinsource_gui.state.playing.played_of import played_of
+from skinsource_gui.status.match_note import MatchNote
+from skinsource_gui.widgets.copy_button import CopyButton
+from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
+from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT
+from tests.gui.compare.compare_bench import levels, show_matched, shown_levels
+
+OUTPUTS = (20, 33, 29)
+DRAWN = ("skin", "traces", "spectra", "compare", "spectrogram", "wave", "windowed", "side_by_side")
+COPIED = ("statistics", "perception", "regions", "side_by_side", "main_axis", "wave")
+
+
+@pytest.fixture
+def words(window, settle, monkeypatch):
+    """Show the second of two snapshots, made softer to match the first; by how much, in words."""
+    # It takes room from the panels, whose pictures are as wide and high as they are.
+    monkeypatch.setattr(MatchNote, "setVisible", lambda *_: None)
+    document = window.document
+    document.look(replace(document.view, outputs=OUTPUTS))
+    show_matched(window, settle)
+    gain = document.view.match_gain(document.design)
+    assert gain < 0.9
+    found = match_words(gain)
+    assert found == f"\N{MINUS SIGN}{-20 * np.log10(gain):.1f} dB, matched"
+    return found
+
+
+def brought_forward(window, settle, name):
+    window.docks[name].bring_forward()
+    settle()
+    return window.panel(name)
+
+
+def test_every_axis_says_by_how_much(window, settle, words):
+    for name in ("traces", "spectra"):
+        plot = brought_forward(window, settle, name)._plot.plot
+        assert plot.places.header.unit.endswith(f", {words}"), name
+        # Whatever else gives way to a note.
+        metrics = QFontMetrics(plot.font())
+        assert words in plot.places.header.said(metrics, 1.0)[0], name
+    assert brought_forward(window, settle, "windowed").strip.content.scale.words.endswith(words)
+    spectrogram = brought_forward(window, settle, "spectrogram").picture
+    assert spectrogram.shown.matched == words
+    wave = brought_forward(window, settle, "wave").picture
+    wave.grab()
+    assert wave._diagrams[1][0].y.title.endswith(f", {words}")
+    for name in ("statistics", "perception"):
+        panel = brought_forward(window, settle, name)
+        assert words in (panel.about.text if name == "statistics" else panel.limits.text())
+
+
+@pytest.mark.parametrize("quantity", ["levels", "sensation", "z", "magnitude", "rms"])
+def test_the_colour_bar_of_the_map_says_it_whatever_it_shows(window, settle, words, quantity):
+    document = window.document
+    settings = replace(settings_of(document.view, "skin", SkinSettings), quantity=quantity)
+    document.look(with_settings(document.view, "skin", settings))
+    settle()
+    panel = window.panel("skin")
+    shown = panel.map.content.quantity
+    assert (shown.name, shown.matched) == (quantity, words)
+    assert all(words in title for title in shown.titles)
+    metrics = QFontMetrics(panel.font())
+    assert fitting_title(shown, metrics, metrics.horizontalAdvance(words)) == words
+    if quantity == "z":
+        assert panel.time.bar.strip._matched == words
+
+
+@pytest.mark.parametrize("name", [*DRAWN, "regions", ALL_IN_SIGHT])
+def test_pictures_are_those_of_levels_that_are_not_matched(window, settle, words, name):
+    if name != ALL_IN_SIGHT:
+        brought_forward(window, settle, name)
+
+    def drawn():
+        picture = window.pictures.picture_of(name)
+        assert "matched" not in picture.caption
+        return drawn_image(picture.draw, 700, 600)
+
+    on = drawn()
+    settle()
+    # The window goes on as it was, and so does what is played.
+    document = window.document
+    gain = document.view.match_gain(document.design)
+    assert match_words(gain) == words
+    expected = levels(document.design) + 20 * np.log10(gain)
+    np.testing.assert_allclose(shown_levels(window), expected, rtol=0, atol=1e-9)
+    window.do("match_levels")
+    settle()
+    assert drawn() == on
+
+
+@pytest.mark.parametrize("name", ["statistics", "perception"])
+def test_pictures_of_tables_have_the_numbers_of_levels_that_are_not_matched(
+    window, settle, words, tmp_path, name
+):
+    brought_forward(window, settle, name)
+
+    def drawn():
+        path = tmp_path / "table.svg"
+        save_drawing(path, window.pictures.picture_of(name).draw, 700, 600)
+        return re.sub(r"<[^>]+>", " ", path.read_text("utf-8")).split()
+
+    on = drawn()
+    window.do("match_levels")
+    settle()
+    assert drawn() == on
+
+
+def test_numbers_that_are_copied_are_not_matched(window, settle, words):
+    for name in COPIED:
+        panel = brought_forward(window, settle, name)
+        [button] = panel.findChildren(CopyButton)
+
+        def copied(button=button):
+            button.click()
+            settle()
+            return QApplication.clipboard().text()
+
+        on = copied()
+        assert on, name
+        assert "matched" not in on, name
+        window.do("match_levels")
+        settle()
+        assert copied() == on, name
+        window.do("match_levels")
+        settle()
+
+
+def test_curves_that_are_saved_or_copied_are_not_matched(
+    window, settle, words, tmp_path, monkeypatch
+):
+    path = tmp_path / "traces.csv"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    for name in ("traces", "spectra"):
+        exports = brought_forward(window, settle, name)._plot.exports
+
+        def taken(exports=exports):
+            exports.save_data()
+            exports.copy_picture()
+            settle()
+            return path.read_text("utf-8"), QApplication.clipboard().image()
+
+        on = taken()
+        assert "matched" not in on[0]
+        window.do("match_levels")
+        settle()
+        assert taken() == on
+        window.do("match_levels")
+        settle()
+
+
+def test_the_map_that_is_copied_is_not_matched(window, settle, words):
+    on = window.panel("skin").picture(600, 900)
+    window.do("match_levels")
+    settle()
+    assert window.panel("skin").picture(600, 900) == on
+
+
+def test_what_is_played_stays_as_loud_while_something_is_taken_out(window, words):
+    document = window.document
+    gain = document.view.match_gain(document.design)
+    with document.as_stored():
+        assert document.seen.match_gain(document.design) == 1.0
+        assert played_of(document) == louder(document.design, gain)
+    assert document.seen is document.view
