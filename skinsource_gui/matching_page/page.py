@@ -29,6 +29,7 @@ from skinsource_gui.matching_page.run_view import RunView
 from skinsource_gui.matching_page.setup_form import SetupForm
 from skinsource_gui.matching_page.sounding import Sounding
 from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.widgets.keys import KEYS
 from skinsource_gui.widgets.page_button import page_button
 
 _TABLE = "matches.csv"
@@ -38,7 +39,7 @@ _INTRODUCTION = (
     'level = "matches.csv".'
 )
 _REHEARSAL = "Rehearsal: nothing is stored."
-_STOPPED = "Stopped. Space plays again."
+_STOPPED = f"Stopped. {KEYS['matching'].gestures['play'].shown} plays again."
 _LOOK_MS = 40
 # Esc that is pressed twice in a hurry stops, and does not close the page as well.
 _HURRY_S = 1.0

@@ -17,7 +17,7 @@ from skinsource_gui.state.installed_limbs import InstalledLimbs
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.key_tables.mouse_table import MOUSE
+from skinsource_gui.widgets.keys import MOUSE
 
 #: Makes a page in front of a window.
 MakePage = Callable[[QWidget], QDialog]
@@ -95,15 +95,16 @@ class Pages(QObject):
 
     def _gestures(self) -> list[QAction]:
         """What the mouse does, to be found; each leads to where the keys page says it."""
-        found = []
-        for heading, gestures in MOUSE.values():
-            for one in gestures:
-                entry = QAction(f"Mouse: {one.sentence}")
-                entry.setToolTip(f"{heading}; Enter shows all of them")
+        entries = []
+        for place in MOUSE.values():
+            for gesture in place.gestures.values():
+                movement = f"{gesture.shown[:1].lower()}{gesture.shown[1:]}"
+                entry = QAction(f"Mouse: {gesture.effect} – {movement}")
+                entry.setToolTip(f"{place.heading}; Enter shows all of them")
                 entry.setProperty(BESIDES, True)
-                entry.triggered.connect(partial(self._show_gestures, heading))
-                found.append(entry)
-        return found
+                entry.triggered.connect(partial(self._show_gestures, place.heading))
+                entries.append(entry)
+        return entries
 
     def _show_gestures(self, heading: str, _checked: bool = False) -> None:
         self.show_keys(heading)

@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QSizePolicy, QToolButto
 
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fitting_label import FittingLabel
-from skinsource_gui.widgets.key_tables.key_table import key_text
+from skinsource_gui.widgets.keys import key_text
 from skinsource_gui.widgets.tooltips import show_tooltip
 
 _PLACE = "clip_editor"

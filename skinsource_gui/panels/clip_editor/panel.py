@@ -30,7 +30,7 @@ from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.empty_words import clip_words
 from skinsource_gui.widgets.inputs.clip_waveforms import waveforms_of
 from skinsource_gui.widgets.inputs.input_words import clip_text, duration_text
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import meaning_of
 
 _NO_GLIDE = Refusal(sentence="The clip does not play a glide; choose that waveform first.")
 _ZOOM = 1.5
@@ -192,7 +192,7 @@ class ClipEditorPanel(Panel):
         return samples
 
     def _press(self, event: QKeyEvent) -> None:
-        wanted = meant("clip_editor", event)
+        wanted = meaning_of("clip_editor", event)
         if wanted in self._tools:
             self.use(wanted)
         elif wanted in ("zoom_in", "zoom_out"):

@@ -22,7 +22,7 @@ from skinsource_gui.panels.hand.site_cursor import SiteCursor
 from skinsource_gui.panels.hand.site_mouse import SiteMouse
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
+from skinsource_gui.widgets.keys import claims_shortcut
 from skinsource_gui.widgets.pan_zoom import WHOLE
 
 # Ways in which focus comes without the keyboard being used here.
@@ -227,7 +227,7 @@ class HandDiagram(QWidget):
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             self._show_tooltip(event)
             return True
-        return kept_from_shortcuts(event, self._overrides) or super().event(event)
+        return claims_shortcut(event, self._overrides) or super().event(event)
 
     def _overrides(self, event: QKeyEvent) -> bool:
         """Whether a key is wanted here even if it is a shortcut of the window."""

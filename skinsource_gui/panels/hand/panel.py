@@ -22,7 +22,7 @@ from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.drop_place import DropPlace
 from skinsource_gui.widgets.inputs.input_words import EMPTY
 from skinsource_gui.widgets.inputs.inputs_menu import fill_inputs_menu
-from skinsource_gui.widgets.key_tables.key_table import key_text
+from skinsource_gui.widgets.keys import key_text
 
 
 class HandPanel(Panel):

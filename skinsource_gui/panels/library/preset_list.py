@@ -19,8 +19,7 @@ from skinsource.presets import Entry
 from skinsource_gui.panels.library.preset_delegate import PresetDelegate
 from skinsource_gui.panels.library.presets_model import ENTRY, OWN, PresetsModel
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import claims_shortcut, meaning_of
 
 _PLACE = "library"
 # How far from the pointer a dragged preset is shown, and how wide its name may be.
@@ -128,10 +127,10 @@ class PresetList(QListView):
         self._look(None)
 
     def event(self, event: QEvent) -> bool:
-        return kept_from_shortcuts(event, partial(meant, _PLACE)) or super().event(event)
+        return claims_shortcut(event, partial(meaning_of, _PLACE)) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        name, entry = meant(_PLACE, event), self.current
+        name, entry = meaning_of(_PLACE, event), self.current
         if name == "search":
             self.search_wanted.emit()
         elif name == "rename":

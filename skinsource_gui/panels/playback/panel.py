@@ -22,9 +22,9 @@ from skinsource_gui.panels.playback.device_fields import DeviceFields
 from skinsource_gui.panels.playback.output_row import OutputRow
 from skinsource_gui.played import Played
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.widgets.keys import shortcut_text
 from skinsource_gui.widgets.room.steady_area import SteadyArea
 
-_NOT_LOOKED = "Press Space to play."
 _NO_INPUTS = "No place is in use: click one on the hand."
 _NOT_WIRED = "The rig wires no place that is in use."
 _METER_COLUMN = 2
@@ -184,7 +184,7 @@ class PlaybackPanel(Panel):
                 "delay."
             )
         elif not played.missing and not played.playing:
-            says.append(_NOT_LOOKED)
+            says.append(f"Press {shortcut_text('play')} to play.")
         text = "\n".join(says)
         if text != self.words.text():
             self.words.setText(text)

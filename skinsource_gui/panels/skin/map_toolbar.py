@@ -8,7 +8,7 @@ from skinsource_gui.panels.skin.map_icons import fit_icon, hand_icon, sensors_ic
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.stage.map_layout import HAND
 from skinsource_gui.theme import UNIT_PX, Theme
-from skinsource_gui.widgets.key_tables.key_table import key_text
+from skinsource_gui.widgets.keys import key_text
 from skinsource_gui.widgets.pan_zoom import WHOLE
 from skinsource_gui.widgets.tool_button import tool_button
 

@@ -28,8 +28,7 @@ from skinsource_gui.panels.skin.stage.map_layout import HAND
 from skinsource_gui.panels.skin.stage.map_stage import MapStage
 from skinsource_gui.theme import LIGHT, Theme, tabular
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import KEYS, claims_shortcut, meaning_of
 from skinsource_gui.widgets.outputs.keys import ADDS
 from skinsource_gui.widgets.outputs.picker import OutputPicker
 from skinsource_gui.widgets.outputs.picking import output_at
@@ -84,8 +83,7 @@ class SkinMap(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName("Map of the skin, back of hand and arm")
         self.setAccessibleDescription(
-            "Arrow keys move to the next output, Space selects it, Shift and Space adds it. "
-            "Delete removes the selected inputs."
+            "; ".join(KEYS["skin"].sentences("go", "select", "toggle", "remove"))
         )
 
     def show_content(self, content: MapContent) -> None:
@@ -156,7 +154,7 @@ class SkinMap(QWidget):
             words = hover_words(self.content, self.stage.layout, QPointF(event.pos()))
             QToolTip.showText(event.globalPos(), words, self)
             return True
-        return kept_from_shortcuts(event, self._claims) or super().event(event)
+        return claims_shortcut(event, self._claims) or super().event(event)
 
     def _claims(self, event: QKeyEvent) -> bool:
         return self.picker.claims(event)
@@ -214,7 +212,7 @@ class SkinMap(QWidget):
         self.menu_requested.emit(middle if by_key else event.globalPos())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        layout, wanted = self.stage.layout, meant("skin", event)
+        layout, wanted = self.stage.layout, meaning_of("skin", event)
         middle = QRectF(self.rect()).center()
         if layout is None:
             super().keyPressEvent(event)

@@ -27,7 +27,7 @@ from skinsource_gui.theme import UNIT_PX, Theme
 from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.empty_words import output_words
 from skinsource_gui.widgets.figure.words_label import WordsLabel
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
+from skinsource_gui.widgets.keys import claims_shortcut
 from skinsource_gui.widgets.name_column import dress_table, give_names_the_rest
 
 
@@ -37,7 +37,7 @@ class FigureTable(QTableView):
     copy_wanted = Signal()
 
     def event(self, event: QEvent) -> bool:
-        return kept_from_shortcuts(event, _copies) or super().event(event)
+        return claims_shortcut(event, _copies) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if _copies(event):

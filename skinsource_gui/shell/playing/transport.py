@@ -10,6 +10,7 @@ from skinsource_gui.state.playing.gain_setting import DECIMALS
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.keys import shortcut_text
 from skinsource_gui.widgets.level_meter import LevelMeter
 from skinsource_gui.widgets.tooltips import tooltip
 from skinsource_gui.widgets.transport_icons import play_icon, repeat_icon, stop_icon
@@ -25,9 +26,9 @@ GAIN = NumberSpec(
 )
 _WIDEST = minus(f"{LOWEST_DB:.{DECIMALS}f}")
 _METER_PX = 3
-_PLAY = "Play or stop (Space)", "Without a device the playhead runs in silence."
+_PLAY = "Play or stop", "Without a device the playhead runs in silence."
 _REPEAT = (
-    "Repeat (Ctrl+L)",
+    "Repeat",
     "Play the whole design again and again; a loop on the ruler is repeated in any case.",
 )
 
@@ -44,9 +45,9 @@ class Transport(QWidget):
         super().__init__(parent)
         self.setObjectName("transport")
         self._theme, self._played = LIGHT, Played()
-        self.play = self._button("play_button", _PLAY)
+        self.play = self._button("play_button", "play", *_PLAY)
         self.play.clicked.connect(self.play_wanted)
-        self.repeat = self._button("repeat_button", _REPEAT)
+        self.repeat = self._button("repeat_button", "repeat", *_REPEAT)
         self.repeat.setCheckable(True)
         self.repeat.clicked.connect(self.repeat_wanted)
         self.gain = NumberField(GAIN, widest_unit=GAIN.unit, widest_number=_WIDEST)
@@ -94,12 +95,13 @@ class Transport(QWidget):
         self.play.setAccessibleName("Stop" if playing else "Play")
         self.repeat.setIcon(repeat_icon(self._theme))
 
-    def _button(self, name: str, hints: tuple[str, str]) -> QToolButton:
+    def _button(self, name: str, action: str, title: str, hint: str) -> QToolButton:
         button = QToolButton(self)
         button.setObjectName(name)
         button.setIconSize(QSize(16, 16))
-        button.setToolTip(tooltip(*hints))
-        button.setAccessibleName(hints[0])
+        title = f"{title} ({shortcut_text(action)})"
+        button.setToolTip(tooltip(title, hint))
+        button.setAccessibleName(title)
         return button
 
     def _want_gain(self, gain_db: float, _gesture: int | None) -> None:

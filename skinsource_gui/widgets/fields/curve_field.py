@@ -22,8 +22,7 @@ from skinsource_gui.widgets.fields.point_menu import (
     fill_ground_menu,
     fill_point_menu,
 )
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
-from skinsource_gui.widgets.key_tables.key_table import key_text, meant
+from skinsource_gui.widgets.keys import claims_shortcut, key_text, meaning_of
 from skinsource_gui.widgets.tooltips import tooltip
 
 _WORDS_PX = 16
@@ -97,11 +96,11 @@ class CurveField(QWidget):
         return QSize(72, 84)
 
     def event(self, event: QEvent) -> bool:
-        return kept_from_shortcuts(event, self._wants) or super().event(event)
+        return claims_shortcut(event, self._wants) or super().event(event)
 
     def _wants(self, event: QKeyEvent) -> bool:
         gives_up = self._mouse.drags and event.key() == Qt.Key.Key_Escape
-        return gives_up or bool(meant("curve", event))
+        return gives_up or bool(meaning_of("curve", event))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() != Qt.MouseButton.LeftButton:
@@ -142,7 +141,7 @@ class CurveField(QWidget):
         menu.popup(event.globalPos())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        name = meant("curve", event)
+        name = meaning_of("curve", event)
         if self._mouse.drags and event.key() == Qt.Key.Key_Escape:
             self._mouse.give_up()
         elif name:

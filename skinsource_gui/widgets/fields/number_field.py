@@ -28,7 +28,7 @@ from skinsource_gui.widgets.fields.number_typing import (
 from skinsource_gui.widgets.fields.round_numbers import clamped
 from skinsource_gui.widgets.fields.shown_number import ShownNumber
 from skinsource_gui.widgets.fields.unit_beside import UnitBeside
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
+from skinsource_gui.widgets.keys import claims_shortcut
 from skinsource_gui.widgets.tooltips import show_tip_below
 
 #: Fields that stand below each other leave the same room for units, so that digits align.
@@ -185,7 +185,7 @@ class NumberField(QLineEdit):
             event.ignore()
 
     def event(self, event: QEvent) -> bool:
-        return kept_from_shortcuts(event, self._wants) or super().event(event)
+        return claims_shortcut(event, self._wants) or super().event(event)
 
     def _wants(self, event: QKeyEvent) -> bool:
         return (

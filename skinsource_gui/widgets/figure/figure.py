@@ -6,8 +6,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, scaled, tabular
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import claims_shortcut, meaning_of
 from skinsource_gui.widgets.over.veil import PALE, paint_updating
 
 _TEXT = 0.92
@@ -112,7 +111,7 @@ class Figure(QWidget):
         painter.end()
 
     def event(self, event: QEvent) -> bool:
-        return kept_from_shortcuts(event, self._means) or super().event(event)
+        return claims_shortcut(event, self._means) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         means, area = self._means(event), self.keys_area()
@@ -139,7 +138,7 @@ class Figure(QWidget):
         self.move_cursor(None)
 
     def _means(self, event: QKeyEvent) -> str:
-        means = meant("plot", event)
+        means = meaning_of("plot", event)
         if means not in ("step", "jump", "give_up") or self.keys_area().isEmpty():
             return ""
         return means if means != "give_up" or self.cursor_at is not None else ""

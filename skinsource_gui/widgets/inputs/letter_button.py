@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme, letter_scale
 from skinsource_gui.widgets.inputs.swatch import words_on
-from skinsource_gui.widgets.key_tables.key_table import key_text
+from skinsource_gui.widgets.keys import key_text
 
 BUTTON_PX = 22
 # Of one that cannot be pressed now.

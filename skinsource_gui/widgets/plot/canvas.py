@@ -18,8 +18,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import claims_shortcut, meaning_of
 from skinsource_gui.widgets.wheel import ScrollingOn
 
 
@@ -52,13 +51,13 @@ class Canvas(pyqtgraph.GraphicsView):
 
     def claims(self, event: QKeyEvent) -> bool:
         """Whether it wants this key for itself, whatever the window's actions are."""
-        return bool(meant(self.key_place, event))
+        return bool(meaning_of(self.key_place, event))
 
     def lay_out(self) -> None:
         """Put everything where it belongs in the size that there is now."""
 
     def event(self, event: QEvent) -> bool:
-        return kept_from_shortcuts(event, self.claims) or super().event(event)
+        return claims_shortcut(event, self.claims) or super().event(event)
 
     def viewportEvent(self, event: QEvent) -> bool:
         if isinstance(event, QWheelEvent) and self.scrolling_on.passes(event):

@@ -12,7 +12,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import meaning_of
 from skinsource_gui.widgets.paper import PAPER_DOTS
 from skinsource_gui.widgets.plot.axis_spec import ValueUnit, XAxis, value_unit
 from skinsource_gui.widgets.plot.canvas import Canvas
@@ -232,7 +232,7 @@ class Plot(Canvas):
         self.navigation.leave()
 
     def _moves_playhead(self, event: QKeyEvent) -> bool:
-        return self.playhead.time_s is not None and bool(meant(PLAYHEAD, event))
+        return self.playhead.time_s is not None and bool(meaning_of(PLAYHEAD, event))
 
     def _hint_at(self, y_px: float) -> str:
         # What the words above and below the plot say when there is room for them.

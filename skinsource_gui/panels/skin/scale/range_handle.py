@@ -5,7 +5,7 @@ from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent,
 from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.theme import LIGHT, Theme
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import meaning_of
 
 HANDLE_WIDTH, HANDLE_HEIGHT = 26, 12
 _KEY_STEPS_DB = {
@@ -78,7 +78,7 @@ class RangeHandle(QWidget):
 
 def key_step_db(event: QKeyEvent) -> float:
     """Step that a key asks for, dB; 0 for none."""
-    if not meant("colour_bar", event):
+    if not meaning_of("colour_bar", event):
         return 0.0
     step = _KEY_STEPS_DB[Qt.Key(event.key())]
     if event.modifiers() & Qt.KeyboardModifier.ControlModifier:

@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSlider, QToolButton, QWidget
 
 from skinsource_gui.panels.skin.map_quantity import time_text
 from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
+from skinsource_gui.widgets.keys import shortcut_text
 from skinsource_gui.widgets.tooltips import tooltip
 from skinsource_gui.widgets.transport_icons import play_icon
 
@@ -28,8 +29,12 @@ class ScrubBar(QWidget):
         self.play.setObjectName("skin_play")
         self.play.setIconSize(QSize(14, 14))
         self.play.setAccessibleName("Play or stop")
-        words = "Play or stop (Space)", "Shift+Space stops where the playhead is, and goes on."
-        self.play.setToolTip(tooltip(*words))
+        self.play.setToolTip(
+            tooltip(
+                f"Play or stop ({shortcut_text('play')})",
+                f"{shortcut_text('pause')} stops where the playhead is, and goes on.",
+            )
+        )
         self.play.clicked.connect(self.play_wanted)
         self.slider = QSlider(Qt.Orientation.Horizontal, self)
         self.slider.setObjectName("skin_time")

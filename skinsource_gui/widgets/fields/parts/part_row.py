@@ -13,7 +13,7 @@ from skinsource_gui.widgets.fields.field_grid import FieldGrid
 from skinsource_gui.widgets.fields.parts.part_fields import PartFields
 from skinsource_gui.widgets.fields.parts.row_title import RowTitle
 from skinsource_gui.widgets.inputs.letter_button import LetterButton, remove_button
-from skinsource_gui.widgets.key_tables.key_table import key_text
+from skinsource_gui.widgets.keys import key_text
 from skinsource_gui.widgets.tooltips import tooltip
 
 PLACE = "parts"

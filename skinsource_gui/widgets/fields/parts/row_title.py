@@ -4,8 +4,7 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QApplication, QSizePolicy, QToolButton, QWidget
 
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
-from skinsource_gui.widgets.key_tables.key_table import key_text, meant
+from skinsource_gui.widgets.keys import claims_shortcut, key_text, meaning_of
 from skinsource_gui.widgets.tooltips import tooltip
 
 # The arrow and the edges.
@@ -80,7 +79,7 @@ class RowTitle(QToolButton):
             self.opened.emit(open_)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        name = meant(self._place, event)
+        name = meaning_of(self._place, event)
         if self._dragging and event.key() == Qt.Key.Key_Escape:
             self._let_go()
             self.given_up.emit()
@@ -90,11 +89,11 @@ class RowTitle(QToolButton):
             event.ignore()
 
     def event(self, event: QEvent) -> bool:
-        return kept_from_shortcuts(event, self._wants) or super().event(event)
+        return claims_shortcut(event, self._wants) or super().event(event)
 
     def _wants(self, event: QKeyEvent) -> bool:
         gives_up = self._dragging and event.key() == Qt.Key.Key_Escape
-        return gives_up or bool(meant(self._place, event))
+        return gives_up or bool(meaning_of(self._place, event))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
