@@ -13,7 +13,7 @@ from skinsource_gui.accuracy_page.memory_use import resident_bytes
 from skinsource_gui.status.edit_times import milliseconds, most_within
 from skinsource_gui.status.error_label import PROMISED, VISIBLE, one_digit_up
 from skinsource_gui.status.status_line import StatusLine
-from skinsource_gui.theme import UNIT_PX, Theme, tabular
+from skinsource_gui.theme import UNIT_PX, set_tone, tabular
 
 #: Name of each figure: words, and what is promised.
 _PROMISES = {
@@ -100,19 +100,15 @@ class AccuracyFigures(QScrollArea):
         column.addStretch(1)
         self.setWidget(content)
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        error = self._status.error.error
-        colour = theme.text
-        if error is not None and error.estimate > PROMISED:
-            colour = theme.error if error.estimate > VISIBLE else theme.warning
-        self._now["error"].setStyleSheet(f"color: {colour};")
-
     def refresh(self) -> None:
         """Show the present figures."""
         for name, words in self._present().items():
             if words != self._now[name].text():
                 self._now[name].setText(words)
+        error, tone = self._status.error.error, ""
+        if error is not None and error.estimate > PROMISED:
+            tone = "error" if error.estimate > VISIBLE else "warning"
+        set_tone(self._now["error"], tone)
 
     def show_rows(self, rows: Sequence[Row]) -> None:
         """Take over what the benchmark has measured; nothing: it has not yet."""

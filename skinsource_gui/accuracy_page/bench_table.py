@@ -17,7 +17,7 @@ from skinsource.method_comparison.every_scene import any_scene
 from skinsource.method_comparison.pareto import pareto_front
 from skinsource.method_comparison.table import Row
 from skinsource.own_limbs import facts_of
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import current_theme
 
 #: Name of the engine whose promises are this program's own.
 OURS = "this program"
@@ -46,7 +46,6 @@ class BenchTable(QAbstractTableModel):
         super().__init__(parent)
         self._rows: list[Row] = []
         self._front: set[int] = set()
-        self._theme = LIGHT
 
     def show_rows(self, rows: Sequence[Row]) -> None:
         """Take over ``rows``."""
@@ -59,11 +58,6 @@ class BenchTable(QAbstractTableModel):
             for row in pareto_front([one for one in self._rows if one.scene == scene])
         }
         self.endResetModel()
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.layoutChanged.emit()
 
     def rowCount(self, parent: _Index | None = None) -> int:
         return 0 if parent is not None and parent.isValid() else len(self._rows)
@@ -102,9 +96,9 @@ class BenchTable(QAbstractTableModel):
 
     def _colour(self, row: Row, column: int) -> QColor | None:
         if row.failure:
-            return QColor(self._theme.dim)
+            return QColor(current_theme().dim)
         if column == _PROMISE and row.promise.startswith("broken"):
-            return QColor(self._theme.error)
+            return QColor(current_theme().error)
         return None
 
 

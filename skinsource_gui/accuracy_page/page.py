@@ -1,8 +1,6 @@
 """Help > Accuracy and speed: what is promised, what is measured now, and a benchmark to run."""
 
-from collections.abc import Callable
-
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QCloseEvent, QPixmap, QShowEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QTabWidget, QVBoxLayout, QWidget
 
@@ -19,7 +17,6 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.status.status_line import StatusLine
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.page_button import page_button
 
 _NOTHING_YET = "Nothing is measured yet. “Measure now” runs the benchmark."
@@ -35,8 +32,6 @@ class AccuracyPage(QDialog):
         Carries the benchmark out.
     status
         Knows the present figures.
-    theme
-        Gives the colours in use.
     preferences
         Know where files were last written.
     document
@@ -47,7 +42,6 @@ class AccuracyPage(QDialog):
         self,
         runner: JobRunner,
         status: StatusLine,
-        theme: Callable[[], Theme],
         preferences: Preferences,
         document: Document,
         parent: QWidget,
@@ -56,7 +50,7 @@ class AccuracyPage(QDialog):
         self.setWindowTitle("Accuracy and speed")
         self.setObjectName("accuracy_page")
         self.resize(*_SIZE_PX)
-        self._status, self._theme, self._preferences = status, theme, preferences
+        self._status, self._preferences = status, preferences
         self.run = BenchRun(runner, self)
         self._figures = AccuracyFigures(status)
         self._model = BenchTable(self)
@@ -81,7 +75,6 @@ class AccuracyPage(QDialog):
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._refresh()
-        self._take_colours()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         self.run.cancel()
@@ -91,11 +84,6 @@ class AccuracyPage(QDialog):
         # What the Esc key does; no close event comes with it.
         self.run.cancel()
         super().reject()
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange:
-            self._take_colours()
 
     def end(self) -> None:
         """Close for good: nothing of the benchmark stays behind."""
@@ -122,11 +110,6 @@ class AccuracyPage(QDialog):
     def _refresh(self) -> None:
         if self.isVisible():
             self._figures.refresh()
-            self._figures.show_theme(self._theme())
-
-    def _take_colours(self) -> None:
-        self._model.show_theme(self._theme())
-        self._figures.show_theme(self._theme())
 
     def _show_results(self, measured: Measured) -> None:
         problem = measured.no_plot

@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QVBoxLayout, QWidget
 
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.keys import KEYS, Gesture
 from skinsource_gui.widgets.page_button import page_button
 
@@ -24,9 +24,9 @@ class RunView(QWidget):
     #: ``"weaker"``, ``"stronger"``, ``"store"`` or ``"play"``.
     wanted = Signal(str)
 
-    def __init__(self, theme: Theme) -> None:
+    def __init__(self) -> None:
         super().__init__()
-        self._theme, self._lit = theme, ""
+        self._lit = ""
         self.progress, self.bar = QLabel(), QProgressBar()
         self.progress.setObjectName("matching_progress")
         self.bar.setTextVisible(False)
@@ -93,22 +93,14 @@ class RunView(QWidget):
 
     def show_note(self, words: str, *, problem: bool = False) -> None:
         """Say something below."""
-        colour = self._theme.error if problem else self._theme.dim
-        self.note.setStyleSheet(f"color: {colour};")
+        set_tone(self.note, "error" if problem else "dim")
         self.note.setText(words)
 
     def light(self, which: str) -> None:
         """Light ``"reference"``, ``"test"`` or neither."""
         self._lit = which
-        theme = self._theme
         for name, side in self.sides.items():
-            back, words = (theme.accent, theme.on_accent) if name == which else (
-                theme.base, theme.text
-            )  # fmt: skip
-            side.setStyleSheet(
-                f"background: {back}; color: {words}; border: 1px solid {theme.border}; "
-                "border-radius: 4px; padding: 8px;"
-            )
+            set_tone(side, "lit" if name == which else "unlit")
 
     @property
     def lit(self) -> str:

@@ -16,7 +16,6 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.installed_limbs import InstalledLimbs
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.keys import MOUSE
 
 #: Makes a page in front of a window.
@@ -118,15 +117,14 @@ class Pages(QObject):
 def limb_pages(
     runner: JobRunner,
     limbs: InstalledLimbs,
-    theme: Callable[[], Theme],
     document: Document,
     preferences: Preferences,
 ) -> tuple[MakePage, MakePage, MakePage]:
     """What makes the pages on the measured limbs, on one's own, and on recordings of them."""
-    checked = runner, document, preferences, theme
+    checked = runner, document, preferences
     return (
         late("skinsource_gui.dataset_page.page", "DatasetPage", runner, limbs),
-        late("skinsource_gui.limb_page.page", "LimbPage", runner, limbs, theme),
+        late("skinsource_gui.limb_page.page", "LimbPage", runner, limbs),
         late("skinsource_gui.checking_page.page", "CheckingPage", *checked),
     )
 

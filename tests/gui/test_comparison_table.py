@@ -32,13 +32,13 @@ _Role = Qt.ItemDataRole
 
 
 @pytest.fixture
-def shown(qtmodeltester):
+def shown(qtmodeltester, use_theme):
     """Show rows in a table that Qt itself has looked through."""
 
     def show(*rows):
         model = BenchTable()
         model.show_rows(rows)
-        model.show_theme(DARK)
+        use_theme(DARK)
         qtmodeltester.check(model)
         return model
 

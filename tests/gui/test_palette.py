@@ -15,6 +15,7 @@ from skinsource_gui.shell.actions import ACTIONS
 from skinsource_gui.shell.palette import Palette, matching, score
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.start_design import start_design
+from skinsource_gui.theme import current_theme
 from skinsource_gui.widgets.keys import MOUSE
 
 
@@ -209,7 +210,7 @@ def test_each_page_opens(window):
 @pytest.mark.parametrize("name", ["light", "dark"])
 def test_themes_are_remembered(window, preferences, name):
     window.actions_by_name[f"use_{name}_theme"].trigger()
-    assert window.theme.name == name
+    assert current_theme().name == name
     assert preferences.theme_name == name
 
 

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QAbstractButton, QMenu, QSizePolicy, QWidget
 from skinsource.comparing import gain_words
 from skinsource_gui.compared import Compared, is_silent
 from skinsource_gui.panels.compare.card_words import level_words, sentence
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
+from skinsource_gui.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.widgets.keys import claims_shortcut, meaning_of, shortcut_text
 from skinsource_gui.widgets.map.colour_maps import colour_table
 from skinsource_gui.widgets.map.scale_row import Scale
@@ -38,7 +38,6 @@ class Card(QAbstractButton):
         self.number = number
         # The design that is edited is never stored, and without it its card is away.
         self._store_key = shortcut_text(f"store_snapshot_{number}") if number else ""
-        self._theme: Theme = LIGHT
         self._compared: Compared | None = None
         self._map: SmallMap | None = None
         self._scale: Scale | None = None
@@ -82,11 +81,6 @@ class Card(QAbstractButton):
         self.setToolTip(words)
         self.update()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def sizeHint(self) -> QSize:
         line = self.fontMetrics().height()
         widest = self.fontMetrics().horizontalAdvance("−88.8 dB")
@@ -108,7 +102,7 @@ class Card(QAbstractButton):
             super().keyPressEvent(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter, theme = QPainter(self), self._theme
+        painter, theme = QPainter(self), current_theme()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         frame = QRectF(self.rect()).adjusted(1, 1, -1, -1)
         focused = self.hasFocus()
@@ -128,7 +122,7 @@ class Card(QAbstractButton):
         painter.end()
 
     def _paint_inside(self, painter: QPainter, area: QRectF) -> None:
-        theme, compared = self._theme, self._compared
+        theme, compared = current_theme(), self._compared
         line = self.fontMetrics().height()
         centre = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignVCenter
         heading = QFont(self.font())

@@ -11,7 +11,7 @@ from skinsource_gui.history import History
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.history.step_delegate import StepDelegate
 from skinsource_gui.panels.history.steps_model import StepsModel
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.keys import claims_shortcut, meaning_of
 
 _PLACE = "history"
@@ -67,10 +67,6 @@ class HistoryPanel(Panel):
         present = self.model.index(history.present)
         self.rows.setCurrentIndex(present)
         self.rows.scrollTo(present)
-
-    def show_theme(self, theme: Theme) -> None:
-        self._delegate.theme = theme
-        self.rows.viewport().update()
 
     def _go(self, row: QModelIndex) -> None:
         if row.row() != self.model.history.present:

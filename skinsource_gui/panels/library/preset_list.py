@@ -18,7 +18,7 @@ from PySide6.QtWidgets import QAbstractItemView, QListView, QWidget
 from skinsource.presets import Entry
 from skinsource_gui.panels.library.preset_delegate import PresetDelegate
 from skinsource_gui.panels.library.presets_model import ENTRY, OWN, PresetsModel
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, current_theme
 from skinsource_gui.widgets.keys import claims_shortcut, meaning_of
 
 _PLACE = "library"
@@ -38,7 +38,7 @@ class PresetList(QListView):
 
     def __init__(self, model: PresetsModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._theme, self._words = LIGHT, ""
+        self._words = ""
         self._under: Entry | None = None
         self._delegate = PresetDelegate(self)
         self.setObjectName("preset_rows")
@@ -70,11 +70,6 @@ class PresetList(QListView):
         self._words = words
         self.viewport().update()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = self._delegate.theme = theme
-        self.viewport().update()
-
     def go_to(self, row: int) -> None:
         """Let the keys be at this row."""
         self.setCurrentIndex(self.model().index(row, 0))
@@ -101,10 +96,10 @@ class PresetList(QListView):
         size = QSize(metrics.horizontalAdvance(words) + 2 * UNIT_PX, metrics.height() + UNIT_PX)
         tag = QPixmap(size * ratio)
         tag.setDevicePixelRatio(ratio)
-        tag.fill(QColor(self._theme.accent))
+        tag.fill(QColor(current_theme().accent))
         painter = QPainter(tag)
         painter.setFont(self.font())
-        painter.setPen(QColor(self._theme.on_accent))
+        painter.setPen(QColor(current_theme().on_accent))
         painter.drawText(QRect(QPoint(), size), Qt.AlignmentFlag.AlignCenter, words)
         painter.end()
         return tag
@@ -146,7 +141,7 @@ class PresetList(QListView):
         super().paintEvent(event)
         if self.model().rowCount() == 0 and self._words:
             painter = QPainter(self.viewport())
-            painter.setPen(QColor(self._theme.dim))
+            painter.setPen(QColor(current_theme().dim))
             room = self.viewport().rect().adjusted(UNIT_PX, UNIT_PX, -UNIT_PX, -UNIT_PX)
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(room, flags, self._words)

@@ -12,7 +12,7 @@ from skinsource_gui.panels.side_by_side.headings import places_for
 from skinsource_gui.panels.side_by_side.layout import least_height
 from skinsource_gui.panels.side_by_side.painter import paint_view
 from skinsource_gui.panels.side_by_side.seen_maps import SeenMaps
-from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.theme import current_theme, tabular
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
 from skinsource_gui.widgets.keys import KEYS, claims_shortcut, meaning_of
 from skinsource_gui.widgets.outputs.picker import OutputPicker
@@ -39,7 +39,6 @@ class MapsView(QWidget):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self._theme: Theme = LIGHT
         self._outdated = False
         # Of which map the mouse was last.
         self._at = 0
@@ -80,11 +79,6 @@ class MapsView(QWidget):
         self._outdated = outdated
         self.update()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, self._wants) or super().event(event)
 
@@ -92,7 +86,7 @@ class MapsView(QWidget):
         return meaning_of("skin", event) in _KEYS and self.picker.claims(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter, theme, content = QPainter(self), self._theme, self.content
+        painter, theme, content = QPainter(self), current_theme(), self.content
         painter.setFont(tabular(self.font()))
         painter.fillRect(self.rect(), QColor(theme.base))
         if content.message or not content.cells:

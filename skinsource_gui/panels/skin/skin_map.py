@@ -26,7 +26,7 @@ from skinsource_gui.panels.skin.map_readout import hover_words, output_readout, 
 from skinsource_gui.panels.skin.map_words import paint_words
 from skinsource_gui.panels.skin.stage.map_layout import HAND
 from skinsource_gui.panels.skin.stage.map_stage import MapStage
-from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.theme import current_theme, tabular
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
 from skinsource_gui.widgets.keys import KEYS, claims_shortcut, meaning_of
 from skinsource_gui.widgets.outputs.keys import ADDS
@@ -63,7 +63,6 @@ class SkinMap(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.content = MapContent()
-        self._theme = LIGHT
         self._painter: MapPainter | None = None
         self._pointer = InputPointer(self)
         self._pointer.pointed_at.connect(self.input_pointed_at)
@@ -105,11 +104,6 @@ class SkinMap(QWidget):
         if self.picker.mouse.pointer is not None or self.hasFocus():
             self.readout_changed.emit(self.readout())
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def readout(self) -> str:
         """What is under the pointer, or else under the keyboard's cursor, in words."""
         number, pointer = self.picker.pointed_at(focused=self.hasFocus()), self.picker.mouse.pointer
@@ -128,25 +122,25 @@ class SkinMap(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, mouse = QPainter(self), self.picker.mouse
-        painter.fillRect(self.rect(), QColor(self._theme.base))
+        painter.fillRect(self.rect(), QColor(current_theme().base))
         if self.stage.layout is not None and self._painter is not None:
             painter.setFont(tabular(small_font(self.stage.letters)))
-            self._painter.paint(painter, self.content, self.stage.layout, self._theme)
-            marks = [(mouse.hovered, self._theme.text)]
+            self._painter.paint(painter, self.content, self.stage.layout, current_theme())
+            marks = [(mouse.hovered, current_theme().text)]
             if self.hasFocus():
-                marks.append((self.picker.keys.cursor_output, self._theme.accent))
+                marks.append((self.picker.keys.cursor_output, current_theme().accent))
             for number, colour in marks:
                 if number is not None:
                     paint_mark(
-                        painter, number, colour, self.content, self.stage.layout, self._theme
+                        painter, number, colour, self.content, self.stage.layout, current_theme()
                     )
             if mouse.band is not None:
-                paint_band(painter, mouse.band, self._theme)
+                paint_band(painter, mouse.band, current_theme())
         painter.setFont(self.stage.letters)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        paint_words(painter, self.content, self.stage.layout, QRectF(self.rect()), self._theme)
+        paint_words(painter, self.content, self.stage.layout, QRectF(self.rect()), current_theme())
         if self.hasFocus():
-            paint_focus_frame(painter, QRectF(self.rect()), self._theme)
+            paint_focus_frame(painter, QRectF(self.rect()), current_theme())
         painter.end()
 
     def event(self, event: QEvent) -> bool:

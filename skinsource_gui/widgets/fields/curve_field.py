@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
 
 from skinsource.effects.breakpoints import Points
 from skinsource.fields import BreakpointsSpec
-from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.theme import current_theme, tabular
 from skinsource_gui.widgets.fields.curve_mouse import CurveMouse
 from skinsource_gui.widgets.fields.curve_painter import paint_curve, paint_frame
 from skinsource_gui.widgets.fields.edited_points import EditedPoints
@@ -46,7 +46,6 @@ class CurveField(QWidget):
 
     def __init__(self, spec: BreakpointsSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._theme = LIGHT
         self.points = EditedPoints(spec, self)
         self.points.edited.connect(self.edited)
         self.points.changed.connect(self.update)
@@ -73,11 +72,6 @@ class CurveField(QWidget):
         """Show other points, and tell nobody."""
         self.points.show(points)
         self._mouse.fit()
-        self.update()
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
         self.update()
 
     def cancel(self) -> None:
@@ -152,10 +146,10 @@ class CurveField(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, inside = QPainter(self), self._inside()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        paint_frame(painter, QRectF(self.rect()), self._theme, focused=self.hasFocus())
+        paint_frame(painter, QRectF(self.rect()), current_theme(), focused=self.hasFocus())
         chosen = self.points.chosen if self.hasFocus() else None
-        paint_curve(painter, inside, self._mouse.scale, self.value, chosen, self._theme)
-        painter.setPen(QColor(self._theme.dim))
+        paint_curve(painter, inside, self._mouse.scale, self.value, chosen, current_theme())
+        painter.setPen(QColor(current_theme().dim))
         room = QRectF(inside.left(), 2, inside.width(), _WORDS_PX)
         words = painter.fontMetrics().elidedText(
             self.words, Qt.TextElideMode.ElideRight, round(room.width())

@@ -17,7 +17,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from skinsource.fields import NumberSpec
-from skinsource_gui.theme import LIGHT, Theme, letter_scale, tabular
+from skinsource_gui.theme import current_theme, letter_scale, tabular
 from skinsource_gui.widgets.fields.number_gestures import NumberGestures
 from skinsource_gui.widgets.fields.number_typing import (
     FINISHERS,
@@ -82,7 +82,6 @@ class NumberField(QLineEdit):
         self._number = ShownNumber(spec=spec, value_si=clamped(0.0, spec))
         self._unit = UnitBeside(self, widest_unit)
         self._problem_beside, self._widest_number = problem_beside, widest_number
-        self._theme = LIGHT
         self._typing = NumberTyping(self)
         self.gestures = NumberGestures(self)
         self._typing.problem_changed.connect(self._show_problem)
@@ -132,11 +131,6 @@ class NumberField(QLineEdit):
             if not self.editing:
                 self._typing.end()
             self._show(float(value_si))
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
 
     def begin_editing(self, text: str | None = None) -> None:
         """Let the user type; ``text`` replaces the number, which is selected otherwise."""
@@ -262,10 +256,10 @@ class NumberField(QLineEdit):
         painter = QPainter(self)
         has_own_unit = self.editing and any(c.isalpha() or c in "°×²" for c in self.text())
         if not has_own_unit:
-            self._unit.paint(painter, self._number.beside(editing=self.editing), self._theme)
+            self._unit.paint(painter, self._number.beside(editing=self.editing), current_theme())
         if self.problem and self.editing:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            painter.setPen(QPen(QColor(self._theme.error), 2))
+            painter.setPen(QPen(QColor(current_theme().error), 2))
             painter.drawRoundedRect(QRectF(self.rect()).adjusted(1, 1, -1, -1), 4, 4)
 
     def _edit(self, value_si: float, gesture: int | None) -> None:

@@ -16,7 +16,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QWidget
 
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import current_theme
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
 from skinsource_gui.widgets.keys import claims_shortcut, meaning_of
 from skinsource_gui.widgets.wheel import ScrollingOn
@@ -29,8 +29,6 @@ class Canvas(pyqtgraph.GraphicsView):
     ----------
     key_place
         Where in the table of keys its own stand.
-    theme
-        Its colours.
     scrolling_on
         Knows when the wheel is for what is around it.
     """
@@ -40,14 +38,18 @@ class Canvas(pyqtgraph.GraphicsView):
     def __init__(self, parent: QWidget | None = None, **options: Any) -> None:
         # Each move of the mouse counts, however quick: the last one is where it stopped.
         pyqtgraph.setConfigOption("mouseRateLimit", 0)
-        self.theme = LIGHT
         super().__init__(parent, **options)
         self.scrolling_on = ScrollingOn(self)
+        self.setBackground(QColor(current_theme().base))
 
-    def set_ground(self, theme: Theme) -> None:
-        """Take over colours of ground and frame."""
-        self.theme = theme
-        self.setBackground(QColor(theme.base))
+    def take_colours(self) -> None:
+        """Take over the colours in use, also where a picture of an item is kept."""
+        self.setBackground(QColor(current_theme().base))
+        for item in self.scene().items():
+            item.update()
+
+    def take_font(self) -> None:
+        """Take over the font: items have none of their own."""
 
     def claims(self, event: QKeyEvent) -> bool:
         """Whether it wants this key for itself, whatever the window's actions are."""
@@ -65,6 +67,14 @@ class Canvas(pyqtgraph.GraphicsView):
             return False
         return super().viewportEvent(event)
 
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        # pyqtgraph's constructor changes the palette, before there is a scene.
+        if event.type() == QEvent.Type.StyleChange:
+            self.take_colours()
+        elif event.type() == QEvent.Type.FontChange:
+            self.take_font()
+
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self.scrolling_on.watch()
@@ -81,7 +91,7 @@ class Canvas(pyqtgraph.GraphicsView):
         super().paintEvent(event)
         if self.hasFocus():
             painter = QPainter(self.viewport())
-            paint_focus_frame(painter, QRectF(self.rect()), self.theme)
+            paint_focus_frame(painter, QRectF(self.rect()), current_theme())
             painter.end()
 
     def resizeEvent(self, event: QResizeEvent | None) -> None:

@@ -11,7 +11,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
-from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
+from skinsource_gui.theme import scaled, tabular
 from skinsource_gui.widgets.keys import meaning_of
 from skinsource_gui.widgets.paper import PAPER_DOTS
 from skinsource_gui.widgets.plot.axis_spec import ValueUnit, XAxis, value_unit
@@ -102,9 +102,9 @@ class Plot(Canvas):
         self.navigation = Navigation(self, self)
         self.playhead = Playhead(self)
         watch = (self.navigation.watch, self.playhead.watch)
-        self.stack = Stack(self.scene(), self.theme, self.words_font, watch)
+        self.stack = Stack(self.scene(), self.words_font, watch)
         self.scene().sigMouseMoved.connect(self.navigation.follow_mouse)
-        self.set_theme(LIGHT)
+        self.take_font()
 
     @property
     def message(self) -> str:
@@ -117,15 +117,16 @@ class Plot(Canvas):
     def minimumSizeHint(self) -> QSize:
         return least_size(QFontMetricsF(self.words_font))
 
-    def set_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.set_ground(theme)
+    def take_colours(self) -> None:
+        super().take_colours()
+        self.stack.show_fonts(self.words_font, self.font())
+        self.playhead.take_colours()
+        self._colour()
+
+    def take_font(self) -> None:
         self.words_font = scaled(tabular(self.font()), _TEXT)
         self.updateGeometry()
-        self.stack.set_look(theme, self.words_font, self.font())
-        self.playhead.show_theme(theme)
-        self._colour()
-        self.viewport().update()
+        self.take_colours()
 
     def set_view(
         self, axis: XAxis, zoom: Range | None, *, stacked: bool, fitted: bool = False

@@ -63,7 +63,7 @@ def test_present_figures_stand_beside_the_promised(window, page, qtbot):
 def test_an_error_above_the_promise_is_amber_on_the_page(window, page):
     window.status_line.show_error(TraceError(estimate=1e-9, bound=1e-8))
     window.status_line.changed.emit()
-    assert window.theme.warning in find(page, QLabel, "now_error").styleSheet()
+    assert find(page, QLabel, "now_error").property("tone") == "warning"
     assert "above the promise" in find(page, QLabel, "now_error").text()
 
 

@@ -21,7 +21,6 @@ from skinsource_gui.panels.timeline.heads.list_mouse import ListMouse
 from skinsource_gui.panels.timeline.heads.row_gap import RowGap
 from skinsource_gui.panels.timeline.heads.row_signals import RowSignals
 from skinsource_gui.panels.timeline.heads.row_state import RowState
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.keys import claims_shortcut
 
 
@@ -71,11 +70,6 @@ class InputRows(QWidget):
         for row in left:
             if self._kept.remove(row):
                 self.setFocus(Qt.FocusReason.OtherFocusReason)
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._gap.show_theme(theme)
-        self._kept.show_theme(theme)
 
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, self._claims) or super().event(event)

@@ -46,6 +46,7 @@ class RowTitle(QToolButton):
         self._dragging = False
         self.open = False
         self.setObjectName(f"{place}_title")
+        self.setStyleSheet("QToolButton { text-align: left; }")
         self.setAutoRaise(True)
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
@@ -63,13 +64,6 @@ class RowTitle(QToolButton):
             self.setAccessibleName(words)
             self.setToolTip(tooltip(words, self._hint))
             self._fit()
-
-    def set_colour(self, colour: str) -> None:
-        """Write the name in another colour."""
-        sheet = f"QToolButton {{ color: {colour}; text-align: left; }}"
-        # A sheet is read anew each time, and all around it laid out.
-        if sheet != self.styleSheet():
-            self.setStyleSheet(sheet)
 
     def set_open(self, open_: bool) -> None:
         """Point down, to fields that are shown, or not."""
