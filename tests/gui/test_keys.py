@@ -5,15 +5,18 @@ from functools import partial
 import pytest
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent, QKeySequence
-from PySide6.QtWidgets import QTextBrowser, QToolButton, QWidget
+from PySide6.QtWidgets import QAbstractButton, QTextBrowser, QWidget
 
 from skinsource_gui.panels.hand.site_keys import SiteKeys
 from skinsource_gui.panels.skin.scale.range_handle import key_step_db
+from skinsource_gui.panels.skin.time.scrub_bar import ScrubBar
 from skinsource_gui.panels.timeline.heads.list_keys import ListKeys
 from skinsource_gui.shell.actions import ACTIONS
+from skinsource_gui.shell.playing.transport import Transport
+from skinsource_gui.status.preparing_note import PreparingNote
 from skinsource_gui.widgets.fields.number_gestures import NumberGestures
 from skinsource_gui.widgets.fields.number_typing import begins_typing
-from skinsource_gui.widgets.keys import KEYS, MOUSE, key_text, meaning_of
+from skinsource_gui.widgets.keys import KEYS, MOUSE, SHORTCUTS, key_text, meaning_of
 from skinsource_gui.widgets.outputs.keys import OutputKeys
 
 _Key, _Held = Qt.Key, Qt.KeyboardModifier
@@ -23,6 +26,11 @@ NAMED = [
     *(_Key.Key_PageUp, _Key.Key_PageDown, _Key.Key_Return, _Key.Key_Enter, _Key.Key_Delete),
     *(_Key.Key_Backspace, _Key.Key_Insert, _Key.Key_Escape, _Key.Key_F2),
 ]
+#: What stands on keys that Qt calls otherwise.
+ON_KEYS = {
+    **{"PgUp": "Page Up", "PgDown": "Page Down", "Ins": "Insert", "Del": "Delete"},
+    **{"Return": "Enter", "-": "−"},
+}
 HELD = [
     _Held.NoModifier,
     _Held.ShiftModifier,
@@ -82,19 +90,28 @@ def test_the_number_pad_means_what_the_other_keys_mean(qapp):
     assert meaning_of("plot", QKeyEvent(QEvent.Type.KeyPress, _Key.Key_B, held)) == ""
 
 
-def test_tooltips_name_the_keys_that_work(window):
+@pytest.mark.parametrize("place", KEYS)
+def test_a_single_key_is_called_what_stands_on_it(place):
+    for gesture in KEYS[place].gestures.values():
+        if len(gesture.keys) == 1:
+            *held, key = gesture.keys[0].split("+")
+            assert gesture.shown == "+".join((*held, ON_KEYS.get(key, key)))
+
+
+def test_tooltips_name_the_keys_of_panels(window):
     hint = window.findChild(QWidget, "mute_button").toolTip()
     assert hint.endswith(f"({key_text('inputs', 'mute')})")
     assert key_text("inputs", "shift_up") in window.actions_by_name["shift_input_up"].toolTip()
-    for button, action in (
-        ("play_button", "play"),
-        ("repeat_button", "repeat"),
-        ("skin_play", "play"),
-        ("skin_play", "pause"),
-    ):
-        key = window.actions_by_name[action].shortcut().toString()
-        tip = window.findChild(QToolButton, button).toolTip()
-        assert key in tip
+
+
+@pytest.mark.parametrize("part", [Transport, ScrubBar, PreparingNote])
+def test_tooltips_name_the_shortcut_that_an_action_has(qtbot, monkeypatch, part):
+    monkeypatch.setitem(SHORTCUTS, "play", ("Ctrl+P",))
+    widget = part()
+    qtbot.addWidget(widget)
+    tips = [button.toolTip() for button in widget.findChildren(QAbstractButton)]
+    assert any("(Ctrl+P)" in tip for tip in tips)
+    assert not any("(Space)" in tip for tip in tips)
 
 
 def test_the_keys_page_lists_each_gesture_and_the_key_of_each_action(window):

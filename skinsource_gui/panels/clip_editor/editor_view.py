@@ -47,7 +47,7 @@ class EditorView(Canvas):
         self.content: EditorContent | None = None
         self.seen = SeenClip(lambda: self.content, self)
         self.seen.changed.connect(self.lay_out)
-        self.take_font()
+        self.take_look()
 
     def show_clip(
         self, clip: Clip | None, drawn: Floats | None, played: Floats | None, rate_hz: float
@@ -68,7 +68,8 @@ class EditorView(Canvas):
         """The tool that is taken."""
         return self._tool
 
-    def take_font(self) -> None:
+    def take_look(self) -> None:
+        super().take_look()
         self.item.show_font(scaled(tabular(self.font()), _TEXT))
 
     def cancel(self) -> bool:

@@ -90,7 +90,7 @@ class LanesView(Canvas):
         self.gain.chose.connect(self.lay_out)
         self.mouse.shown.connect(self._show_over)
         self._pointer = QPointF()
-        self.take_font()
+        self.take_look()
 
     @property
     def ruler_px(self) -> float:
@@ -115,11 +115,8 @@ class LanesView(Canvas):
         self._waveforms, self._awaited = waveforms, awaited
         self.lay_out()
 
-    def take_colours(self) -> None:
-        super().take_colours()
-        self.item.pictures.forget()
-
-    def take_font(self) -> None:
+    def take_look(self) -> None:
+        super().take_look()
         for item in (self.item, self.gains, self.over):
             item.show_font(scaled(tabular(self.font()), _TEXT))
 

@@ -40,16 +40,12 @@ class Canvas(pyqtgraph.GraphicsView):
         pyqtgraph.setConfigOption("mouseRateLimit", 0)
         super().__init__(parent, **options)
         self.scrolling_on = ScrollingOn(self)
-        self.setBackground(QColor(current_theme().base))
 
-    def take_colours(self) -> None:
-        """Take over the colours in use, also where a picture of an item is kept."""
+    def take_look(self) -> None:
+        """Take over colours and font, also where a picture of an item is kept."""
         self.setBackground(QColor(current_theme().base))
         for item in self.scene().items():
             item.update()
-
-    def take_font(self) -> None:
-        """Take over the font: items have none of their own."""
 
     def claims(self, event: QKeyEvent) -> bool:
         """Whether it wants this key for itself, whatever the window's actions are."""
@@ -70,10 +66,8 @@ class Canvas(pyqtgraph.GraphicsView):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         # pyqtgraph's constructor changes the palette, before there is a scene.
-        if event.type() == QEvent.Type.StyleChange:
-            self.take_colours()
-        elif event.type() == QEvent.Type.FontChange:
-            self.take_font()
+        if event.type() in (QEvent.Type.StyleChange, QEvent.Type.FontChange):
+            self.take_look()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -104,7 +104,7 @@ class Plot(Canvas):
         watch = (self.navigation.watch, self.playhead.watch)
         self.stack = Stack(self.scene(), self.words_font, watch)
         self.scene().sigMouseMoved.connect(self.navigation.follow_mouse)
-        self.take_font()
+        self.take_look()
 
     @property
     def message(self) -> str:
@@ -117,16 +117,13 @@ class Plot(Canvas):
     def minimumSizeHint(self) -> QSize:
         return least_size(QFontMetricsF(self.words_font))
 
-    def take_colours(self) -> None:
-        super().take_colours()
+    def take_look(self) -> None:
+        super().take_look()
+        self.words_font = scaled(tabular(self.font()), _TEXT)
+        self.updateGeometry()
         self.stack.show_fonts(self.words_font, self.font())
         self.playhead.take_colours()
         self._colour()
-
-    def take_font(self) -> None:
-        self.words_font = scaled(tabular(self.font()), _TEXT)
-        self.updateGeometry()
-        self.take_colours()
 
     def set_view(
         self, axis: XAxis, zoom: Range | None, *, stacked: bool, fitted: bool = False
