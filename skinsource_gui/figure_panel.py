@@ -131,12 +131,6 @@ class FigurePanel(Panel):
     def show_problem(self, reason: str) -> None:
         self.say_instead(reason)
 
-    def show_theme(self, theme: Theme) -> None:
-        self.figure.show_theme(theme)
-        self.words.show_theme(theme)
-        if self._above is not None:
-            self._above.show_theme(theme)
-
     def _open_menu(self, at: QPoint) -> None:
         if not self.figure.message:
             copy = None if self._copy is None else self._copy.click

@@ -14,7 +14,6 @@ from skinsource.view import View
 from skinsource.voices import UnplayableInput
 from skinsource_gui.compares import ComparesDesigns
 from skinsource_gui.history import History
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.drop_place import DropPlace
 from skinsource_gui.widgets.empty_words import USUALLY_IN_SIGHT
 from skinsource_gui.widgets.over.cover import Cover
@@ -110,9 +109,6 @@ class Panel(ComparesDesigns):
 
     def show_history(self, history: History) -> None:
         """Take over what was done; called while it is visible, where it lists that."""
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
 
     def show_in_sight(self, names: frozenset[str]) -> None:
         """Take over which panels are in sight, so that no words lead to one that is not."""

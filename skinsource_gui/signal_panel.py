@@ -55,6 +55,3 @@ class SignalPanel(Panel):
         self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
     ) -> None:
         draw_signals(painter, width, height, plot=self._plot.plot, theme=theme)
-
-    def show_theme(self, theme: Theme) -> None:
-        self._plot.set_theme(theme)

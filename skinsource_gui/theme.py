@@ -1,11 +1,17 @@
-"""Colours, fonts and spacings: the only place where they are decided."""
+"""Colours, fonts and spacings: the only place where they are decided.
 
+Who paints asks `current_theme` each time; labels get their colour from the style sheet by
+`set_tone`.  What keeps a colour otherwise, such as an icon, is made anew on a change of palette.
+"""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from string import Template
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QFont, QFontDatabase, QFontMetrics, QPalette, QPen
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 
 from skinsource_gui.resources import read_text
 
@@ -168,6 +174,32 @@ CONTRAST = replace(
     skin_line="#f0d9c4",
 )
 THEMES = {theme.name: theme for theme in (LIGHT, DARK, CONTRAST)}
+_in_use = LIGHT
+
+
+def current_theme() -> Theme:
+    """The colours in use."""
+    return _in_use
+
+
+@contextmanager
+def drawn_in(theme: Theme) -> Iterator[None]:
+    """Let what is painted in this block have other colours, as on a page."""
+    global _in_use
+    before, _in_use = _in_use, theme
+    try:
+        yield
+    finally:
+        _in_use = before
+
+
+def set_tone(widget: QWidget, tone: str) -> None:
+    """Give the text of a widget a colour: ``"dim"``, ``"warning"``, ``"error"``, or "": usual."""
+    if (widget.property("tone") or "") != tone:
+        widget.setProperty("tone", tone)
+        if widget.testAttribute(Qt.WidgetAttribute.WA_WState_Polished):
+            widget.style().unpolish(widget)
+            widget.style().polish(widget)
 
 
 def theme_words(name: str) -> str:
@@ -181,6 +213,8 @@ def apply_theme(app: QApplication, theme: Theme, text_scale: float = 1.0) -> Non
     ``text_scale`` is 1 for words as large as the desktop has them.  Where all of that is so
     already, nothing is done: Qt would go through all widgets.
     """
+    global _in_use
+    _in_use = theme
     font = scaled(QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont), text_scale)
     font = letter_by_letter(font)
     sheet = _sheet(theme)
@@ -207,12 +241,6 @@ def scaled(font: QFont, scale: float) -> QFont:
 def letter_scale(font: QFont) -> float:
     """How much larger than usual letters of ``font`` are; 1 where they are smaller."""
     return max(QFontMetrics(font).height() / _USUAL_LINE_PX, 1.0)
-
-
-def theme_of(palette: QPalette) -> Theme:
-    """The theme that a palette was made for, for windows that open and close."""
-    ground = palette.color(QPalette.ColorRole.Base).name()
-    return next((theme for theme in THEMES.values() if theme.base == ground), LIGHT)
 
 
 def letter_by_letter(font: QFont) -> QFont:

@@ -1,10 +1,10 @@
 """Help > Accuracy and speed: error against run time of this program and of others."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -43,7 +43,7 @@ from skinsource_gui.state.page_job import PageJob
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.status.error_label import error_words
 from skinsource_gui.status.status_line import StatusLine
-from skinsource_gui.theme import UNIT_PX, Theme, tabular
+from skinsource_gui.theme import UNIT_PX, tabular
 from skinsource_gui.widgets.fields.drop_down import DropDown
 from skinsource_gui.widgets.page_button import page_button
 
@@ -68,8 +68,6 @@ class AccuracyPage(QDialog):
         Measures.
     status
         Knows the times of the latest edits, and the error of the traces.
-    theme
-        Gives the colours in use.
     preferences
         Know where files were last written.
     document
@@ -80,7 +78,6 @@ class AccuracyPage(QDialog):
         self,
         runner: JobRunner,
         status: StatusLine,
-        theme: Callable[[], Theme],
         preferences: Preferences,
         document: Document,
         parent: QWidget,
@@ -89,7 +86,7 @@ class AccuracyPage(QDialog):
         self.setWindowTitle("Accuracy and speed")
         self.setObjectName("accuracy_page")
         self.resize(*_SIZE_PX)
-        self._status, self._theme = status, theme
+        self._status = status
         self._preferences, self._document = preferences, document
         self.run = PageJob(runner, self)
         self.rows: tuple[Row, ...] = ()
@@ -111,12 +108,6 @@ class AccuracyPage(QDialog):
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._refresh()
-        self.plot.show_theme(self._theme())
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange:
-            self.plot.show_theme(self._theme())
 
     def save(self, path: Path) -> None:
         """Write the table."""

@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 from PySide6.QtWidgets import QWidget
 
 from skinsource.accuracy.measuring import Row, cells_of
+from skinsource_gui.theme import current_theme
 from skinsource_gui.widgets.figure.axes import Axes, Axis, fitted_axes
 from skinsource_gui.widgets.figure.figure import Figure
 
@@ -46,10 +47,10 @@ class AccuracyPlot(Figure):
         )
         y = Axis(shown=(_LEAST_POWER, _MOST_POWER), title="Error (power of ten)")
         self._axes = fitted_axes(room, x, y, metrics)
-        self._axes.paint(painter, self.theme)
+        self._axes.paint(painter, current_theme())
         points = list(zip(self._rows, self._points(self._axes), strict=True))
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(self.theme.dim))
+        painter.setBrush(QColor(current_theme().dim))
         for _, point in points:
             painter.drawEllipse(point, _OTHER_RADIUS_PX, _OTHER_RADIUS_PX)
         for row, point in points:
@@ -76,9 +77,9 @@ class AccuracyPlot(Figure):
 
     def _paint_named(self, painter: QPainter, name: str, point: QPointF) -> None:
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(self.theme.accent))
+        painter.setBrush(QColor(current_theme().accent))
         painter.drawEllipse(point, _RADIUS_PX, _RADIUS_PX)
-        painter.setPen(QColor(self.theme.text))
+        painter.setPen(QColor(current_theme().text))
         painter.save()
         painter.translate(point)
         painter.rotate(_SLOPE_DEGREES)

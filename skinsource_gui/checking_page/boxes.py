@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.arrays import Floats
 from skinsource.checking.report import quartiles
-from skinsource_gui.theme import Theme
+from skinsource_gui.theme import Theme, current_theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.figure.axes import Axes, Axis, fitted_axes
 from skinsource_gui.widgets.figure.figure import Figure
@@ -41,7 +41,7 @@ class BoxFigure(Figure):
         self.read_again()
 
     def draw(self, painter: QPainter, room: QRectF) -> None:
-        theme = self.theme
+        theme = current_theme()
         ends = [quartiles(values) for _, values in self.groups]
         low = min(0.0, *(one[0] for one in ends))
         high = max(1e-9, *(one[4] for one in ends))
@@ -76,7 +76,7 @@ class BoxFigure(Figure):
         return min(max(int(found[0]), 0), len(self.groups) - 1)
 
     def _paint_box(self, painter: QPainter, axes: Axes, rank: int, ends: tuple[float, ...]) -> None:
-        theme = self.theme
+        theme = current_theme()
         places = axes.to_screen(np.full(5, rank + 0.5), np.array(ends))
         x = float(places[0, 0])
         first, bottom, middle, top, last = (float(one) for one in places[:, 1])

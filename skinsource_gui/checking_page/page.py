@@ -1,6 +1,6 @@
 """The page on which designs are checked, alone and against recordings."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
@@ -21,7 +21,7 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.page_job import PageJob
 from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.page_button import page_button
@@ -56,8 +56,6 @@ class CheckingPage(QDialog):
     ----------
     runner, document, preferences
         Who checks, whose design, and where files were taken from last.
-    theme
-        Gives the colours in use.
     """
 
     def __init__(
@@ -65,7 +63,6 @@ class CheckingPage(QDialog):
         runner: JobRunner,
         document: Document,
         preferences: Preferences,
-        theme: Callable[[], Theme],
         parent: QWidget,
     ) -> None:
         super().__init__(parent)
@@ -73,7 +70,7 @@ class CheckingPage(QDialog):
         self.setObjectName("checking_page")
         self.setWindowTitle(TITLE)
         self.resize(*_SIZE_PX)
-        self._preferences, self._theme = preferences, theme
+        self._preferences = preferences
         self.run = PageJob(runner, self)
         row = Row(name=_name_of(document), design=document.design)
         self.list = CheckList((row,), preferences)
@@ -92,9 +89,6 @@ class CheckingPage(QDialog):
         self._close = page_button("close_page", "Close", "Close; what is being checked is given up")
         self._lay_out()
         self._connect()
-        self.rate.show_theme(theme())
-        for figure in self.boxes:
-            figure.show_theme(theme())
         self._show()
 
     def check(self) -> None:
@@ -193,11 +187,11 @@ class CheckingPage(QDialog):
             self._say(words)
 
     def _say(self, words: str) -> None:
-        self.words.setStyleSheet("")
+        set_tone(self.words, "")
         self.words.setText(words)
 
     def _complain(self, reason: str) -> None:
-        self.words.setStyleSheet(f"color: {self._theme().error};")
+        set_tone(self.words, "error")
         self.words.setText(sentence(reason))
 
 

@@ -11,7 +11,6 @@ from skinsource.recordings import UNITS, Found, ImportChoice, Series, suggested
 from skinsource.recordings.choice import usual_scale
 from skinsource.recordings.limits import LEAST_RATE_HZ, MOST_PART_S, MOST_RATE_HZ
 from skinsource.recordings.three_axes import other_axes
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
 
@@ -65,7 +64,7 @@ class ChoiceForm(QWidget):
     #: The `ImportChoice` that is wanted now.
     changed = Signal(object)
 
-    def __init__(self, found: Found, theme: Theme, parent: QWidget | None = None) -> None:
+    def __init__(self, found: Found, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("import_form")
         self._found = found
@@ -100,8 +99,6 @@ class ChoiceForm(QWidget):
         }
         for name, widget in self._widgets.items():
             widget.setObjectName(f"import_{name}")
-        for field in (self._rate, self._start, self._duration):
-            field.show_theme(theme)
         self._lay_out()
         _fill(self._form, self._signal, [(one.key, one.name) for one in found.signals()])
         self._take_series(self._series)

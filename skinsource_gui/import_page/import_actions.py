@@ -1,7 +1,6 @@
 """Importing recordings: asks for a file, opens the page, and places what was chosen."""
 
 import importlib
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +11,6 @@ from skinsource.edits import Edit
 from skinsource.own_limbs import facts_of
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.drop_place import DropPlace
 
 
@@ -23,8 +21,6 @@ class ImportActions(QObject):
     ----------
     document, preferences
         Where recordings go; where files were last looked for.
-    theme
-        Gives the colours in use.
     window
         In front of which pages open; also the parent.
     """
@@ -38,12 +34,11 @@ class ImportActions(QObject):
         self,
         document: Document,
         preferences: Preferences,
-        theme: Callable[[], Theme],
         window: QWidget,
     ) -> None:
         super().__init__(window)
         self._document, self._preferences = document, preferences
-        self._theme, self._window = theme, window
+        self._window = window
         self._pages: list[Any] = []
 
     @property
@@ -72,7 +67,7 @@ class ImportActions(QObject):
         placing = importlib.import_module("skinsource_gui.import_page.placing")
         places = placing.options(self._document.design, self._document.view, place)
         limb = facts_of(self._document.design.limb)
-        page = page_module.ImportPage(path, limb, places, self._theme(), self._window)
+        page = page_module.ImportPage(path, limb, places, self._window)
 
         def put(recording: Any, option: str) -> None:
             design, view = self._document.design, self._document.view

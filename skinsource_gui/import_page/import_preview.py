@@ -2,14 +2,13 @@
 
 import numpy as np
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from skinsource.limb import Band
 from skinsource.recordings import UNITS, ImportChoice, Taken
 from skinsource.samples import Samples
 from skinsource.spectra import share_outside_band
-from skinsource_gui.theme import UNIT_PX, Theme, tabular
+from skinsource_gui.theme import UNIT_PX, set_tone, tabular
 from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
 from skinsource_gui.widgets.plot.spectrum_preview import SpectrumPreview
 
@@ -17,7 +16,7 @@ from skinsource_gui.widgets.plot.spectrum_preview import SpectrumPreview
 class ImportPreview(QWidget):
     """Shows a `Taken`, or a sentence that says why there is none."""
 
-    def __init__(self, theme: Theme, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("import_preview")
         self._waveform = WaveformPreview(axis=True)
@@ -26,6 +25,7 @@ class ImportPreview(QWidget):
         self._numbers.setObjectName("import_numbers")
         self._numbers.setFont(tabular(self._numbers.font()))
         self._notes.setObjectName("import_notes")
+        set_tone(self._notes, "dim")
         for label in (self._numbers, self._notes):
             label.setWordWrap(True)
             label.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
@@ -40,7 +40,6 @@ class ImportPreview(QWidget):
         column.addWidget(self._spectrum, 1)
         column.addWidget(self._numbers)
         column.addWidget(self._notes)
-        self.show_theme(theme)
 
     @property
     def words(self) -> str:
@@ -49,13 +48,6 @@ class ImportPreview(QWidget):
 
     def sizeHint(self) -> QSize:
         return QSize(440, 420)
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._waveform.show_theme(theme)
-        self._waveform.set_look(QColor(theme.text))
-        self._spectrum.show_theme(theme)
-        self._notes.setStyleSheet(f"color: {theme.dim};")
 
     def show_taken(self, taken: Taken, choice: ImportChoice, band_hz: Band | None) -> None:
         """Show what ``choice`` will import, and the band in which the limb was measured."""

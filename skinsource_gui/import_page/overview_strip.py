@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
 from skinsource_gui.import_page.taken_part import TakenPart
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import current_theme
 
 _HEIGHT_PX = 44
 _SHADE_ALPHA = 46
@@ -30,7 +30,6 @@ class OverviewStrip(QWidget):
 
     def __init__(self, longest_s: float, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._theme = LIGHT
         self._extremes: Floats | None = None
         self._landmarks_s: Floats | None = None
         self._part = TakenPart(longest_s, self.width)
@@ -45,11 +44,6 @@ class OverviewStrip(QWidget):
 
     def sizeHint(self) -> QSize:
         return QSize(400, _HEIGHT_PX)
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
 
     @property
     def extremes(self) -> Floats | None:
@@ -77,12 +71,12 @@ class OverviewStrip(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
-        painter.fillRect(self.rect(), QColor(self._theme.base))
+        painter.fillRect(self.rect(), QColor(current_theme().base))
         if self._extremes is not None:
             self._paint_extremes(painter, self._extremes)
         start, end = self.x_of(self._part.start_s), self.x_of(self._part.end_s)
         part = QRectF(start, 0.0, max(end - start, _LEAST_PX), self.height())
-        shade = QColor(self._theme.accent)
+        shade = QColor(current_theme().accent)
         painter.setPen(QPen(shade, 2))
         shade.setAlpha(_SHADE_ALPHA)
         painter.fillRect(part, shade)
@@ -126,7 +120,7 @@ class OverviewStrip(QWidget):
             share = np.interp(share, among, self._landmarks_s) / self._part.lasts_s
         x = share * self.width()
         tops, bottoms = middle - reach * known[1] / largest, middle - reach * known[0] / largest
-        painter.setPen(QPen(QColor(self._theme.dim), 1))
+        painter.setPen(QPen(QColor(current_theme().dim), 1))
         painter.drawLines(
             [
                 QLineF(at, top, at, max(bottom, top + 1.0))

@@ -25,7 +25,7 @@ from skinsource_gui.import_page.choice_form import ASSUMED_RATE_HZ, ChoiceForm
 from skinsource_gui.import_page.import_preview import ImportPreview
 from skinsource_gui.import_page.overview_strip import OverviewStrip
 from skinsource_gui.import_page.reading_worker import ReadingWorker
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 
 _LEFT_PX = 300
@@ -44,8 +44,6 @@ class ImportPage(QDialog):
         That of the design: its rate and band.
     places
         Name and words of each place it can go to, the likeliest one first.
-    theme
-        Colours.
     """
 
     #: `skinsource.waveforms.Recording`; the name of its place.
@@ -56,7 +54,6 @@ class ImportPage(QDialog):
         path: Path,
         limb: LimbFacts,
         places: tuple[tuple[str, str], ...],
-        theme: Theme,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
@@ -64,14 +61,13 @@ class ImportPage(QDialog):
         self.setObjectName("import_page")
         self.setWindowTitle(f"Import {named(Path(path.name))}")
         self.resize(820, 520)
-        self._theme, self._band_hz = theme, limb.band_hz
+        self._band_hz = limb.band_hz
         self._form: ChoiceForm | None = None
         self._taken: Taken | None = None
         self._surveyed = ""
         self._about, self._warning = QLabel(_READING), QLabel(_ASSUMED)
         self._place = ChoiceField(ChoiceSpec(label="Goes to", options=places))
-        self._preview, self._strip = ImportPreview(theme), OverviewStrip(MOST_PART_S)
-        self._strip.show_theme(theme)
+        self._preview, self._strip = ImportPreview(), OverviewStrip(MOST_PART_S)
         self._strip.hide()
         self._bar = QProgressBar()
         self._buttons = QDialogButtonBox(
@@ -120,7 +116,7 @@ class ImportPage(QDialog):
         self._place.setObjectName("import_place")
         for label in (self._about, self._warning):
             label.setWordWrap(True)
-        self._warning.setStyleSheet(f"color: {self._theme.warning};")
+        set_tone(self._warning, "warning")
         self._warning.hide()
         self._bar.setObjectName("import_progress")
         self._bar.setAccessibleName("Progress of reading")
@@ -169,7 +165,7 @@ class ImportPage(QDialog):
 
     def _show_found(self, found: Found) -> None:
         self._about.setText(about(found))
-        self._form = ChoiceForm(found, self._theme, self)
+        self._form = ChoiceForm(found, self)
         self._form.changed.connect(self._want)
         self._left.insertWidget(2, self._form)
         self._strip.part_wanted.connect(self._form.take_part)

@@ -1,6 +1,5 @@
 """Saving what is open to the library, and placing presets whose files are dropped."""
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,7 +10,6 @@ from skinsource import edits, presets
 from skinsource.errors import SkinSourceError
 from skinsource_gui import library_page
 from skinsource_gui.state.document import Document
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.drop_place import DropPlace
 
 if TYPE_CHECKING:
@@ -26,8 +24,6 @@ class LibraryActions(QObject):
     ----------
     document
         What is open.
-    theme
-        Gives the colours in use.
     window
         In front of which the page opens; also the parent.
     """
@@ -36,9 +32,9 @@ class LibraryActions(QObject):
     #: What went well, in a few words.
     done = Signal(str)
 
-    def __init__(self, document: Document, theme: Callable[[], Theme], window: QWidget) -> None:
+    def __init__(self, document: Document, window: QWidget) -> None:
         super().__init__(window)
-        self._document, self._theme, self._window = document, theme, window
+        self._document, self._window = document, window
 
     def ask_and_save(self) -> "SavePage | None":
         """Open the page that asks for a name; None where there is nothing to keep."""
@@ -46,7 +42,7 @@ class LibraryActions(QObject):
         if not found:
             self.failed.emit("There is no clip to keep; place one first.")
             return None
-        page = library_page.SavePage(found, self._theme(), self._window)
+        page = library_page.SavePage(found, self._window)
 
         def save(preset: "Preset") -> None:
             try:

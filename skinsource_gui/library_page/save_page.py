@@ -15,7 +15,7 @@ from skinsource.errors import InvalidInputError
 from skinsource.presets import Preset, tags_of
 from skinsource.quoting import sentence
 from skinsource_gui.library_page.preset_choices import Choice
-from skinsource_gui.theme import Theme
+from skinsource_gui.theme import set_tone
 from skinsource_gui.widgets.fields.drop_down import DropDown
 
 TITLE = "Save to library"
@@ -28,14 +28,12 @@ class SavePage(QDialog):
     ----------
     choices
         What can be kept, the likeliest first; at least one.
-    theme
-        Colours.
     """
 
     #: `Preset`.
     chosen = Signal(object)
 
-    def __init__(self, choices: tuple[Choice, ...], theme: Theme, parent: QWidget) -> None:
+    def __init__(self, choices: tuple[Choice, ...], parent: QWidget) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setObjectName("save_to_library_page")
@@ -49,7 +47,7 @@ class SavePage(QDialog):
         self.problem = QLabel()
         self.problem.setObjectName("library_problem")
         self.problem.setWordWrap(True)
-        self.problem.setStyleSheet(f"color: {theme.error};")
+        set_tone(self.problem, "error")
         self.problem.hide()
         self.buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QWidget
 from skinsource.arrays import Floats
 from skinsource.counting import counted
 from skinsource_gui.limb_page.draft import Draft
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, current_theme
 
 _RADIUS_PX, _DOT_PX = 8.0, 4.0
 # In a crowd a mark takes this share of the way to the nearest one of its kind, but stays to be
@@ -34,17 +34,11 @@ class PlacesCanvas(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._theme = LIGHT
         self._draft = Draft()
         self._photograph = QImage()
         self.setObjectName("places_canvas")
         self.setAccessibleName("Outline and places of the limb")
         self.setMinimumSize(260, 320)
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
 
     def show_photograph(self, photograph: QImage) -> None:
         """Lay a photograph under the places."""
@@ -78,7 +72,7 @@ class PlacesCanvas(QWidget):
         return self._transform().map(QPointF(x, y))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter, theme, draft = QPainter(self), self._theme, self._draft
+        painter, theme, draft = QPainter(self), current_theme(), self._draft
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
         painter.fillRect(self.rect(), QColor(theme.base))
@@ -106,12 +100,12 @@ class PlacesCanvas(QWidget):
 
     def _paint_outline(self, painter: QPainter, transform: QTransform, outline: Floats) -> None:
         line = QPolygonF([transform.map(QPointF(x, y)) for x, y in outline])
-        painter.setPen(QPen(QColor(self._theme.accent), 2.0))
+        painter.setPen(QPen(QColor(current_theme().accent), 2.0))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawPolygon(line)
 
     def _paint_hand(self, painter: QPainter, transform: QTransform, hand: Floats) -> None:
-        painter.setPen(QPen(QColor(self._theme.error), 2.0))
+        painter.setPen(QPen(QColor(current_theme().error), 2.0))
         ends = [transform.map(QPointF(x, y)) for x, y in hand]
         for end in ends:
             painter.drawEllipse(end, 3.0, 3.0)
@@ -121,7 +115,7 @@ class PlacesCanvas(QWidget):
     def _paint_points(
         self, painter: QPainter, transform: QTransform, points: Floats, fill: QColor, radius: float
     ) -> None:
-        painter.setPen(QPen(QColor(self._theme.base), 1.0))
+        painter.setPen(QPen(QColor(current_theme().base), 1.0))
         painter.setBrush(fill)
         scale = abs(transform.m11())
         radii = np.clip(_OF_SPACING * scale * spacing_of(points), _CROWDED_PX, radius)

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 from skinsource.choice_words import AXES
 from skinsource.fields import ChoiceSpec, NumberSpec
 from skinsource.own_limbs import NAME_RULE
-from skinsource_gui.theme import Theme
+from skinsource_gui.theme import set_tone
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.name_line import NameLine
@@ -116,13 +116,6 @@ class LimbForm(QObject):
         self.synthetic = QCheckBox("Computed, not measured")
         self.mirrored.setToolTip(tooltip("Show mirrored", "A left hand as a right one"))
         self._lay_out()
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        for field in self.numbers.values():
-            field.show_theme(theme)
-        for label in self._chosen.values():
-            label.setStyleSheet(f"color: {theme.dim};")
 
     def show_file(self, what: str, words: str) -> None:
         """Say which file was chosen."""
@@ -239,6 +232,7 @@ class LimbForm(QObject):
         button.clicked.connect(lambda: self.file_wanted.emit(what))
         chosen = QLabel("none")
         chosen.setObjectName(f"chosen_{what}")
+        set_tone(chosen, "dim")
         self._chosen[what] = chosen
         row = QHBoxLayout()
         row.addWidget(button)

@@ -1,6 +1,5 @@
 """File > Own limbs: from a lab's files, and clicks on a photograph, to a limb."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -35,7 +34,7 @@ from skinsource_gui.limb_page.reader import LimbReader
 from skinsource_gui.limb_page.title import IMPORTING, TITLE
 from skinsource_gui.state.installed_limbs import InstalledLimbs
 from skinsource_gui.state.job_runner import JobRunner
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.page_button import page_button
 
@@ -65,15 +64,12 @@ class LimbPage(QDialog):
     ----------
     runner, limbs
         Who imports, and who knows which limbs there are.
-    theme
-        Gives the colours in use.
     """
 
     def __init__(
         self,
         runner: JobRunner,
         limbs: InstalledLimbs,
-        theme: Callable[[], Theme],
         parent: QWidget,
     ) -> None:
         super().__init__(parent)
@@ -97,9 +93,6 @@ class LimbPage(QDialog):
         self._close = page_button("close_page", "Close", "Close; an import goes on")
         self._lay_out()
         self._connect()
-        for part in (self.form, self.canvas):
-            part.show_theme(theme())
-        self._error = theme().error
         self._show()
 
     def _lay_out(self) -> None:
@@ -234,12 +227,12 @@ class LimbPage(QDialog):
         if not self._jobs.busy:
             self._say(missing or "Ready to import.")
 
-    def _say(self, words: str, colour: str = "") -> None:
-        self._words.setStyleSheet(f"color: {colour};" if colour else "")
+    def _say(self, words: str, tone: str = "") -> None:
+        set_tone(self._words, tone)
         self._words.setText(words)
 
     def _complain(self, reason: str) -> None:
-        self._say(sentence(reason), self._error)
+        self._say(sentence(reason), "error")
 
     def _start(self) -> None:
         name = self.draft.values["name"]

@@ -1,7 +1,6 @@
 """Opens the matching page."""
 
 import importlib
-from collections.abc import Callable
 from typing import Any
 
 from PySide6.QtCore import QObject
@@ -10,7 +9,6 @@ from PySide6.QtWidgets import QWidget
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing.player import Player
 from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.theme import LIGHT, Theme
 
 
 class MatchingActions(QObject):
@@ -27,8 +25,6 @@ class MatchingActions(QObject):
     ----------
     page
         The page, while it is open.
-    theme
-        Gives the colours in use.
     """
 
     def __init__(
@@ -37,7 +33,6 @@ class MatchingActions(QObject):
         super().__init__(window)
         self._document, self._preferences = document, preferences
         self._player, self._window = player, window
-        self.theme: Callable[[], Theme] = lambda: LIGHT
         self.page: Any = None
 
     def show(self) -> None:
@@ -55,7 +50,6 @@ class MatchingActions(QObject):
             settings.output,
             settings.rig,
             gain_db,
-            self.theme(),
             self._window,
         )
         page.finished.connect(self._forget)

@@ -28,7 +28,8 @@ from skinsource.rigs import Rig
 from skinsource_gui.matching_page.run_view import RunView
 from skinsource_gui.matching_page.setup_form import SetupForm
 from skinsource_gui.matching_page.sounding import Sounding
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
+from skinsource_gui.widgets.keys import KEYS
 from skinsource_gui.widgets.page_button import page_button
 
 _TABLE = "matches.csv"
@@ -38,7 +39,7 @@ _INTRODUCTION = (
     'level = "matches.csv".'
 )
 _REHEARSAL = "Rehearsal: nothing is stored."
-_STOPPED = "Stopped. Space plays again."
+_STOPPED = f"Stopped. {KEYS['matching'].gestures['play'].shown} plays again."
 _LOOK_MS = 40
 # Esc that is pressed twice in a hurry stops, and does not close the page as well.
 _HURRY_S = 1.0
@@ -55,8 +56,6 @@ class MatchingPage(QDialog):
         Where the table lies at first.
     output, rig, gain_db
         What is played on, what is wired to it (None: not known), and how loud.
-    theme
-        The colours.
     """
 
     def __init__(
@@ -66,7 +65,6 @@ class MatchingPage(QDialog):
         output: Output,
         rig: Rig | None,
         gain_db: float,
-        theme: Theme,
         parent: QWidget,
     ) -> None:
         super().__init__(parent)
@@ -74,11 +72,11 @@ class MatchingPage(QDialog):
         self.setObjectName("matching_page")
         self.setWindowTitle("Matching")
         self.resize(680, 560)
-        self._limb, self._theme = limb, theme
+        self._limb = limb
         self.run: MatchingRun | None = None
         unit = amplitude_unit(Design(limb=limb))
-        self.form = SetupForm(folder / _TABLE, gain_db, unit, theme)
-        self.view = RunView(theme)
+        self.form = SetupForm(folder / _TABLE, gain_db, unit)
+        self.view = RunView()
         self.sounding = Sounding(output, rig, self)
         self._stopped_s = -_HURRY_S
         self._timer = QTimer(self, interval=_LOOK_MS)
@@ -121,7 +119,7 @@ class MatchingPage(QDialog):
         self._problem.setObjectName("matching_problem")
         self._problem.setWordWrap(True)
         self._problem.setTextFormat(Qt.TextFormat.PlainText)
-        self._problem.setStyleSheet(f"color: {self._theme.error};")
+        set_tone(self._problem, "error")
         for part in (about, self.form, self._problem):
             rows.addWidget(part)
         rows.addStretch(1)

@@ -4,20 +4,16 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QVBoxLayout, QWidget
 
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
+from skinsource_gui.widgets.keys import KEYS, Gesture
 from skinsource_gui.widgets.page_button import page_button
 
-_KEYS = {
-    "weaker": (Qt.Key.Key_Down,),
-    "stronger": (Qt.Key.Key_Up,),
-    "store": (Qt.Key.Key_Return, Qt.Key.Key_Enter),
-    "play": (Qt.Key.Key_Space,),
-}
+#: What each button says, by the name of its gesture.
 _BUTTONS = {
-    "weaker": ("Weaker  ↓", "Make the test weaker by 1 dB (Down)"),
-    "stronger": ("Stronger  ↑", "Make the test stronger by 1 dB (Up)"),
-    "store": ("Equally strong  ⏎", "Store that both feel equally strong, and go on (Enter)"),
-    "play": ("Play", "Play, or stop at once (Space; Esc stops too)"),
+    "weaker": "Weaker  ↓",
+    "stronger": "Stronger  ↑",
+    "store": "Equally strong  ⏎",
+    "play": "Play",
 }
 _SIDE_PX = 96
 
@@ -28,9 +24,9 @@ class RunView(QWidget):
     #: ``"weaker"``, ``"stronger"``, ``"store"`` or ``"play"``.
     wanted = Signal(str)
 
-    def __init__(self, theme: Theme) -> None:
+    def __init__(self) -> None:
         super().__init__()
-        self._theme, self._lit = theme, ""
+        self._lit = ""
         self.progress, self.bar = QLabel(), QProgressBar()
         self.progress.setObjectName("matching_progress")
         self.bar.setTextVisible(False)
@@ -44,9 +40,10 @@ class RunView(QWidget):
             side.setMinimumHeight(_SIDE_PX)
             side.setWordWrap(True)
             sides.addWidget(side, 1)
+        gestures = KEYS["matching"].gestures
         question = QLabel(
             "Make the test as strong as the reference: arrow keys make it weaker or stronger, "
-            "Enter when both feel equally strong."
+            f"{gestures['store'].shown} when both feel equally strong."
         )
         question.setWordWrap(True)
         self.note = QLabel()
@@ -54,8 +51,8 @@ class RunView(QWidget):
         self.note.setWordWrap(True)
         self.note.setTextFormat(Qt.TextFormat.PlainText)
         self.buttons = {
-            name: page_button(f"matching_{name}", words, hint)
-            for name, (words, hint) in _BUTTONS.items()
+            name: page_button(f"matching_{name}", label, _hint(gestures[name]))
+            for name, label in _BUTTONS.items()
         }
         row = QHBoxLayout()
         for name, button in self.buttons.items():
@@ -70,7 +67,7 @@ class RunView(QWidget):
         rows.addLayout(row)
         rows.addWidget(self.note)
         self._shortcuts = [
-            self._shortcut(name, key) for name, keys in _KEYS.items() for key in keys
+            self._shortcut(name, key) for name in _BUTTONS for key in gestures[name].keys
         ]
         self.light("")
 
@@ -96,29 +93,21 @@ class RunView(QWidget):
 
     def show_note(self, words: str, *, problem: bool = False) -> None:
         """Say something below."""
-        colour = self._theme.error if problem else self._theme.dim
-        self.note.setStyleSheet(f"color: {colour};")
+        set_tone(self.note, "error" if problem else "dim")
         self.note.setText(words)
 
     def light(self, which: str) -> None:
         """Light ``"reference"``, ``"test"`` or neither."""
         self._lit = which
-        theme = self._theme
         for name, side in self.sides.items():
-            back, words = (theme.accent, theme.on_accent) if name == which else (
-                theme.base, theme.text
-            )  # fmt: skip
-            side.setStyleSheet(
-                f"background: {back}; color: {words}; border: 1px solid {theme.border}; "
-                "border-radius: 4px; padding: 8px;"
-            )
+            set_tone(side, "lit" if name == which else "unlit")
 
     @property
     def lit(self) -> str:
         """Which of both is lit, or ""."""
         return self._lit
 
-    def _shortcut(self, name: str, key: Qt.Key) -> QShortcut:
+    def _shortcut(self, name: str, key: str) -> QShortcut:
         shortcut = QShortcut(QKeySequence(key), self)
         shortcut.setContext(Qt.ShortcutContext.WindowShortcut)
         # Each press is one step: a key that is held would store match after match.
@@ -129,3 +118,7 @@ class RunView(QWidget):
     def _press(self, name: str) -> None:
         if self.isVisible() and self.buttons[name].isEnabled():
             self.wanted.emit(name)
+
+
+def _hint(gesture: Gesture) -> str:
+    return f"{gesture.effect[:1].upper()}{gesture.effect[1:]} ({gesture.shown})"

@@ -12,7 +12,6 @@ from skinsource.matching import Procedure
 from skinsource.matching.procedure import MOST_AMPLITUDE
 from skinsource.playing import HIGHEST_DB, LOWEST_DB
 from skinsource.quoting import quoted
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.page_button import page_button
 from skinsource_gui.widgets.room.letter_width import LetterWidth
@@ -69,7 +68,7 @@ class SetupForm(QWidget):
         Unit of the drive of the reference, on the limb that is played.
     """
 
-    def __init__(self, table: Path, gain_db: float, drive_unit: str, theme: Theme) -> None:
+    def __init__(self, table: Path, gain_db: float, drive_unit: str) -> None:
         super().__init__()
         self._form = form = QFormLayout(self)
         form.setContentsMargins(0, 0, 0, 0)
@@ -85,7 +84,6 @@ class SetupForm(QWidget):
                 spec = replace(spec, unit=drive_unit)
             number = self._numbers[name] = NumberField(spec)
             number.set_value(gain_db if name == "gain_db" else _FIRST[name])
-            number.show_theme(theme)
             LetterWidth(number, _NUMBER_PX, at_most=True)
             number.setToolTip(tooltip(spec.label, spec.hint))
             self._add(name, spec.label, number)

@@ -1,6 +1,5 @@
 """The page that makes up a motion."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from html import escape
 
@@ -33,7 +32,7 @@ from skinsource_gui.motion_page.recipe_fields import RecipeFields
 from skinsource_gui.panels.hand.drawings import drawing_of
 from skinsource_gui.panels.hand.hand_diagram import HandDiagram
 from skinsource_gui.state.document import Document
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.widgets.inputs.clip_strip import ClipStrip
 from skinsource_gui.widgets.page_button import page_button
 
@@ -53,21 +52,19 @@ class MotionPage(QDialog):
     ----------
     document
         What it is added to.
-    theme
-        Gives the colours in use.
     """
 
-    def __init__(self, document: Document, theme: Callable[[], Theme], parent: QWidget) -> None:
+    def __init__(self, document: Document, parent: QWidget) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setObjectName("motion_page")
         self.setWindowTitle(TITLE)
         self.resize(980, _HEIGHT_PX)
-        self._document, self._theme = document, theme
+        self._document = document
         self.draft = Draft(document.design, document.view.playhead_s, self)
-        self.hand = HandDiagram(drawing_of(document.design.limb), theme(), self)
+        self.hand = HandDiagram(drawing_of(document.design.limb), self)
         self.hand.setAccessibleName("Path on the hand, palm side")
-        self._path = PathLayer(self.hand, theme())
+        self._path = PathLayer(self.hand)
         self.path_row = PathRow()
         self.strip = ClipStrip()
         self.motion_fields = RecipeFields(self._of_motion, self)
@@ -79,7 +76,6 @@ class MotionPage(QDialog):
         self._buttons()
         self._lay_out()
         self._connect()
-        self._show_theme()
         self._show()
 
     def _buttons(self) -> None:
@@ -92,6 +88,7 @@ class MotionPage(QDialog):
             label.setObjectName(name)
             label.setWordWrap(True)
         self._about.setTextFormat(Qt.TextFormat.RichText)
+        set_tone(self._about, "dim")
 
     def _lay_out(self) -> None:
         left = QVBoxLayout()
@@ -172,7 +169,7 @@ class MotionPage(QDialog):
         problem = self.draft.problem
         try:
             lanes = self.draft.lanes()
-            colours = {one.place: self._theme().input_colour(one.colour) for one in lanes}
+            colours = {one.place: current_theme().input_colour(one.colour) for one in lanes}
             self.strip.show_lanes(lanes)
         except InvalidInputError as error:
             problem = problem or sentence(str(error))
@@ -192,12 +189,6 @@ class MotionPage(QDialog):
             design = self._document.design
             return replace(spec, unit=amplitude_unit(design))
         return spec
-
-    def _show_theme(self) -> None:
-        theme = self._theme()
-        for part in (self.hand, self._path, self.strip, self.motion_fields, self.waveform_fields):
-            part.show_theme(theme)
-        self._about.setStyleSheet(f"color: {theme.dim};")
 
 
 def _about(motion: Motion) -> str:

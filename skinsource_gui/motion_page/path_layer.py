@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 from skinsource_gui.panels.hand.hand_diagram import HandDiagram
 from skinsource_gui.panels.hand.hand_layout import HandLayout
 from skinsource_gui.panels.hand.site_marker import Place, paint_occupied
-from skinsource_gui.theme import Theme, tabular
+from skinsource_gui.theme import current_theme, tabular
 
 _ARROW_PX = 9.0
 _BADGE_PX = 15.0
@@ -18,9 +18,9 @@ _BADGE_PX = 15.0
 class PathLayer(QWidget):
     """Lies over a hand, paints a path of places there, and leaves the pointer to the hand."""
 
-    def __init__(self, hand: HandDiagram, theme: Theme) -> None:
+    def __init__(self, hand: HandDiagram) -> None:
         super().__init__(hand)
-        self._hand, self._theme = hand, theme
+        self._hand = hand
         self._path: tuple[int, ...] = ()
         self._colours: dict[int, QColor] = {}
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
@@ -32,11 +32,6 @@ class PathLayer(QWidget):
     def show_path(self, path: tuple[int, ...], colours: dict[int, QColor]) -> None:
         """Show a path, and the colour of the track of each of its places."""
         self._path, self._colours = path, colours
-        self.update()
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
         self.update()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -67,8 +62,8 @@ class PathLayer(QWidget):
             radius_px=self._places.radius_in_use_px(site),
             push=self._places.push(site),
         )
-        colour = self._colours.get(site, QColor(self._theme.accent))
-        paint_occupied(painter, place, self._theme, [colour], silent=False)
+        colour = self._colours.get(site, QColor(current_theme().accent))
+        paint_occupied(painter, place, current_theme(), [colour], silent=False)
 
     def _paint_leg(self, painter: QPainter, here: int, there: int) -> None:
         if here == there:
@@ -81,11 +76,11 @@ class PathLayer(QWidget):
         tip = self._places.centre(there) - unit * (self._places.radius_in_use_px(there) + 1.0)
         base = tip - unit * _ARROW_PX
         half = across * (0.5 * _ARROW_PX)
-        for colour, width in ((self._theme.base, 5.0), (self._theme.accent, 2.0)):
+        for colour, width in ((current_theme().base, 5.0), (current_theme().accent, 2.0)):
             painter.setPen(QPen(QColor(colour), width))
             painter.drawLine(start, base)
-        painter.setPen(QPen(QColor(self._theme.base), 1.0))
-        painter.setBrush(QColor(self._theme.accent))
+        painter.setPen(QPen(QColor(current_theme().base), 1.0))
+        painter.setBrush(QColor(current_theme().accent))
         painter.drawPolygon(QPolygonF([tip, base + half, base - half]))
 
     def _paint_order(self, painter: QPainter, site: int) -> None:
@@ -98,8 +93,8 @@ class PathLayer(QWidget):
         off = 0.75 * self._places.radius_in_use_px(site)
         corner = self._places.centre(site) + QPointF(off, -off)
         area = QRectF(corner.x() - _BADGE_PX / 2, corner.y() - _BADGE_PX / 2, width, _BADGE_PX)
-        painter.setPen(QPen(QColor(self._theme.accent), 1.0))
-        painter.setBrush(QColor(self._theme.base))
+        painter.setPen(QPen(QColor(current_theme().accent), 1.0))
+        painter.setBrush(QColor(current_theme().base))
         painter.drawRoundedRect(area, _BADGE_PX / 2, _BADGE_PX / 2)
-        painter.setPen(QColor(self._theme.text))
+        painter.setPen(QColor(current_theme().text))
         painter.drawText(area, Qt.AlignmentFlag.AlignCenter, words)

@@ -7,7 +7,6 @@ from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QApplication
 
 from skinsource.fields import ChoiceSpec, Spec, specs_of
-from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
 
@@ -37,7 +36,6 @@ class RecipeFields(QObject):
     def __init__(self, adapt: Adapt, parent: QObject) -> None:
         super().__init__(parent)
         self._adapt = adapt
-        self._theme = LIGHT
         self._cells: tuple[FieldCell, ...] = ()
         self._built_for: tuple[type, ChoiceSpec] | None = None
         self.grid = FieldGrid()
@@ -67,12 +65,6 @@ class RecipeFields(QObject):
                 cell.set_value(getattr(recipe, name))
                 cell.show_reason(reason)
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        for cell in self._cells:
-            cell.show_theme(theme)
-
     def _build(self, recipe: Any, kinds: ChoiceSpec) -> None:
         old = self._cells
         # The list in which a kind was just chosen keeps the keyboard.
@@ -88,7 +80,6 @@ class RecipeFields(QObject):
                 cell.edited.connect(self._tell)
                 cells.append(cell)
         self._cells, self._built_for = tuple(cells), (type(recipe), kinds)
-        self.show_theme(self._theme)
         gone = [cell for cell in old if cell not in cells]
         focused = QApplication.focusWidget()
         if focused is not None and any(cell.isAncestorOf(focused) for cell in gone):

@@ -11,7 +11,7 @@ from skinsource.errors import InvalidInputError
 from skinsource.fields import ChoiceSpec, NumberSpec, OptionalSpec, Spec, specs_of
 from skinsource.locations import input_words
 from skinsource.rigs import RigChannel
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
 from skinsource_gui.widgets.page_button import page_button
@@ -85,11 +85,6 @@ class ChannelFields(QObject):
             else "Response: not measured, so m/s² are not known"
         )
         self.forget.setEnabled(bool(points))
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        for cell in self._cells.values():
-            cell.show_theme(theme)
 
     def _laid_out(self) -> QWidget:
         found = QWidget()

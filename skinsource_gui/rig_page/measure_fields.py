@@ -10,7 +10,6 @@ from PySide6.QtCore import QObject, Signal
 from skinsource.errors import InvalidInputError
 from skinsource.fields import ChoiceSpec, specs_of
 from skinsource.rig_measuring import InputDevice, MeasuringSetup
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
 
@@ -34,9 +33,9 @@ class MeasureFields(QObject):
     #: `setup` is another one.
     changed = Signal()
 
-    def __init__(self, setup: MeasuringSetup, theme: Theme, parent: QObject) -> None:
+    def __init__(self, setup: MeasuringSetup, parent: QObject) -> None:
         super().__init__(parent)
-        self.setup, self._theme = setup, theme
+        self.setup = setup
         self.grid = FieldGrid()
         self._cells = {name: self._cell(name, spec) for name, spec in specs_of(setup).items()}
         self._cells[_DEVICE] = self._devices(())
@@ -57,7 +56,6 @@ class MeasureFields(QObject):
     def _cell(self, name: str, spec: Any) -> FieldCell:
         found = FieldCell(name, spec)
         found.edited.connect(self._edit)
-        found.show_theme(self._theme)
         return found
 
     def _devices(self, found: Sequence[InputDevice]) -> FieldCell:

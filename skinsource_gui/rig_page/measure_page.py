@@ -22,7 +22,7 @@ from skinsource_gui.rig_page.measured_curves import beside_the_model
 from skinsource_gui.rig_page.measured_view import MeasuredView
 from skinsource_gui.state.playing.sound_settings import SoundSettings
 from skinsource_gui.state.playing.sound_thread import SoundThread
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.page_button import page_button
 
 _INTRODUCTION = (
@@ -44,8 +44,6 @@ class MeasurePage(QDialog):
     settings
         Of playing: the device where the channel names none, its rate and delay; and what was said
         of the sensor last.
-    theme
-        The colours.
 
     Attributes
     ----------
@@ -63,7 +61,6 @@ class MeasurePage(QDialog):
         self,
         channel: RigChannel,
         settings: SoundSettings,
-        theme: Theme,
         parent: QWidget,
     ) -> None:
         super().__init__(parent)
@@ -75,9 +72,8 @@ class MeasurePage(QDialog):
         self._thread, self._stop = SoundThread(self), Event()
         self._running = self._looking = False
         self.found: ChannelMeasurement | None = None
-        self.fields = MeasureFields(setup_of(settings.sensor_text), theme, self)
+        self.fields = MeasureFields(setup_of(settings.sensor_text), self)
         self.plot = MeasuredView()
-        self.plot.set_theme(theme)
         self.words, self._bar = QLabel(), QProgressBar()
         self.words.setObjectName("measure_words")
         self.words.setWordWrap(True)

@@ -1,6 +1,5 @@
 """The page of rigs."""
 
-from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
@@ -36,7 +35,7 @@ from skinsource_gui.rig_page.measure_page import MeasurePage
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing.sound_settings import SoundSettings
 from skinsource_gui.state.playing.sound_thread import SoundThread
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.asking import saved_or_given_up
 from skinsource_gui.widgets.page_button import page_button
 from skinsource_gui.widgets.rig_field import RESPONSE_FILES
@@ -55,8 +54,6 @@ class RigPage(QDialog):
         What can be predicted through it.
     settings
         Of playing: what this machine plays for.
-    theme
-        Gives the colours in use.
 
     Attributes
     ----------
@@ -68,7 +65,6 @@ class RigPage(QDialog):
         self,
         document: Document,
         settings: SoundSettings,
-        theme: Callable[[], Theme],
         parent: QWidget,
     ) -> None:
         super().__init__(parent)
@@ -77,7 +73,6 @@ class RigPage(QDialog):
         self.setWindowTitle("Rig")
         self.resize(860, 640)
         self._document, self._settings, self._thread = document, settings, SoundThread(self)
-        self._theme = theme
         settings.look_for_rig()
         path = settings.rig_path if settings.rig is not None else None
         self.draft = RigDraft(settings.rig, path, document.design, self)
@@ -89,7 +84,6 @@ class RigPage(QDialog):
         self.channels.setObjectName("rig_channels")
         self.channels.setAccessibleName("Channels")
         self.fields = ChannelFields(self)
-        self.fields.show_theme(theme())
         self.words = QLabel()
         self.words.setObjectName("rig_words")
         self.words.setWordWrap(True)
@@ -195,7 +189,7 @@ class RigPage(QDialog):
         """Open the page that measures this channel."""
         row = self.channels.currentRow()
         channel = self.draft.rig.channels[row]
-        page = MeasurePage(channel, self._settings, self._theme(), self)
+        page = MeasurePage(channel, self._settings, self)
         page.kept.connect(lambda found: self._take_response(found.response))
         page.open()
 

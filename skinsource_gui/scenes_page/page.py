@@ -25,7 +25,7 @@ from skinsource.scenes import Scene, all_scenes, open_scene, why_not_on
 from skinsource_gui.resources import resource_folder
 from skinsource_gui.scenes_page.picture import ScenePicture
 from skinsource_gui.state.predicting import too_large
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, current_theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.screen_fit import fit_by_guess
 
@@ -50,8 +50,6 @@ class ScenesPage(QDialog):
         The limb of a lab that scenes are to be played on, at first; empty: those of the paper.
     selected
         Name of the scene that is selected at first; the first one where it is not known.
-    theme
-        Colours.
     """
 
     #: Name of a scene, and of the limb that it is to be played on; empty: those of the paper.
@@ -61,7 +59,6 @@ class ScenesPage(QDialog):
         self,
         limbs: Collection[str],
         selected: str,
-        theme: Theme,
         parent: QWidget,
         *,
         limb: str = "",
@@ -70,7 +67,7 @@ class ScenesPage(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setObjectName("scenes_page")
         self.setWindowTitle(TITLE)
-        self._limbs, self._theme, self._scenes = frozenset(limbs), theme, all_scenes()
+        self._limbs, self._scenes = frozenset(limbs), all_scenes()
         own = [name for name in limbs if facts_of(name).own]
         titles = tuple((name, limb_word(name).title) for name in own)
         self.played_on = ChoiceField(
@@ -86,7 +83,7 @@ class ScenesPage(QDialog):
         self.list.setFixedWidth(_LIST_PX)
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.setSpacing(1)
-        self.picture = ScenePicture(theme)
+        self.picture = ScenePicture()
         self.words = QLabel()
         self.words.setObjectName("scene_words")
         self.words.setWordWrap(True)
@@ -162,7 +159,7 @@ class ScenesPage(QDialog):
         for row, one in enumerate(self._scenes):
             reason = self._reasons[one.name]
             item = self.list.item(row)
-            item.setForeground(QColor(self._theme.dim if reason else self._theme.text))
+            item.setForeground(QColor(current_theme().dim if reason else current_theme().text))
             item.setToolTip(f"{one.sentence}\n{reason}".strip())
         self._show(self.list.currentRow())
 
@@ -172,13 +169,13 @@ class ScenesPage(QDialog):
         one, reason = self.scene, self._reasons[self.scene.name]
         self.buttons.button(QDialogButtonBox.StandardButton.Open).setEnabled(not reason)
         self.picture.show_picture(picture_of(one), one.title)
-        lines = [f"<b>{escape(one.heading)}</b>", escape(one.sentence), _dim(self._theme, one)]
+        lines = [f"<b>{escape(one.heading)}</b>", escape(one.sentence), _dim(_source_of(one))]
         lines.append(self._not_there(reason) if reason else self._there(one))
         self.words.setText("<br>".join(lines))
 
     def _not_there(self, reason: str) -> str:
         words = f"Does not apply on {limb_word(self.played_on.value).title}: {reason}"
-        return f'<span style="color: {self._theme.error}">{escape(words)}</span>'
+        return f'<span style="color: {current_theme().error}">{escape(words)}</span>'
 
     def _there(self, one: Scene) -> str:
         """On which limbs it opens, and what must be said of them."""
@@ -187,7 +184,7 @@ class ScenesPage(QDialog):
         limbs = dict.fromkeys(each.design.limb for each in opened.conditions)
         titles = ", ".join(limb_word(limb).title for limb in limbs)
         note = f"Opens on {titles}. {opened.note} {too_large(limb) if limb else ''} {_PICTURES}"
-        return f'<span style="color: {self._theme.dim}">{escape(" ".join(note.split()))}</span>'
+        return _dim(" ".join(note.split()))
 
     def _choose(self) -> None:
         name = self.scene.name
@@ -232,8 +229,10 @@ def _icon_of(scene: Scene) -> QIcon:
     return icon
 
 
-def _dim(theme: Theme, scene: Scene) -> str:
-    words = f"Source: {scene.source}."
-    if scene.inferred:
-        words += f" Inferred: {'; '.join(scene.inferred)}."
-    return f'<span style="color: {theme.dim}">{escape(words)}</span>'
+def _source_of(scene: Scene) -> str:
+    inferred = f" Inferred: {'; '.join(scene.inferred)}." if scene.inferred else ""
+    return f"Source: {scene.source}.{inferred}"
+
+
+def _dim(text: str) -> str:
+    return f'<span style="color: {current_theme().dim}">{escape(text)}</span>'

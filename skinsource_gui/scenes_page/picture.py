@@ -4,24 +4,18 @@ from PySide6.QtCore import QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPixmap
 from PySide6.QtWidgets import QWidget
 
-from skinsource_gui.theme import Theme
+from skinsource_gui.theme import current_theme
 
 _MARGIN_PX = 8.0
 _LEAST_PX = (360, 220)
 
 
 class ScenePicture(QWidget):
-    """Shows a picture on its own white ground, in the middle of its room.
+    """Shows a picture on its own white ground, in the middle of its room."""
 
-    Parameters
-    ----------
-    theme
-        Colours around it.
-    """
-
-    def __init__(self, theme: Theme) -> None:
+    def __init__(self) -> None:
         super().__init__()
-        self._theme, self._picture = theme, QPixmap()
+        self._picture = QPixmap()
         self.setObjectName("scene_picture")
         self.setMinimumSize(*_LEAST_PX)
 
@@ -49,7 +43,7 @@ class ScenePicture(QWidget):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
         ground = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
-        painter.setPen(QPen(QColor(self._theme.border), 1))
+        painter.setPen(QPen(QColor(current_theme().border), 1))
         painter.setBrush(QColor("white"))
         painter.drawRect(ground)
         area = self.area()

@@ -15,7 +15,6 @@ from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.installed_limbs import InstalledLimbs
 from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.map.level_look import coloured_like
 
 if TYPE_CHECKING:
@@ -31,8 +30,6 @@ class SceneActions(QObject):
         What is open, where and how it is saved, and which limbs there are.
     arrange
         Takes up the arrangement of a name, with the panels of some names in sight.
-    theme
-        Gives the colours in use.
     window
         In front of which the gallery opens; also the parent.
     """
@@ -50,19 +47,18 @@ class SceneActions(QObject):
         files: FileActions,
         limbs: InstalledLimbs,
         arrange: Callable[[str, Sequence[str]], None],
-        theme: Callable[[], Theme],
         window: QWidget,
     ) -> None:
         super().__init__(window)
         self._document, self._files, self._limbs = document, files, limbs
         self._preferences, self._arrange = preferences, arrange
-        self._theme, self._window = theme, window
+        self._window = window
         self._last = self._last_limb = ""
 
     def show(self) -> "ScenesPage":
         """Open the gallery; the scene that was opened last is selected."""
         page = scenes_page.ScenesPage(
-            self._limbs.names, self._last, self._theme(), self._window, limb=self._last_limb
+            self._limbs.names, self._last, self._window, limb=self._last_limb
         )
         page.chosen.connect(self.open)
         page.open()

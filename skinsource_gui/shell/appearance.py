@@ -5,7 +5,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication
 
 from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.theme import THEMES, Theme, apply_theme
+from skinsource_gui.theme import THEMES, apply_theme
 
 #: One step of "Larger text", and how far it goes.
 TEXT_STEP, SMALLEST_TEXT, LARGEST_TEXT = 1.1, 0.8, 3.0
@@ -22,14 +22,13 @@ class Appearance(QObject):
 
     #: Theme or size of words is about to be another one.
     changing = Signal()
-    #: The `Theme` in use is another one, or the size of words is.
-    changed = Signal(object)
+    #: Theme or size of words is another one.
+    changed = Signal()
 
     def __init__(self, preferences: Preferences, parent: QObject) -> None:
         super().__init__(parent)
         self._preferences = preferences
         self._room_scale = 1.0
-        self.theme: Theme = THEMES["light"]
         QGuiApplication.styleHints().colorSchemeChanged.connect(self._follow_desktop)
         # Of widgets that are there before the first time some would keep their letters.
         self.apply()
@@ -67,11 +66,11 @@ class Appearance(QObject):
         self.changing.emit()
         dark = QGuiApplication.styleHints().colorScheme() == Qt.ColorScheme.Dark
         system = THEMES["dark" if dark else "light"]
-        self.theme = THEMES.get(self._preferences.theme_name, system)
+        theme = THEMES.get(self._preferences.theme_name, system)
         application = QApplication.instance()
         if isinstance(application, QApplication):
-            apply_theme(application, self.theme, self.text_scale)
-        self.changed.emit(self.theme)
+            apply_theme(application, theme, self.text_scale)
+        self.changed.emit()
 
     def _scale_text(self, scale: float) -> None:
         scale = min(max(scale, SMALLEST_TEXT), LARGEST_TEXT)

@@ -5,19 +5,12 @@ from functools import partial
 from html import escape
 
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
 
 from skinsource import __version__
 from skinsource_gui.shell.action_spec import ActionSpec
-from skinsource_gui.widgets.key_tables.key_table import WIDGET_KEYS
-from skinsource_gui.widgets.key_tables.mouse_table import MOUSE
+from skinsource_gui.widgets.keys import KEYS, MOUSE, native_text
 
-_KEYS = (
-    ("Esc, Esc", "while it plays: stop at once; the gain goes back to where it starts"),
-    ("Tab, Shift+Tab", "go from control to control through all panels, and back"),
-    ("Left, Right", "choose another of some buttons of which one is on"),
-)
 _ABOUT = f"""
 <h3>SkinSource studio {__version__}</h3>
 <p>Design vibrotactile stimuli and see how they travel across hand and arm. BSD-3-Clause.</p>
@@ -32,14 +25,14 @@ and its dataset,
 def keys_page(actions: Iterable[ActionSpec], parent: QWidget, heading: str = "") -> QDialog:
     """Every shortcut and what the mouse does, on one page; ``heading`` is at its top."""
     rows: list[tuple[str, str | None]] = []
-    for place, gestures in MOUSE.values():
-        rows += [(place, None), *((one.words, one.means) for one in gestures)]
-    rows += [("Keyboard", None), *_KEYS]
-    for place, hints in WIDGET_KEYS.values():
-        rows += [(place, None), *((hint.words, hint.means) for hint in hints)]
+    for place in (*MOUSE.values(), *KEYS.values()):
+        rows += [(place.heading, None)]
+        rows += [(gesture.shown, gesture.effect) for gesture in place.gestures.values()]
     rows += [("Everywhere", None)]
     rows += [
-        (_shown(action.keys), f"{action.text} – {action.hint}") for action in actions if action.keys
+        (native_text(action.keys), f"{action.text} – {action.hint}")
+        for action in actions
+        if action.keys
     ]
     cells = "".join(
         f'<tr><td colspan=2><h3><a name="{escape(left)}"></a>{escape(left)}</h3></td></tr>'
@@ -62,11 +55,6 @@ def _scroll_to(page: QDialog, heading: str) -> None:
     if heading:
         for text in page.findChildren(QTextBrowser, "page_text"):
             text.scrollToAnchor(heading)
-
-
-def _shown(keys: tuple[str, ...]) -> str:
-    native = QKeySequence.SequenceFormat.NativeText
-    return ", ".join(QKeySequence(key).toString(native) for key in keys)
 
 
 def _page(title: str, html: str, parent: QWidget) -> QDialog:

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.click_guard import ClickGuard
 
 #: How long good news stay, which nobody need close; bad ones stay until they are dealt with.
@@ -49,8 +49,6 @@ class Notice(QObject):
     def __init__(self, window: QMainWindow) -> None:
         super().__init__(window)
         self._window = window
-        self._colours = {"error": "", "warning": "", "info": ""}
-        self._background, self._border = "", ""
         self._kind, self._passes = "info", False
         self._words = QLabel(window)
         self._words.setObjectName("notice")
@@ -103,7 +101,7 @@ class Notice(QObject):
         self._picture.setPixmap(picture or QPixmap())
         self._picture.setHidden(picture is None or picture.isNull())
         self._words.setText(text)
-        self._paint()
+        set_tone(self._words, self._kind)
         for part in (self._words, self.buttons):
             part.show()
             part.raise_()
@@ -124,12 +122,6 @@ class Notice(QObject):
         for part in (self._words, self.buttons, self._picture):
             part.hide()
         self._window.setContentsMargins(0, 0, 0, 0)
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._colours = {"error": theme.error, "warning": theme.warning, "info": theme.accent}
-        self._background, self._border = theme.raised, theme.border
-        self._paint()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.MouseButtonPress and self._passing.isActive():
@@ -199,10 +191,3 @@ class Notice(QObject):
         )
         over = needed if at_top else status.height() if self._passes else 0
         self._window.setContentsMargins(0, 0, 0, max(0, needed - over))
-
-    def _paint(self) -> None:
-        self._words.setStyleSheet(
-            f"#notice {{ background: {self._background}; border: none; "
-            f"border-top: 1px solid {self._border}; "
-            f"border-left: 4px solid {self._colours[self._kind]}; }}"
-        )

@@ -16,8 +16,7 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.installed_limbs import InstalledLimbs
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.key_tables.mouse_table import MOUSE
+from skinsource_gui.widgets.keys import MOUSE
 
 #: Makes a page in front of a window.
 MakePage = Callable[[QWidget], QDialog]
@@ -95,15 +94,16 @@ class Pages(QObject):
 
     def _gestures(self) -> list[QAction]:
         """What the mouse does, to be found; each leads to where the keys page says it."""
-        found = []
-        for heading, gestures in MOUSE.values():
-            for one in gestures:
-                entry = QAction(f"Mouse: {one.sentence}")
-                entry.setToolTip(f"{heading}; Enter shows all of them")
+        entries = []
+        for place in MOUSE.values():
+            for gesture in place.gestures.values():
+                movement = f"{gesture.shown[:1].lower()}{gesture.shown[1:]}"
+                entry = QAction(f"Mouse: {gesture.effect} – {movement}")
+                entry.setToolTip(f"{place.heading}; Enter shows all of them")
                 entry.setProperty(BESIDES, True)
-                entry.triggered.connect(partial(self._show_gestures, heading))
-                found.append(entry)
-        return found
+                entry.triggered.connect(partial(self._show_gestures, place.heading))
+                entries.append(entry)
+        return entries
 
     def _show_gestures(self, heading: str, _checked: bool = False) -> None:
         self.show_keys(heading)
@@ -117,15 +117,14 @@ class Pages(QObject):
 def limb_pages(
     runner: JobRunner,
     limbs: InstalledLimbs,
-    theme: Callable[[], Theme],
     document: Document,
     preferences: Preferences,
 ) -> tuple[MakePage, MakePage, MakePage]:
     """What makes the pages on the measured limbs, on one's own, and on recordings of them."""
-    checked = runner, document, preferences, theme
+    checked = runner, document, preferences
     return (
         late("skinsource_gui.dataset_page.page", "DatasetPage", runner, limbs),
-        late("skinsource_gui.limb_page.page", "LimbPage", runner, limbs, theme),
+        late("skinsource_gui.limb_page.page", "LimbPage", runner, limbs),
         late("skinsource_gui.checking_page.page", "CheckingPage", *checked),
     )
 

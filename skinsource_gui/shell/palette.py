@@ -16,10 +16,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from skinsource_gui.widgets.keys import shortcut_text
+
 # Right of the keys, and at least so much between them and the name.
 _EDGE_PX, _GAP_PX = 8, 16
 _NOTHING_FOUND = "Nothing found"
-_HINTS = ("Try another word, such as export, limb, mute or theme", "F1 shows all keys")
+_HINT = "Try another word, such as export, limb, mute or theme"
 #: Property of an action: other words by which it is found.
 KEYWORDS = "keywords"
 #: Property of an action that only explains: it is found after all others.
@@ -91,7 +93,7 @@ class Palette(QDialog):
             self._say_nothing_found()
 
     def _say_nothing_found(self) -> None:
-        for words in (_NOTHING_FOUND, *_HINTS):
+        for words in (_NOTHING_FOUND, _HINT, f"{shortcut_text('show_keys')} shows all keys"):
             item = QListWidgetItem(words)
             item.setFlags(Qt.ItemFlag.NoItemFlags)
             self.list.addItem(item)

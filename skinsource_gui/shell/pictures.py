@@ -16,7 +16,7 @@ from skinsource_gui.shell.carrying import Carrying
 from skinsource_gui.shell.docks import Dock, PanelInUse, staged, usual_size
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Engine
-from skinsource_gui.theme import LIGHT, Theme, apply_theme
+from skinsource_gui.theme import LIGHT, Theme, apply_theme, current_theme
 from skinsource_gui.widgets.pictures.caption import height_above, with_caption
 from skinsource_gui.widgets.pictures.whole_picture import (
     ALL_IN_SIGHT,
@@ -154,20 +154,16 @@ class PanelPictures:
     @contextmanager
     def _in_colours(self, theme: Theme) -> Iterator[None]:
         """Show the studio in other colours, and back; nothing of it comes onto the screen."""
-        application, before = QApplication.instance(), self._appearance.theme
+        application, before = QApplication.instance(), current_theme()
         if theme == before or not isinstance(application, QApplication):
             yield
             return
-        self._show(application, theme)
+        text_scale = self._appearance.text_scale
+        apply_theme(application, theme, text_scale)
         try:
             yield
         finally:
-            self._show(application, before)
-
-    def _show(self, application: QApplication, theme: Theme) -> None:
-        apply_theme(application, theme, self._appearance.text_scale)
-        for panel in self._panels:
-            panel.show_theme(theme)
+            apply_theme(application, before, text_scale)
 
 
 def _draw_titled(painter: QPainter, panel: Panel, place: QRect, theme: Theme) -> None:

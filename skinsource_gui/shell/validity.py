@@ -15,7 +15,6 @@ from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Re
 from skinsource_gui.state.predicting import sources_shown, too_large
 from skinsource_gui.status.validity_card import ValidityCard
 from skinsource_gui.status.validity_lamps import ValidityLamps
-from skinsource_gui.theme import LIGHT, Theme
 
 _IDLE_MS = 400
 _WANTED = frozenset({"validity"})
@@ -51,7 +50,6 @@ class Validity(QObject):
         self._panels = panels
         self._noisy: tuple[int, ...] = ()
         panels.each(lambda panel: panel.show_noisy(self._noisy))
-        self._theme: Theme = LIGHT
         self._shown: Request | None = None
         # What the lamps were lit from; None: they are not.
         self._judged: Mapping[str, Any] | None = None
@@ -62,11 +60,6 @@ class Validity(QObject):
         engine.finished.connect(self._note)
         document.changed.connect(self._follow)
         self.lamps.chosen.connect(self._explain)
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.lamps.show_theme(theme)
 
     def _follow(self) -> None:
         """Say whether what is lit would be judged from something else now."""
@@ -106,7 +99,7 @@ class Validity(QObject):
             panel.show_noisy(self._noisy)
 
     def _explain(self, name: str, place: QPoint) -> None:
-        card = ValidityCard(self.lamps.findings, name, self._theme, self.lamps)
+        card = ValidityCard(self.lamps.findings, name, self.lamps)
         card.mend_wanted.connect(self._mend)
         card.open_above(place)
 

@@ -1,7 +1,6 @@
 """The main window."""
 
 from collections.abc import Sequence
-from functools import partial
 
 from PySide6.QtCore import QEventLoop, QObject
 from PySide6.QtGui import QAction, QCloseEvent
@@ -60,7 +59,6 @@ from skinsource_gui.status.limb_note import LimbNote
 from skinsource_gui.status.match_note import MatchNote
 from skinsource_gui.status.status_line import StatusLine
 from skinsource_gui.stimulus_page.stimulus_actions import StimulusActions
-from skinsource_gui.theme import Theme
 
 _LARGEST_AT_FIRST = (1600, 940)
 
@@ -109,16 +107,11 @@ class MainWindow(docks.ListsPanels):
         Historian(self.document, self.panels)
         self._connect()
         self.appearance.apply()
-        told = self.reports.report, self.files, preferences, self.appearance
+        told = self.reports.report, self.files, preferences
         self.panels.each(docks.TakingIn(self.docks, self.do, self.reports.complain, *told))
         self.layout_of_docks.restore()
         self._show_limbs()
         self._show_state()
-
-    @property
-    def theme(self) -> Theme:
-        """The colours in use."""
-        return self.appearance.theme
 
     def panel(self, name: str) -> Panel:
         """The panel of that name; it is made if nobody has looked at it before."""
@@ -153,28 +146,27 @@ class MainWindow(docks.ListsPanels):
         own = self.engine, self.panels, self.appearance, self.catch_up, self.docks, in_use
         self.pictures = PanelPictures(self, self.document, *own)
         self.exports = ExportActions(*saving, self.runner, self.pictures.picture_of, self)
-        self.stimuli = StimulusActions(*saving, self.runner, lambda: self.theme, self)
+        self.stimuli = StimulusActions(*saving, self.runner, self)
         show = self.layout_of_docks.show_scene
-        self.scenes = SceneActions(*saving, self.limbs, show, lambda: self.theme, self)
+        self.scenes = SceneActions(*saving, self.limbs, show, self)
         self.comparison = Comparison(self.document, self.engine, self.panels)
         kept = self.document, self.engine, self.runner, self.files, self.layout_of_docks
         self.keeping = Keeping(*kept, self.preferences.autosave_s, self)
-        self.imports = ImportActions(self.document, self.preferences, lambda: self.theme, self)
-        self.library = LibraryActions(self.document, lambda: self.theme, self)
+        self.imports = ImportActions(self.document, self.preferences, self)
+        self.library = LibraryActions(self.document, self)
         self.playback = Playback(self.document, self.preferences, self)
         self.running_jobs = RunningJobs(self.runner, self)
         self.levelling = WaveletLevelling(self.document, self.runner, self)
         stage = self.document, self.panels, self.preferences, self.files, arranged
         self.presenter = Presenter(self, *stage, self.layout_of_docks, lambda: self.actions_by_name)
-        theme = partial(getattr, self, "theme")
-        measured = self.runner, self.status_line, theme, self.preferences, self.document
+        measured = self.runner, self.status_line, self.preferences, self.document
         self.pages = Pages(
             self,
             ACTIONS,
             self._findable,
             late("skinsource_gui.accuracy_page.page", "AccuracyPage", *measured),
-            *limb_pages(self.runner, self.limbs, theme, *saving[:2]),
-            late("skinsource_gui.motion_page.page", "MotionPage", self.document, theme),
+            *limb_pages(self.runner, self.limbs, *saving[:2]),
+            late("skinsource_gui.motion_page.page", "MotionPage", self.document),
         )
 
     def _capabilities(self) -> dict[str, QObject]:
@@ -224,7 +216,7 @@ class MainWindow(docks.ListsPanels):
         document.playhead_moved.connect(lambda: self.setup_bar.show_playhead(document.view))
         document.refused.connect(reports.refuse)
         self.action_set.edited.connect(document.apply)
-        self.appearance.changed.connect(self._show_theme)
+        self.appearance.changed.connect(self._check_theme)
         self.arrangements.text_scaled.connect(self.appearance.fit_room)
         self.layout_of_docks.settling.follow(self.appearance)
         self.setup_bar.edited.connect(document.apply)
@@ -246,7 +238,7 @@ class MainWindow(docks.ListsPanels):
         drops.design_dropped.connect(self.files.open)
         drops.recording_dropped.connect(self.imports.open_page)
         drops.preset_dropped.connect(self.library.place_file)
-        self.playback.connect_to(self.panels, self.appearance, reports)
+        self.playback.connect_to(self.panels, reports)
         self.keeping.connect_to(self.conductor, reports)
         self.running_jobs.show_on(self.actions_by_name["cancel_job"])
         self._limb_note.help_wanted.connect(self.pages.show_dataset)
@@ -273,9 +265,7 @@ class MainWindow(docks.ListsPanels):
         self._match_note.show_state(design, view)
         self._limb_note.show_limb(design.limb)
 
-    def _show_theme(self, theme: Theme) -> None:
-        for part in (self.notice, self._limb_note, self.status_line, self.validity, *self.panels):
-            part.show_theme(theme)
+    def _check_theme(self) -> None:
         name = self.preferences.theme_name
         known = f"use_{name}_theme" in self.actions_by_name
         self.actions_by_name[f"use_{name if known else 'system'}_theme"].setChecked(True)

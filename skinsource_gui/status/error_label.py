@@ -6,7 +6,7 @@ import numpy as np
 from PySide6.QtWidgets import QWidget
 
 from skinsource.rendering.check import N_SAMPLES, TraceError
-from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.theme import set_tone, tabular
 from skinsource_gui.widgets.fitting_label import FittingLabel
 
 #: What the engine promises, and what would be wrong to the eye, relative to the largest sample.
@@ -21,8 +21,8 @@ class ErrorLabel(FittingLabel):
         self.setObjectName("trace_error")
         self.setAccessibleName("Error of the traces")
         self.setFont(tabular(self.font()))
-        self._theme = LIGHT
         self._error: TraceError | None = None
+        set_tone(self, "dim")
 
     @property
     def error(self) -> TraceError | None:
@@ -31,7 +31,7 @@ class ErrorLabel(FittingLabel):
 
     def show_error(self, error: TraceError | None) -> None:
         """Show what is known of the error; None: nothing yet."""
-        self._error = error
+        self._error, tone = error, "dim"
         if error is None:
             self.show_phrases(("",))
             self.setToolTip("")
@@ -39,20 +39,9 @@ class ErrorLabel(FittingLabel):
             estimate = f"· error ≈ {one_digit_up(error.estimate)}"
             self.show_phrases((f"· {error_words(error)}", estimate, ""))
             self.setToolTip(_sentences(error))
-        self._paint()
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self._paint()
-
-    def _paint(self) -> None:
-        colour = self._theme.dim
-        if self._error is not None and self._error.estimate > VISIBLE:
-            colour = self._theme.error
-        elif self._error is not None and self._error.estimate > PROMISED:
-            colour = self._theme.warning
-        self.setStyleSheet(f"color: {colour};")
+        if error is not None and error.estimate > PROMISED:
+            tone = "error" if error.estimate > VISIBLE else "warning"
+        set_tone(self, tone)
 
 
 def error_words(error: TraceError) -> str:

@@ -1,13 +1,13 @@
 """The line that says that a limb is not a measured one, or not made from the published files."""
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QFont, QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import QLabel, QWidget
 
 from skinsource.dataset.not_installed import NOT_INSTALLED
 from skinsource.own_limbs import facts_of, missing_limb
 from skinsource_gui.state.engine import Outcome
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import current_theme
 
 _LINKS = (
     Qt.TextInteractionFlag.LinksAccessibleByMouse | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
@@ -29,7 +29,6 @@ class LimbNote(QLabel):
         super().__init__(parent)
         self.setObjectName("limb_note")
         self._measured = False
-        self._theme = LIGHT
         self._synthetic = False
         self._limb = self._note = self._own = self._missing = ""
         self._said: tuple[object, ...] = ()
@@ -61,10 +60,10 @@ class LimbNote(QLabel):
             self._note = note
             self._say()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self._say()
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._say()
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
@@ -79,7 +78,7 @@ class LimbNote(QLabel):
             self._own,
             self._missing,
             self._measured,
-            self._theme,
+            current_theme(),
         )
         if said == self._said:
             return  # else the window is laid out anew at each edit
@@ -87,7 +86,7 @@ class LimbNote(QLabel):
         self.setVisible(any((self._synthetic, self._note, self._own, self._missing)))
         note = f"{self._note[:1].upper()}{self._note[1:]}"
         self.setToolTip(self._missing or f"{self._own} {note}".strip() or _SYNTHETIC)
-        colour = self._theme.warning
+        colour = current_theme().warning
         other = ("OWN LIMB",) if self._own else ("NOT VERIFIED AS PUBLISHED", "NOT VERIFIED")
         ways = ("SYNTHETIC LIMB",) if self._synthetic else other
         # What was noted of the results before is of another limb.
@@ -126,7 +125,7 @@ class LimbNote(QLabel):
     def _choose(self) -> None:
         fitting = (html for words, html in self._phrases if self._width_of(words) <= self.width())
         html = next(fitting, self._phrases[-1][1])
-        text = f"<span style='color:{self._theme.warning}'>{html}</span>"
+        text = f"<span style='color:{current_theme().warning}'>{html}</span>"
         if text != self.text():
             self.setText(text)
 

@@ -4,6 +4,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
 from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.widgets.keys import shortcut_text
 from skinsource_gui.widgets.lateness import Lateness
 
 _WORDS = "Preparing the sound…"
@@ -22,7 +23,7 @@ class PreparingNote(QWidget):
         words.setToolTip(_HINT)
         self._cancel = QPushButton("Cancel")
         self._cancel.setObjectName("cancel_preparing")
-        self._cancel.setToolTip("Do not play (Space)")
+        self._cancel.setToolTip(f"Do not play ({shortcut_text('play')})")
         self._cancel.setAccessibleName("Cancel preparing the sound")
         self._cancel.setAutoDefault(False)
         self._cancel.clicked.connect(self.cancel_wanted)

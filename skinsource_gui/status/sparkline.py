@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from skinsource_gui.status.pause import PAUSE_MS
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import current_theme
 
 #: One frame of most screens.
 FRAME_S = 0.016
@@ -31,7 +31,6 @@ class Sparkline(QWidget):
         self.setAccessibleName("Times of the last edits")
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self._about = about
-        self._theme = LIGHT
         self._times_s: Sequence[float] = ()
         self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
         self._pause.timeout.connect(self._paint_again)
@@ -46,11 +45,6 @@ class Sparkline(QWidget):
         self._waits = True
         if not self._pause.isActive():
             self._paint_again()
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
@@ -69,12 +63,12 @@ class Sparkline(QWidget):
             bars = slow if time_s > FRAME_S else quick
             bars.append(QRect(column, height - bar, 1, bar))
         painter.setPen(Qt.PenStyle.NoPen)
-        for bars, colour in ((slow, self._theme.warning), (quick, self._theme.accent)):
+        for bars, colour in ((slow, current_theme().warning), (quick, current_theme().accent)):
             painter.setBrush(QColor(colour))
             painter.drawRects(bars)
         at = round(height * (1.0 - FRAME_S / _TOP_S))
-        painter.fillRect(0, at, width, 1, QColor(self._theme.dim))
-        painter.fillRect(0, height - 1, width, 1, QColor(self._theme.border))
+        painter.fillRect(0, at, width, 1, QColor(current_theme().dim))
+        painter.fillRect(0, height - 1, width, 1, QColor(current_theme().border))
         painter.end()
 
     def _paint_again(self) -> None:

@@ -13,7 +13,7 @@ from skinsource_gui.status.error_label import ErrorLabel
 from skinsource_gui.status.pause import PAUSE_MS
 from skinsource_gui.status.sparkline import FRAME_S, Sparkline
 from skinsource_gui.status.timing_label import TimingLabel
-from skinsource_gui.theme import UNIT_PX, Theme, tabular
+from skinsource_gui.theme import UNIT_PX, tabular
 from skinsource_gui.widgets.fitting_label import FittingLabel
 from skinsource_gui.widgets.lateness import Lateness
 
@@ -102,11 +102,6 @@ class StatusLine(QWidget):
         if error is not self.error.error:
             self.error.show_error(error)
             self._say_soon()
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.error.show_theme(theme)
-        self._sparkline.show_theme(theme)
 
     def _note_times(self) -> None:
         self._times.setVisible(not self._lateness.late)

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QWidget
 
 from skinsource.validity import Finding, Findings
 from skinsource_gui.status.validity_lamps import STATES
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 
 _TITLES = {
     "inputs": "Inputs",
@@ -33,7 +33,7 @@ class ValidityCard(QFrame):
     #: The `Finding` that shall be mended.
     mend_wanted = Signal(object)
 
-    def __init__(self, findings: Findings, first: str, theme: Theme, parent: QWidget) -> None:
+    def __init__(self, findings: Findings, first: str, parent: QWidget) -> None:
         super().__init__(parent, Qt.WindowType.Popup)
         self.setObjectName("validity_card")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -44,7 +44,7 @@ class ValidityCard(QFrame):
         grid.setVerticalSpacing(UNIT_PX)
         grid.setColumnStretch(1, 1)
         for row, one in enumerate(findings):
-            self._add(grid, row, one, theme, chosen=one.name == first)
+            self._add(grid, row, one, chosen=one.name == first)
 
     def open_above(self, place: QPoint) -> None:
         """Show it with its lower edge at a place of the screen."""
@@ -54,13 +54,12 @@ class ValidityCard(QFrame):
         self.move(left, max(place.y() - self.height() - 2, screen.top()))
         self.show()
 
-    def _add(
-        self, grid: QGridLayout, row: int, one: Finding, theme: Theme, *, chosen: bool
-    ) -> None:
-        colour = theme.warning if one.state == "left" else theme.dim
+    def _add(self, grid: QGridLayout, row: int, one: Finding, *, chosen: bool) -> None:
         title = QLabel(f"{_TITLES[one.name]}\n{STATES[one.state]}")
-        weight = "bold" if chosen else "normal"
-        title.setStyleSheet(f"color: {colour}; font-weight: {weight};")
+        set_tone(title, "warning" if one.state == "left" else "dim")
+        font = title.font()
+        font.setBold(chosen)
+        title.setFont(font)
         words = QLabel(one.sentence)
         words.setObjectName(f"validity_{one.name}")
         words.setWordWrap(True)

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from skinsource.validity import Finding, Findings
 from skinsource_gui.status.lamp_row import NAMES, LampRow, paint_lamp
-from skinsource_gui.theme import LIGHT, Theme, scaled
+from skinsource_gui.theme import current_theme, scaled
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
 from skinsource_gui.widgets.lateness import Lateness
 
@@ -37,7 +37,6 @@ class ValidityLamps(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
-        self._theme: Theme = LIGHT
         self.findings: Findings = ()
         self._lateness = Lateness(self)
         self._lateness.changed.connect(self._follow_lateness)
@@ -80,11 +79,6 @@ class ValidityLamps(QWidget):
         said = [f"{NAMES[one.name]}: {STATES[one.state]}" for one in self.row.lamps]
         self.setAccessibleDescription("; ".join([_OLDER] * self._lateness.late + said))
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def sizeHint(self) -> QSize:
         return self._size(self.row.whole_px)
 
@@ -120,9 +114,9 @@ class ValidityLamps(QWidget):
         painter.setFont(self.words_font)
         painter.setOpacity(_PALE if self._lateness.late else 1.0)
         for finding, place in self.places:
-            paint_lamp(painter, finding, place, self._theme)
+            paint_lamp(painter, finding, place, current_theme())
         if self.hasFocus():
-            paint_focus_frame(painter, QRectF(self.rect()), self._theme)
+            paint_focus_frame(painter, QRectF(self.rect()), current_theme())
         painter.end()
 
     def _size(self, width_px: int) -> QSize:

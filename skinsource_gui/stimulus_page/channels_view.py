@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
 from skinsource.stimulus_export import ChannelOverview, Overview
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
+from skinsource_gui.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.widgets.over.veil import PALE
 
 _ROW_PX, _GAP_PX = 58, 6
@@ -23,7 +23,6 @@ class ChannelsView(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("stimulus_channels")
-        self._theme = LIGHT
         self._overview: Overview | None = None
         self._colours: Mapping[int, int] = {}
         self._pale = False
@@ -41,11 +40,6 @@ class ChannelsView(QWidget):
 
     def minimumSizeHint(self) -> QSize:
         return QSize(_WORDS_PX + _LEAST_PX, self.sizeHint().height())
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
 
     def show_overview(self, overview: Overview | None, colours: Mapping[int, int]) -> None:
         """Paint ``overview``; ``colours`` has the number of the colour of each input."""
@@ -79,9 +73,9 @@ class ChannelsView(QWidget):
         painter.setFont(tabular(self.font()))
         metrics = painter.fontMetrics()
         rows = (
-            (title, self._theme.text),
-            (peak, self._theme.dim),
-            (clipped, self._theme.error),
+            (title, current_theme().text),
+            (peak, current_theme().dim),
+            (clipped, current_theme().error),
         )
         for number, (words, colour) in enumerate(rows):
             painter.setPen(QColor(colour))
@@ -89,16 +83,16 @@ class ChannelsView(QWidget):
             painter.drawText(room.translated(0, number * _ROW_PX / 3), left, shown)
 
     def _paint_picture(self, painter: QPainter, one: ChannelOverview, area: QRectF) -> None:
-        painter.fillRect(area, QColor(self._theme.base))
+        painter.fillRect(area, QColor(current_theme().base))
         middle, reach = area.center().y(), area.height() / 2.0 - 3.0
-        painter.setPen(QPen(QColor(self._theme.grid), 1))
+        painter.setPen(QPen(QColor(current_theme().grid), 1))
         for level in (-1.0, 0.0, 1.0):
             y = middle - reach * level
             painter.drawLine(QLineF(area.left(), y, area.right(), y))
         colour = (
-            self._theme.input_colour(self._colours.get(one.inputs[0], 0))
+            current_theme().input_colour(self._colours.get(one.inputs[0], 0))
             if one.inputs
-            else (QColor(self._theme.dim))
+            else (QColor(current_theme().dim))
         )
         low, high = joined(np.clip(one.extremes, -1.0, 1.0))
         x = area.left() + (np.arange(low.size) + 0.5) * area.width() / low.size
@@ -113,7 +107,7 @@ class ChannelsView(QWidget):
         )
         beyond = np.flatnonzero((one.extremes[0] < -1.0) | (one.extremes[1] > 1.0))
         if one.clipped and beyond.size:
-            painter.setPen(QPen(QColor(self._theme.error), max(width, 2.0)))
+            painter.setPen(QPen(QColor(current_theme().error), max(width, 2.0)))
             painter.drawLines(
                 [QLineF(at, area.top(), at, area.top() + 5.0) for at in x[beyond].tolist()]
             )

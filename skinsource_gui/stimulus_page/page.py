@@ -1,7 +1,5 @@
 """The page on which a stimulus is looked at, before it is written."""
 
-from collections.abc import Callable
-
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -28,7 +26,7 @@ from skinsource_gui.stimulus_page.preparing_row import PreparingRow
 from skinsource_gui.stimulus_page.preparing_worker import PreparingWorker
 from skinsource_gui.stimulus_page.remembering import recall, remembered
 from skinsource_gui.stimulus_page.stimulus_form import StimulusForm
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.over.veil import PALE
 
 _LEFT_PX = 300
@@ -41,8 +39,6 @@ class StimulusPage(QDialog):
     ----------
     design, view
         What is exported, and what is selected there.
-    theme
-        Gives the colours in use.
     kept
         How the last one was exported, as ``chosen`` told.
     machine_rig
@@ -56,7 +52,6 @@ class StimulusPage(QDialog):
         self,
         design: Design,
         view: View,
-        theme: Callable[[], Theme],
         parent: QWidget | None = None,
         kept: str = "",
         machine_rig: str = "",
@@ -66,7 +61,6 @@ class StimulusPage(QDialog):
         self.setObjectName("stimulus_page")
         self.setWindowTitle("Export stimulus")
         self.resize(960, 680)
-        self._theme = theme()
         self._colours = {one.id: one.colour for one in design.inputs}
         self._wanted: Order | None = None
         self._shown: tuple[Order, Overview] | None = None
@@ -111,15 +105,15 @@ class StimulusPage(QDialog):
         self._export_button.setText("Export…")
         self._export_button.setObjectName("stimulus_export")
         self._export_button.setEnabled(False)
-        for label, name, colour in (
-            (self._summary, "stimulus_summary", self._theme.text),
-            (self._loses, "stimulus_loses", self._theme.dim),
-            (self._problem, "stimulus_problem", self._theme.error),
+        for label, name, tone in (
+            (self._summary, "stimulus_summary", ""),
+            (self._loses, "stimulus_loses", "dim"),
+            (self._problem, "stimulus_problem", "error"),
         ):
             label.setObjectName(name)
             label.setWordWrap(True)
             label.setTextFormat(Qt.TextFormat.PlainText)
-            label.setStyleSheet(f"color: {colour};")
+            set_tone(label, tone)
         self._confirm.setObjectName("stimulus_confirm")
         self._confirm.hide()
         self._problem.hide()
@@ -146,8 +140,6 @@ class StimulusPage(QDialog):
         foot.addWidget(self._preparing, 1)
         foot.addWidget(self._buttons)
         rows.addLayout(foot)
-        self.form.show_theme(self._theme)
-        self.channels.show_theme(self._theme)
 
     def _connect(self) -> None:
         self.form.changed.connect(self._want)

@@ -1,7 +1,7 @@
 """Exporting stimuli: opens the page, asks where to, and tells what came of it."""
 
 import importlib
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -17,7 +17,6 @@ from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.asking import may_replace
 
 
@@ -30,8 +29,6 @@ class StimulusActions(QObject):
         What is exported; where files were last written; who asks where to.
     runner
         Carries the exports out.
-    theme
-        Gives the colours in use.
     window
         In front of which the page opens; also the parent.
     """
@@ -45,12 +42,11 @@ class StimulusActions(QObject):
         preferences: Preferences,
         files: FileActions,
         runner: JobRunner,
-        theme: Callable[[], Theme],
         window: QWidget,
     ) -> None:
         super().__init__(window)
         self._document, self._preferences, self._files = document, preferences, files
-        self._theme, self._window = theme, window
+        self._window = window
         self._jobs = ExportJobs(runner, files, self)
         self._jobs.failed.connect(self.failed)
         #: The page, while it is open.
@@ -63,7 +59,7 @@ class StimulusActions(QObject):
         design, view = self._document.design, self._document.view
         kept = self._preferences.export_text
         rig = self._preferences.rig_path
-        page = page_module.StimulusPage(design, view, self._theme, self._window, kept, rig)
+        page = page_module.StimulusPage(design, view, self._window, kept, rig)
         page.chosen.connect(partial(self._export, design))
         page.finished.connect(self._forget_page)
         self.page = page

@@ -17,7 +17,7 @@ from skinsource.view import View
 from skinsource_gui.stimulus_page import form_fields as specs
 from skinsource_gui.stimulus_page.order import Order
 from skinsource_gui.stimulus_page.rig_fields import RigFields
-from skinsource_gui.theme import Theme
+from skinsource_gui.theme import set_tone
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.tooltips import tooltip
@@ -46,6 +46,7 @@ class StimulusForm(QWidget):
         self._about = QLabel()
         self._about.setWordWrap(True)
         self._about.setObjectName("stimulus_format_hint")
+        set_tone(self._about, "dim")
         self._choices: dict[str, ChoiceField] = {}
         self._fields: dict[str, ChoiceField] = {
             "format": ChoiceField(specs.FORMAT),
@@ -85,12 +86,6 @@ class StimulusForm(QWidget):
         rows |= {"rig": self.rigs.rig_field, "actuator": self.rigs.actuator_field}
         rows |= {"equaliser": self.rigs.equaliser_field}
         return rows[name]
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._about.setStyleSheet(f"color: {theme.dim};")
-        for one in self._numbers.values():
-            one.show_theme(theme)
 
     def want(self) -> None:
         """Tell what the fields make."""

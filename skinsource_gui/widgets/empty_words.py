@@ -1,18 +1,18 @@
 """What an empty panel says can be done: always something that works with the panels in sight."""
 
+from skinsource_gui.widgets.keys import shortcut_text
+
 #: Names of the panels that the words are about.
 HAND, TIMELINE, SKIN = "hand", "timeline", "skin"
 #: What is taken to be in sight until somebody says.
 USUALLY_IN_SIGHT = frozenset({HAND, TIMELINE, SKIN})
-#: Adds an input where no hand is in sight.
-ADD_KEY = "Ctrl+Shift+N"
 
 
 def add_words(in_sight: frozenset[str], what: str = "an input") -> str:
     """How to add ``what``: an input, or a track, as the timeline calls it."""
     if HAND in in_sight:
         return f"Click a place on the hand to add {what}"
-    return f"Press {ADD_KEY} to add {what}"
+    return f"Press {shortcut_text('add_input')} to add {what}"
 
 
 def select_words(in_sight: frozenset[str]) -> str:

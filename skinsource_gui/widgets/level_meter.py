@@ -4,7 +4,7 @@ from PySide6.QtCore import QRectF, QSize
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import current_theme
 
 #: The left end of the bar, dB of full scale; the right end is full scale.
 LEAST_DB = -60.0
@@ -18,7 +18,6 @@ class LevelMeter(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._theme = LIGHT
         self.rms_db = self.peak_db = -200.0
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.show_level(-200.0, -200.0)
@@ -35,16 +34,11 @@ class LevelMeter(QWidget):
         if any(abs(a - b) >= 0.5 for a, b in zip(after, before, strict=True)):
             self.update()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         room = QRectF(self.rect())
-        painter.fillRect(room, QColor(self._theme.grid))
-        colour = self._theme.warning if self.peak_db > _NEAR_DB else self._theme.accent
+        painter.fillRect(room, QColor(current_theme().grid))
+        colour = current_theme().warning if self.peak_db > _NEAR_DB else current_theme().accent
         bar = QRectF(room)
         bar.setWidth(_share(self.rms_db) * room.width())
         painter.fillRect(bar, QColor(colour))

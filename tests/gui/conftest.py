@@ -3,6 +3,7 @@
 import gc
 import threading
 from dataclasses import replace
+from functools import partial
 from time import thread_time
 
 import pytest
@@ -16,6 +17,7 @@ from skinsource_gui.files import export_actions
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.state.start_design import start_design
+from skinsource_gui.theme import LIGHT, apply_theme, current_theme
 from tests.gui.desk import Desk
 
 
@@ -65,7 +67,7 @@ def _garbage_is_collected_in_this_thread(qapp, request):
 
 @pytest.fixture(autouse=True)
 def _every_test_finds_the_same_desk(qapp):
-    """Put the pointer into a corner, and back the font that windows with larger text change.
+    """Put the pointer into a corner, and back the colours and the font that windows change.
 
     No button is down either, whatever the test before left.
     """
@@ -79,6 +81,8 @@ def _every_test_finds_the_same_desk(qapp):
             QTest.mouseRelease(QWidget(), button)
     font = qapp.font()
     yield
+    if current_theme() is not LIGHT:
+        apply_theme(qapp, LIGHT)
     if qapp.font() != font:
         qapp.setFont(font)
 
@@ -88,6 +92,12 @@ def _operators_of_maps_are_built_once(tmp_path_factory, monkeypatch):
     """Share them among the tests of a run: hundreds of windows show the same map."""
     folder = tmp_path_factory.getbasetemp() / "operators"
     monkeypatch.setenv("SKINSOURCE_CACHE", str(folder))
+
+
+@pytest.fixture
+def use_theme(qapp):
+    """Give all widgets a theme; after the test they have the usual one."""
+    return partial(apply_theme, qapp)
 
 
 @pytest.fixture

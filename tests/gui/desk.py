@@ -13,7 +13,6 @@ from skinsource_gui.state.job_runner import JobRunner
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.state.start_design import start_design
 from skinsource_gui.stimulus_page.stimulus_actions import StimulusActions
-from skinsource_gui.theme import LIGHT
 
 
 class Desk(QWidget):
@@ -28,14 +27,14 @@ class Desk(QWidget):
         self.document = Document(design or start_design("synthetic-1"), view, self)
         self.runner = JobRunner(self)
         self.files = FileActions(self.document, preferences, self, lambda: b"")
-        self.imports = ImportActions(self.document, preferences, lambda: LIGHT, self)
+        self.imports = ImportActions(self.document, preferences, self)
         self.playback = Playback(self.document, preferences, self)
         saving = self.document, preferences, self.files
-        self.stimuli = StimulusActions(*saving, self.runner, lambda: LIGHT, self)
+        self.stimuli = StimulusActions(*saving, self.runner, self)
 
     def show_motion(self) -> MotionPage:
         """Open the page of motions."""
-        page = MotionPage(self.document, lambda: LIGHT, self)
+        page = MotionPage(self.document, self)
         page.open()
         return page
 

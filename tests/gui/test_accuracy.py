@@ -52,12 +52,13 @@ def test_without_traces_nothing_is_checked(qtbot, window, checked):
 @pytest.mark.parametrize(
     ("estimate", "colour"), [(1e-15, LIGHT.dim), (1e-9, LIGHT.warning), (1e-2, LIGHT.error)]
 )
-def test_the_colour_tells_when_a_promise_is_broken(qtbot, estimate, colour):
+def test_the_colour_tells_when_a_promise_is_broken(qtbot, estimate, colour, use_theme):
     label = ErrorLabel()
     qtbot.addWidget(label)
-    label.show_theme(LIGHT)
+    use_theme(LIGHT)
     label.show_error(TraceError(estimate=estimate, bound=1.0))
-    assert colour in label.styleSheet()
+    label.ensurePolished()
+    assert label.palette().windowText().color().name() == colour
 
 
 @pytest.mark.parametrize(

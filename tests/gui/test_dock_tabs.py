@@ -14,6 +14,7 @@ from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS, Behind, Pl
 from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.start_design import start_design
+from skinsource_gui.theme import current_theme
 from tests.gui.dock_bench import bar_with, bars, click_tab, in_sight, titles
 
 GUESTS = ("compare", "history", "library")
@@ -222,7 +223,7 @@ def test_a_panel_out_of_the_window_has_a_frame_that_is_seen(window, theme):
     window.do(f"use_{theme}_theme")
     dock = window.docks["inspector"]
     image = QImage(60, 40, QImage.Format.Format_RGB32)
-    image.fill(QColor(window.theme.window))
+    image.fill(QColor(current_theme().window))
     option = QStyleOptionFrame()
     option.initFrom(dock)
     option.rect = image.rect()
@@ -230,6 +231,6 @@ def test_a_panel_out_of_the_window_has_a_frame_that_is_seen(window, theme):
     dock.style().drawPrimitive(QStyle.PrimitiveElement.PE_FrameDockWidget, option, painter, dock)
     painter.end()
     edges = [image.pixelColor(x, y).name() for x, y in ((0, 20), (1, 20), (59, 20), (30, 0))]
-    assert edges == [window.theme.dim] * 4
-    assert image.pixelColor(2, 20).name() == window.theme.window
+    assert edges == [current_theme().dim] * 4
+    assert image.pixelColor(2, 20).name() == current_theme().window
     window.do("use_light_theme")

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 
 from skinsource.fields import ChoiceSpec
 from skinsource_gui.panels.hand.site_marker import contrast
-from skinsource_gui.theme import THEMES, apply_theme
+from skinsource_gui.theme import THEMES, current_theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.drop_down import DropDown
 
@@ -27,15 +27,11 @@ READABLE = 4.5
 
 
 @pytest.fixture(params=["light", "dark"])
-def field(request, qtbot):
-    app = QApplication.instance()
-    before = app.style().objectName(), app.palette(), app.styleSheet()
-    theme = THEMES[request.param]
-    apply_theme(app, theme)
+def field(request, qtbot, use_theme):
+    use_theme(THEMES[request.param])
     parent = QWidget()
     qtbot.addWidget(parent)
     field = ChoiceField(SPEC)
-    field.theme = theme
     QVBoxLayout(parent).addWidget(field)
     parent.show()
     qtbot.waitExposed(parent)
@@ -43,9 +39,6 @@ def field(request, qtbot):
     qtbot.waitUntil(lambda: field.view().isVisible())
     yield field
     field.hidePopup()
-    app.setStyle(before[0])
-    app.setPalette(before[1])
-    app.setStyleSheet(before[2])
 
 
 def entry_colours(field, row):
@@ -80,14 +73,14 @@ def test_the_highlighted_entry_can_be_read_and_stands_out(field, way):
     point_at(field, 2, way)
     ground, ink = entry_colours(field, 2)
     assert contrast(ink, ground) >= READABLE
-    assert ground.name() == field.theme.accent
+    assert ground.name() == current_theme().accent
 
 
 def test_the_other_entries_can_be_read(field):
     for row in (1, 2):
         ground, ink = entry_colours(field, row)
         assert contrast(ink, ground) >= READABLE
-        assert ground.name() == field.theme.base
+        assert ground.name() == current_theme().base
 
 
 def test_a_name_ends_in_an_ellipsis_only_where_there_is_no_room(field, qtbot):

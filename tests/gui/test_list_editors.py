@@ -10,7 +10,6 @@ from skinsource.errors import InvalidInputError
 from skinsource.fields import CurveSpec, ListSpec, NumberSpec, specs_of
 from skinsource.synthesis.glide_curves import curve_of
 from skinsource.waveforms import Glide, WaveletTrain, frequency_sweep
-from skinsource_gui.theme import DARK
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.live_text import LiveText
 from skinsource_gui.widgets.fields.points_editor import GlideCurve
@@ -148,7 +147,6 @@ def test_a_limb_allows_only_frequencies_below_half_its_rate(cell):
 
 def test_points_are_typed_too(cell):
     one = cell(POINTS, ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0)))
-    one.show_theme(DARK)
     QTest.keyClicks(one.line, "; 200 80 1")
     assert one.told[-1] == ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0), (0.2, 80.0, 1.0))
     assert "time in ms, frequency in Hz, amplitude" in one.line.toolTip()

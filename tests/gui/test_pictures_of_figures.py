@@ -7,12 +7,7 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox
 
 import skinsource as ss
 from skinsource.view import View
-from skinsource_gui.panels.linearity.panel import LinearityPanel
-from skinsource_gui.panels.main_axis.panel import MainAxisPanel
-from skinsource_gui.panels.transfer.panel import TransferPanel
-from skinsource_gui.panels.wave.panel import WavePanel
-from skinsource_gui.theme import DARK, LIGHT
-from skinsource_gui.widgets.figure.words_label import WordsLabel
+from skinsource_gui.theme import LIGHT
 from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
 from tests.gui.linearity.test_linearity_panel import STRENGTHS, show
 from tests.gui.test_pictures_out import texts_of
@@ -104,13 +99,3 @@ def test_a_picture_of_transfer_functions_tells_which_output_is_which(make_window
     # Below the line of its legend, not over it.
     qtbot.waitUntil(lambda: panel.picture.axes is not None)
     assert panel.picture.axes.frame.top() > QFontMetricsF(panel.picture.font()).height()
-
-
-@pytest.mark.parametrize("kind", [MainAxisPanel, WavePanel, TransferPanel, LinearityPanel])
-def test_all_words_beside_a_figure_take_over_colours(qtbot, kind):
-    panel = kind()
-    qtbot.addWidget(panel)
-    panel.show_theme(DARK)
-    words = panel.findChildren(WordsLabel)
-    assert len(words) == 2
-    assert {one._theme for one in words} == {DARK}

@@ -12,7 +12,7 @@ import skinsource as ss
 from skinsource.chain import Actuation, ActuatorAt
 from skinsource.equalising import RegularisedInverse
 from skinsource_gui.files import export_actions
-from skinsource_gui.theme import DARK, LIGHT
+from skinsource_gui.theme import DARK, LIGHT, current_theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.map.length_bar import bar_length_mm
 from skinsource_gui.widgets.pictures.caption import caption_of, lines_of, with_caption
@@ -163,7 +163,7 @@ def test_pictures_are_on_light_ground_and_the_studio_stays_dark(make_window, qtb
     draw = window.pictures.picture_of(ALL_IN_SIGHT).draw
     picture = drawn_image(draw, 900, 600)
     assert QColor(picture.pixel(899, 599)).name() == LIGHT.base
-    assert window.theme == DARK
+    assert current_theme() == DARK
     qtbot.waitUntil(lambda: window.grab(above).toImage() == before)
 
 

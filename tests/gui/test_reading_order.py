@@ -13,6 +13,7 @@ from skinsource.effects import Fade, Trim
 from skinsource.view import View
 from skinsource.waveforms import Noise, Tone
 from skinsource_gui.shell.focus.focus_order import tab_stops
+from skinsource_gui.theme import current_theme
 
 
 @pytest.fixture
@@ -97,6 +98,6 @@ def test_the_hand_shows_that_it_has_the_keyboard_before_a_key_is_used_there(wind
     )
     assert QApplication.focusWidget() is diagram
     assert diagram.state.cursor is None
-    assert corner(window) == window.theme.accent
+    assert corner(window) == current_theme().accent
     window.panel("timeline").setFocus()
-    assert corner(window) != window.theme.accent
+    assert corner(window) != current_theme().accent

@@ -59,7 +59,7 @@ def events_of(qapp):
     return count
 
 
-def test_a_limb_that_stays_lays_nothing_out(qtbot, events_of):
+def test_a_limb_that_stays_lays_nothing_out(qtbot, events_of, use_theme):
     bar, note = QWidget(), LimbNote()
     qtbot.addWidget(bar)
     QHBoxLayout(bar).addWidget(note)
@@ -68,7 +68,7 @@ def test_a_limb_that_stays_lays_nothing_out(qtbot, events_of):
     qtbot.waitExposed(bar)
     assert events_of(lambda: note.show_limb("synthetic-1")) == []
     assert events_of(lambda: note.show_available(("measured-1",)))
-    assert events_of(lambda: note.show_theme(DARK))
+    assert events_of(lambda: use_theme(DARK))
     assert events_of(lambda: note.show_limb("measured-1"))
 
 

@@ -219,8 +219,8 @@ def sparkline(qtbot):
 
 
 @pytest.mark.parametrize("theme", [LIGHT, DARK])
-def test_a_slow_edit_is_a_high_amber_bar_and_a_quick_one_a_low_bar(sparkline, theme):
-    sparkline.show_theme(theme)
+def test_a_slow_edit_is_a_high_amber_bar_and_a_quick_one_a_low_bar(sparkline, theme, use_theme):
+    use_theme(theme)
     sparkline.show_times((0.3, 0.008))
     QApplication.processEvents()
     picture = sparkline.grab().toImage()

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource_gui.panels.timeline.timeline_toolbar import TimelineToolbar
-from skinsource_gui.theme import THEMES, UNIT_PX, scaled
+from skinsource_gui.theme import UNIT_PX, scaled
 from skinsource_gui.widgets.plot.plot_toolbar import PlotToolbar
 from skinsource_gui.widgets.plot.signal_view import SignalView
 from skinsource_gui.widgets.room.words_in_room import fitting_font, width_in
@@ -47,9 +47,7 @@ class Fits(QObject):
 
 
 def beside_the_ruler(parent):
-    bar = TimelineToolbar(parent)
-    bar.show_theme(THEMES["light"])
-    return bar
+    return TimelineToolbar(parent)
 
 
 def above_a_plot(parent):

@@ -31,7 +31,8 @@ def test_every_shipped_data_file_is_installed_unchanged():
 
 
 def test_the_windows_resources_are_installed():
-    assert (resource_folder() / "theme.qss").is_file()
+    for name in ("theme.qss", "keys.toml"):
+        assert (resource_folder() / name).is_file()
 
 
 def test_a_prediction_runs_on_the_built_in_limb():

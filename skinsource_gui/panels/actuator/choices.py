@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
 from skinsource.actuator_demand import ActuatorSettings, actuator_spec
 from skinsource.fields import NumberSpec, Spec, specs_of
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
 from skinsource_gui.widgets.fields.units import value_text
@@ -40,7 +40,6 @@ class ActuatorChoices(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._theme = LIGHT
         self._settings, self._predicted = ActuatorSettings(), False
         self._shown: tuple[object, ...] | None = None
         self._cells: tuple[FieldCell, ...] = ()
@@ -49,6 +48,7 @@ class ActuatorChoices(QObject):
         self.details = QWidget()
         self.about = QLabel()
         self.about.setObjectName("actuator_about")
+        set_tone(self.about, "dim")
         self.about.setWordWrap(True)
         self.about.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
         self.reset = QPushButton("As listed")
@@ -91,13 +91,6 @@ class ActuatorChoices(QObject):
         self.about.setText(self._words())
         self.reset.setVisible(bool(settings.parameters))
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.about.setStyleSheet(f"color: {theme.dim};")
-        for cell in self._kept.values():
-            cell.show_theme(theme)
-
     def _build(self) -> None:
         """Show the cells that there are now; each is made once, and those not shown are hidden."""
         model = self._settings.model
@@ -116,7 +109,6 @@ class ActuatorChoices(QObject):
             if (name, spec) not in self._kept:
                 cell = FieldCell(name, spec)
                 cell.edited.connect(self._edit)
-                cell.show_theme(self._theme)
                 self._kept[name, spec] = cell
         self._cells = tuple(self._kept[one] for one in wanted.items())
         parameters = tuple(cell for cell in self._cells if cell.name.startswith(_PARAMETER))

@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from skinsource_gui.panels.actuator.figures import Figure
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
+from skinsource_gui.theme import UNIT_PX, set_tone, tabular
 
 
 class FiguresTable(QWidget):
@@ -14,7 +14,6 @@ class FiguresTable(QWidget):
         super().__init__(parent)
         self.setObjectName("actuator_figures")
         self.setAccessibleName("Predicted figures")
-        self._theme = LIGHT
         self._figures: tuple[Figure, ...] = ()
         self._rows: list[tuple[QLabel, QLabel, QLabel]] = []
         self._grid = QGridLayout(self)
@@ -41,31 +40,20 @@ class FiguresTable(QWidget):
             name.setText(figure.label)
             value.setText(figure.value)
             limit.setText(f"of {figure.limit}" if figure.limit else "")
+            set_tone(value, "error" if figure.passed else "")
+            set_tone(limit, "error" if figure.passed else "dim")
         self.setAccessibleDescription(
             "; ".join(
                 f"{one.label} {one.value}" + (", beyond its limit" if one.passed else "")
                 for one in figures
             )
         )
-        self._colour()
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self._colour()
 
     def _add_row(self) -> None:
         labels = (QLabel(self), QLabel(self), QLabel(self))
+        set_tone(labels[0], "dim")
         labels[1].setFont(tabular(labels[1].font()))
         labels[1].setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         for column, label in enumerate(labels):
             self._grid.addWidget(label, len(self._rows), column)
         self._rows.append(labels)
-
-    def _colour(self) -> None:
-        for labels, figure in zip(self._rows, self._figures, strict=False):
-            name, value, limit = labels
-            words = self._theme.error if figure.passed else self._theme.text
-            name.setStyleSheet(f"color: {self._theme.dim};")
-            value.setStyleSheet(f"color: {words};")
-            limit.setStyleSheet(f"color: {words if figure.passed else self._theme.dim};")

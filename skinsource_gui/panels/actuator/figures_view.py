@@ -8,7 +8,7 @@ from skinsource.locations import input_words
 from skinsource_gui.panel import PREPARING
 from skinsource_gui.panels.actuator.figures import Figure, rows_of
 from skinsource_gui.panels.actuator.figures_table import FiguresTable
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 
 _NOTHING = "Nothing plays: add an input to see what it asks of the actuator"
 
@@ -27,13 +27,12 @@ class FiguresView(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._theme: Theme = LIGHT
-        self._refused = False
         self.heading, self.refusal, self.table = QLabel(), QLabel(), FiguresTable()
         self.heading.setObjectName("actuator_heading")
         self.refusal.setObjectName("actuator_refusal")
         self.limits = QLabel()
         self.limits.setObjectName("actuator_limits")
+        set_tone(self.limits, "error")
         for label in (self.heading, self.refusal, self.limits):
             label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
@@ -59,8 +58,7 @@ class FiguresView(QWidget):
         self.refusal.setText(reason)
         self.refusal.setVisible(bool(reason))
         # Where nothing plays, or is known yet, nothing is wrong.
-        self._refused = found.refusal not in ("", PREPARING)
-        self._colour()
+        set_tone(self.refusal, "dim" if found.refusal in ("", PREPARING) else "error")
         beyond = _beyond(rows)
         self.limits.setText(beyond)
         self.limits.setVisible(bool(beyond))
@@ -70,17 +68,6 @@ class FiguresView(QWidget):
         part = f" · the strongest {LONGEST_S:g} s" if found.part else ""
         gain = " · uncalibrated gain" if words and not settings.profile.gain_calibrated else ""
         self.heading.setText(f"{words}{part}{gain}")
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.table.show_theme(theme)
-        self.limits.setStyleSheet(f"color: {theme.error};")
-        self._colour()
-
-    def _colour(self) -> None:
-        colour = self._theme.error if self._refused else self._theme.dim
-        self.refusal.setStyleSheet(f"color: {colour};")
 
 
 def _beyond(rows: tuple[Figure, ...]) -> str:

@@ -29,7 +29,7 @@ from skinsource_gui.panels.actuator.demand_curves import (
 )
 from skinsource_gui.panels.actuator.figures_view import FiguresView
 from skinsource_gui.panels.actuator.prediction_switch import ThroughSwitch
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.plot.signal_view import SignalView
 from skinsource_gui.widgets.room.steady_area import SteadyArea
 
@@ -117,12 +117,6 @@ class ActuatorPanel(Panel):
 
     def show_folder(self, folder: Path) -> None:
         self.plot.exports.folder = folder
-
-    def show_theme(self, theme: Theme) -> None:
-        self.choices.show_theme(theme)
-        self.through.show_theme(theme)
-        self.plot.set_theme(theme)
-        self.figures.show_theme(theme)
 
     def _show_settings(self) -> None:
         settings = self._settings

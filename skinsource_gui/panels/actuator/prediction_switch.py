@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QCheckBox, QLabel, QVBoxLayout, QWidget
 
 from skinsource.actuator_demand import ActuatorSettings, actuation_of
 from skinsource.design import Design
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 
 _TITLE = "Predict through the actuator"
 _HINT = (
@@ -39,6 +39,7 @@ class ThroughSwitch(QWidget):
         self.box.setToolTip(_HINT)
         self.box.clicked.connect(self.wanted)
         self.words.setObjectName("actuator_through_words")
+        set_tone(self.words, "dim")
         self.words.setWordWrap(True)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -63,7 +64,3 @@ class ThroughSwitch(QWidget):
         self.box.setToolTip(_HINT if self.box.isEnabled() else words)
         self.words.setText(words)
         self.words.setVisible(bool(words))
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.words.setStyleSheet(f"color: {theme.dim};")

@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 from skinsource.arrays import Floats
 from skinsource_gui.panels.clip_editor.content import EditorContent
 from skinsource_gui.panels.clip_editor.tools.tool import Tool
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import current_theme
 from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.kept_picture import KeptPicture, Same
 from skinsource_gui.widgets.paper import dots_in_px, is_on_paper, thin_pen
@@ -34,7 +34,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
         super().__init__()
         self._content: EditorContent | None = None
         self._tool: Tool | None = None
-        self._theme, self._font = LIGHT, QFont()
+        self._font = QFont()
         self._rect = QRectF(0, 0, 1, 1)
         self._late = False
         # What the drag of a point leaves as it is: axes, the waveform, and what it plays.
@@ -48,9 +48,9 @@ class EditorItem(pyqtgraph.GraphicsObject):
         self._content, self._tool = content, tool
         self.update()
 
-    def show_look(self, theme: Theme, font: QFont) -> None:
-        """Take over colours and font."""
-        self._theme, self._font = theme, font
+    def show_font(self, font: QFont) -> None:
+        """Take over a font."""
+        self._font = font
         self.update()
 
     def show_late(self, late: bool) -> None:
@@ -70,18 +70,18 @@ class EditorItem(pyqtgraph.GraphicsObject):
         self._paint_course(painter, content)
         painter.save()
         painter.setClipRect(content.area.adjusted(-1, -1, 1, 1))
-        tool.paint(painter, content, self._theme)
+        tool.paint(painter, content, current_theme())
         painter.restore()
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(QPen(QColor(self._theme.border), 1))
+        painter.setPen(QPen(QColor(current_theme().border), 1))
         painter.drawRect(content.area)
 
     def _paint_course(self, painter: QPainter, content: EditorContent) -> None:
         """Paint what the clip plays, over its waveform before any effect."""
-        played, ground = content.played, QColor(self._theme.base)
+        played, ground = content.played, QColor(current_theme().base)
         drawn = content.drawn
         n_played = None if played is None else played.size
-        place = (self._theme.name, content.scale, content.area, content.reach)
+        place = (current_theme().name, content.scale, content.area, content.reach)
         # Samples by identity: an array that is kept here cannot become another one.
         still = (*place, content.sample_rate_hz, n_played, Same(content.drawn))
         is_other = content.drawn is not None and content.drawn is not played
@@ -91,7 +91,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
             on_image.setClipRect(content.area.adjusted(-1, -1, 1, 1))
             self._paint_end(on_image, content)
             if drawn is not None and is_other:
-                dim = QColor(self._theme.dim)
+                dim = QColor(current_theme().dim)
                 self._paint_curve(on_image, content, drawn, dim, _PALE)
 
         def paint_course(on_image: QPainter) -> None:
@@ -99,9 +99,11 @@ class EditorItem(pyqtgraph.GraphicsObject):
             on_image.setClipRect(content.area.adjusted(-1, -1, 1, 1))
             if played is not None:
                 opacity = _PALE if self._late else 1.0
-                self._paint_curve(on_image, content, played, QColor(self._theme.accent), opacity)
+                self._paint_curve(
+                    on_image, content, played, QColor(current_theme().accent), opacity
+                )
             if self._late:
-                on_image.setPen(QColor(self._theme.dim))
+                on_image.setPen(QColor(current_theme().dim))
                 corner = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop
                 on_image.drawText(content.area.adjusted(0, 2, -4, 0), corner, _UPDATING)
 
@@ -110,7 +112,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
 
     def _paint_axes(self, painter: QPainter, content: EditorContent) -> None:
         area, metrics = content.area, QFontMetricsF(self._font)
-        grid, words = QPen(QColor(self._theme.grid), 1), QColor(self._theme.dim)
+        grid, words = QPen(QColor(current_theme().grid), 1), QColor(current_theme().dim)
         values = linear_ticks(-content.reach, content.reach, max(area.height() / _ROW_PX, 2))
         for tick in values:
             y = content.y(tick.value)
@@ -138,7 +140,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
                 free_from = left + width + 6
         painter.setPen(words)
         painter.drawText(QPointF(unit_left, area.bottom() + metrics.ascent() + 3), unit)
-        painter.setPen(QPen(QColor(self._theme.border), 1))
+        painter.setPen(QPen(QColor(current_theme().border), 1))
         painter.drawLine(QLineF(area.left(), content.y(0.0), area.right(), content.y(0.0)))
 
     def _paint_end(self, painter: QPainter, content: EditorContent) -> None:
@@ -150,7 +152,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
         if end < content.area.right():
             behind = QRectF(content.area)
             behind.setLeft(max(end, content.area.left()))
-            painter.fillRect(behind, QColor(self._theme.window))
+            painter.fillRect(behind, QColor(current_theme().window))
 
     def _paint_curve(
         self,

@@ -3,9 +3,9 @@
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QSizePolicy, QToolButton, QWidget
 
-from skinsource_gui.theme import Theme
+from skinsource_gui.theme import set_tone
 from skinsource_gui.widgets.fitting_label import FittingLabel
-from skinsource_gui.widgets.key_tables.key_table import key_text
+from skinsource_gui.widgets.keys import key_text
 from skinsource_gui.widgets.tooltips import show_tooltip
 
 _PLACE = "clip_editor"
@@ -38,6 +38,7 @@ class EditorToolbar(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self.setStyleSheet("QToolButton { padding: 2px 8px; }")
         row = QHBoxLayout(self)
         row.setContentsMargins(4, 2, 4, 2)
         row.setSpacing(2)
@@ -60,6 +61,7 @@ class EditorToolbar(QWidget):
         row.addWidget(self._fit)
         self._words = FittingLabel()
         self._words.setObjectName("clip_words")
+        set_tone(self._words, "dim")
         self._words.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         self._words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         row.addWidget(self._words, 1)
@@ -94,11 +96,6 @@ class EditorToolbar(QWidget):
     def offer_glide(self, offered: bool) -> None:
         """Whether the clip plays a glide, whose curves can be shaped."""
         self._tools["glide"].setVisible(offered)
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.setStyleSheet("QToolButton { padding: 2px 8px; }")
-        self._words.setStyleSheet(f"color: {theme.dim};")
 
     def _button(self, text: str, hint: str) -> QToolButton:
         button = QToolButton(self)

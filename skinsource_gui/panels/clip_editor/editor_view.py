@@ -10,7 +10,7 @@ from skinsource_gui.panels.clip_editor.content import EditorContent
 from skinsource_gui.panels.clip_editor.editor_item import EditorItem
 from skinsource_gui.panels.clip_editor.seen_clip import SeenClip
 from skinsource_gui.panels.clip_editor.tools.tool import Tool
-from skinsource_gui.theme import Theme, scaled, tabular
+from skinsource_gui.theme import scaled, tabular
 from skinsource_gui.widgets.plot.canvas import Canvas
 
 _TEXT = 0.9
@@ -47,6 +47,7 @@ class EditorView(Canvas):
         self.content: EditorContent | None = None
         self.seen = SeenClip(lambda: self.content, self)
         self.seen.changed.connect(self.lay_out)
+        self.take_look()
 
     def show_clip(
         self, clip: Clip | None, drawn: Floats | None, played: Floats | None, rate_hz: float
@@ -67,10 +68,9 @@ class EditorView(Canvas):
         """The tool that is taken."""
         return self._tool
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.set_ground(theme)
-        self.item.show_look(theme, scaled(tabular(self.font()), _TEXT))
+    def take_look(self) -> None:
+        super().take_look()
+        self.item.show_font(scaled(tabular(self.font()), _TEXT))
 
     def cancel(self) -> bool:
         """Give up what the tool has begun; whether anything had."""

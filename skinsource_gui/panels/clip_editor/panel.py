@@ -27,11 +27,11 @@ from skinsource_gui.panels.clip_editor.shaping import Shaping
 from skinsource_gui.panels.clip_editor.spectrum_strip import SpectrumStrip
 from skinsource_gui.panels.clip_editor.tools.look import Look
 from skinsource_gui.panels.clip_editor.tools.tool import Tool
-from skinsource_gui.theme import Theme
+from skinsource_gui.theme import set_tone
 from skinsource_gui.widgets.empty_words import clip_words
 from skinsource_gui.widgets.inputs.clip_waveforms import waveforms_of
 from skinsource_gui.widgets.inputs.input_words import clip_text, duration_text
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import meaning_of
 
 _NO_GLIDE = Refusal(sentence="The clip does not play a glide; choose that waveform first.")
 _ZOOM = 1.5
@@ -63,6 +63,7 @@ class ClipEditorPanel(Panel):
         self._canvas = EditorView(self._look)
         self._toolbar, self._spectrum = EditorToolbar(), SpectrumStrip()
         self._empty = QLabel()
+        set_tone(self._empty, "dim")
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._empty.setWordWrap(True)
         inside = QWidget()
@@ -116,12 +117,6 @@ class ClipEditorPanel(Panel):
         self._waveforms = {}
         self._show()
         self._toolbar.show_words(reason, enabled=self.clip is not None)
-
-    def show_theme(self, theme: Theme) -> None:
-        self._canvas.show_theme(theme)
-        self._spectrum.show_theme(theme)
-        self._toolbar.show_theme(theme)
-        self._empty.setStyleSheet(f"color: {theme.dim};")
 
     def use(self, tool: str) -> None:
         """Take a tool; a clip that is not drawn asks once whether it may become samples."""
@@ -201,7 +196,7 @@ class ClipEditorPanel(Panel):
         return samples
 
     def _press(self, event: QKeyEvent) -> None:
-        wanted = meant("clip_editor", event)
+        wanted = meaning_of("clip_editor", event)
         if wanted in self._tools:
             self.use(wanted)
         elif wanted in ("zoom_in", "zoom_out"):

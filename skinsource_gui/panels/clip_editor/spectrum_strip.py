@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from skinsource.arrays import Floats
 from skinsource.limb import Band
 from skinsource.spectra import share_outside_band
-from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
+from skinsource_gui.theme import current_theme, scaled, tabular
 from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.paper import dots_in_px, thin_pen
 from skinsource_gui.widgets.plot.decimation import visible_points
@@ -47,7 +47,6 @@ class SpectrumStrip(QWidget):
         self.setMinimumHeight(78)
         # All of it is painted: nothing behind needs to be.
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
-        self._theme = LIGHT
         self._axes = KeptPicture()
         self._frequency_hz: Floats | None = None
         self._levels_db: Floats | None = None
@@ -95,30 +94,25 @@ class SpectrumStrip(QWidget):
         number = "0" if share == 0 else "< 0.1" if share < 0.1 else f"{share:.3g}"
         return f"{number} % of the energy outside {low:g} to {high:g} Hz"
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setFont(scaled(tabular(self.font()), _TEXT))
         # The words stand above: on the curve neither could be read.
         top = painter.fontMetrics().height() + 3
         area = QRectF(self.rect()).adjusted(_LEFT_PX, top, -_RIGHT_PX, -_BOTTOM_PX)
-        ground = QColor(self._theme.window)
+        ground = QColor(current_theme().window)
         if self._frequency_hz is None or self._levels_db is None:
             painter.fillRect(self.rect(), ground)
-            painter.fillRect(area, QColor(self._theme.base))
+            painter.fillRect(area, QColor(current_theme().base))
             return
         highest = float(self._frequency_hz[-1])
 
         def paint_axes(on_image: QPainter) -> None:
-            on_image.fillRect(area, QColor(self._theme.base))
+            on_image.fillRect(area, QColor(current_theme().base))
             self._paint_band(on_image, area, highest)
             self._paint_axes(on_image, area, highest)
 
-        key = (self._theme.name, highest, self._band_hz)
+        key = (current_theme().name, highest, self._band_hz)
         self._axes.paint(painter, QRectF(self.rect()), key, paint_axes, ground)
         columns = max(int(area.width() * dots_in_px(painter)), 1)
         points = visible_points(
@@ -127,10 +121,10 @@ class SpectrumStrip(QWidget):
         x = area.left() + points.x / highest * area.width()
         y = area.top() - np.maximum(points.y[0], -_SPAN_DB) / _SPAN_DB * area.height()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(thin_pen(QColor(self._theme.accent)))
+        painter.setPen(thin_pen(QColor(current_theme().accent)))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
-        painter.setPen(QPen(QColor(self._theme.border), 1))
+        painter.setPen(QPen(QColor(current_theme().border), 1))
         painter.drawRect(area)
         self._write(painter, area)
 
@@ -140,21 +134,21 @@ class SpectrumStrip(QWidget):
         low, high = (area.left() + min(one / highest, 1.0) * area.width() for one in self._band_hz)
         for left, right in ((area.left(), low), (high, area.right())):
             outside = QRectF(left, area.top(), right - left, area.height())
-            painter.fillRect(outside, QColor(self._theme.window))
+            painter.fillRect(outside, QColor(current_theme().window))
 
     def _paint_axes(self, painter: QPainter, area: QRectF, highest: float) -> None:
         metrics = QFontMetricsF(painter.font())
         right = area.right() - metrics.horizontalAdvance("Hz") - 4
         for tick in linear_ticks(0.0, highest, max(area.width() / _TICK_PX, 2)):
             x = area.left() + tick.value / highest * area.width()
-            painter.setPen(QPen(QColor(self._theme.grid), 1))
+            painter.setPen(QPen(QColor(current_theme().grid), 1))
             painter.drawLine(QLineF(x, area.top(), x, area.bottom()))
             width = metrics.horizontalAdvance(tick.label)
             if x + width / 2 < right:
-                painter.setPen(QColor(self._theme.dim))
+                painter.setPen(QColor(current_theme().dim))
                 at = QPointF(x - width / 2, area.bottom() + metrics.ascent() + 2)
                 painter.drawText(at, tick.label)
-        painter.setPen(QColor(self._theme.dim))
+        painter.setPen(QColor(current_theme().dim))
         painter.drawText(QPointF(right + 4, area.bottom() + metrics.ascent() + 2), "Hz")
         for level, text in ((0.0, "0 dB"), (-_SPAN_DB, f"\u2212{_SPAN_DB:g}")):
             y = area.top() - level / _SPAN_DB * area.height()
@@ -166,7 +160,7 @@ class SpectrumStrip(QWidget):
     def _write(self, painter: QPainter, area: QRectF) -> None:
         metrics = QFontMetricsF(painter.font())
         noteworthy = self._outside > _NOTEWORTHY
-        painter.setPen(QColor(self._theme.warning if noteworthy else self._theme.dim))
+        painter.setPen(QColor(current_theme().warning if noteworthy else current_theme().dim))
         flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         text = metrics.elidedText(self.words, Qt.TextElideMode.ElideRight, area.width())
         painter.drawText(QRectF(area.left(), 0.0, area.width(), area.top() - 2), flags, text)

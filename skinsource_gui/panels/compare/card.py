@@ -9,9 +9,8 @@ from PySide6.QtWidgets import QAbstractButton, QMenu, QSizePolicy, QWidget
 from skinsource.comparing import gain_words, match_words
 from skinsource_gui.compared import Compared, is_silent
 from skinsource_gui.panels.compare.card_words import level_words, sentence
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.theme import UNIT_PX, current_theme, tabular
+from skinsource_gui.widgets.keys import claims_shortcut, meaning_of, shortcut_text
 from skinsource_gui.widgets.map.colour_maps import colour_table
 from skinsource_gui.widgets.map.scale_row import Scale
 from skinsource_gui.widgets.map.small_map import SmallMap, paint_small_map
@@ -37,7 +36,8 @@ class Card(QAbstractButton):
     def __init__(self, number: int, parent: QWidget) -> None:
         super().__init__(parent)
         self.number = number
-        self._theme: Theme = LIGHT
+        # The design that is edited is never stored, and without it its card is away.
+        self._store_key = shortcut_text(f"store_snapshot_{number}") if number else ""
         self._compared: Compared | None = None
         self._map: SmallMap | None = None
         self._scale: Scale | None = None
@@ -73,17 +73,12 @@ class Card(QAbstractButton):
         self._compared, self._map, self._scale = compared, shown, scale
         self._present = present
         words = (
-            f"Snapshot {self.number}: nothing stored; click, or press Ctrl+{self.number}, to store"
+            f"Snapshot {self.number}: nothing stored; click, or press {self._store_key}, to store"
             if compared is None
             else sentence(compared, present=present)
         )
         self.setAccessibleName(words)
         self.setToolTip(words)
-        self.update()
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
         self.update()
 
     def sizeHint(self) -> QSize:
@@ -95,10 +90,10 @@ class Card(QAbstractButton):
         return self.sizeHint() - QSize(UNIT_PX, 0)
 
     def event(self, event: QEvent) -> bool:
-        return kept_from_shortcuts(event, partial(meant, _PLACE)) or super().event(event)
+        return claims_shortcut(event, partial(meaning_of, _PLACE)) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        means = meant(_PLACE, event)
+        means = meaning_of(_PLACE, event)
         if means == "forget" and self._compared is not None:
             self.wanted.emit(self.number, "forget")
         elif means == "act":
@@ -107,7 +102,7 @@ class Card(QAbstractButton):
             super().keyPressEvent(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter, theme = QPainter(self), self._theme
+        painter, theme = QPainter(self), current_theme()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         frame = QRectF(self.rect()).adjusted(1, 1, -1, -1)
         focused = self.hasFocus()
@@ -127,7 +122,7 @@ class Card(QAbstractButton):
         painter.end()
 
     def _paint_inside(self, painter: QPainter, area: QRectF) -> None:
-        theme, compared = self._theme, self._compared
+        theme, compared = current_theme(), self._compared
         line = self.fontMetrics().height()
         centre = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignVCenter
         heading = QFont(self.font())
@@ -139,7 +134,7 @@ class Card(QAbstractButton):
         painter.drawText(QRectF(area.left(), area.top(), area.width(), line), centre, name)
         painter.setFont(tabular(self.font()))
         if compared is None:
-            painter.drawText(area, centre, f"Ctrl+{self.number}")
+            painter.drawText(area, centre, self._store_key)
             return
         below = QRectF(area.left(), area.bottom() - 2 * line, area.width(), line)
         painter.setPen(QColor(theme.error if compared.left_out else theme.text))

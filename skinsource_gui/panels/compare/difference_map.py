@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from skinsource.comparing import end_db
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
+from skinsource_gui.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.widgets.fields.level_text import minus, output_text
 from skinsource_gui.widgets.map.colour_maps import DIVERGING, colour_table
 from skinsource_gui.widgets.map.output_rings import paint_numbers, paint_rings
@@ -59,7 +59,6 @@ class DifferenceMap(QWidget):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self._theme: Theme = LIGHT
         self._difference = Difference()
         self.setObjectName("difference_map")
 
@@ -73,11 +72,6 @@ class DifferenceMap(QWidget):
         self._difference = difference
         words = f"{difference.heading}. {difference.words}".strip(". ")
         self.setAccessibleName(words)
-        self.update()
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
         self.update()
 
     def sizeHint(self) -> QSize:
@@ -109,7 +103,7 @@ class DifferenceMap(QWidget):
         return f"{output_text(number, self._difference.limb)}: {difference}"
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter, theme, difference = QPainter(self), self._theme, self._difference
+        painter, theme, difference = QPainter(self), current_theme(), self._difference
         painter.setFont(tabular(self.font()))
         top, area, bottom = self._areas()
         flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap

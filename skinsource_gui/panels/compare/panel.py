@@ -45,7 +45,7 @@ from skinsource_gui.panels.compare.card_words import (
     played_db,
 )
 from skinsource_gui.panels.compare.difference_map import Difference, DifferenceMap
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.folding_row import FoldingRow
 from skinsource_gui.widgets.map.level_look import level_look
 from skinsource_gui.widgets.map.scale_row import Scale, scale_of_levels
@@ -94,6 +94,7 @@ class ComparePanel(Panel):
         self.file.clicked.connect(lambda: self.action_wanted.emit("take_snapshot"))
         self.words = QLabel()
         self.words.setObjectName("matching_words")
+        set_tone(self.words, "dim")
         # Wrapped, it would make the panel as high as it likes best; cut off, its tooltip says it.
         self.words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.cards = [Card(number, self) for number in (EDITED, *NUMBERS)]
@@ -140,12 +141,6 @@ class ComparePanel(Panel):
 
     def show_problem(self, reason: str) -> None:
         self.map.show_difference(Difference(words=reason))
-
-    def show_theme(self, theme: Theme) -> None:
-        self.words.setStyleSheet(f"color: {theme.dim};")
-        for card in self.cards:
-            card.show_theme(theme)
-        self.map.show_theme(theme)
 
     def _fold(self) -> None:
         needed = max(_BESIDE_PX, _BESIDE_LINES * self.fontMetrics().height())

@@ -21,7 +21,7 @@ from skinsource_gui.panels.frequency_and_amplitude.settings import (
 from skinsource_gui.panels.frequency_and_amplitude.settings import AMPLITUDE as TURNS_AMPLITUDE
 from skinsource_gui.panels.frequency_and_amplitude.settings import FREQUENCY as TURNS_FREQUENCY
 from skinsource_gui.panels.frequency_and_amplitude.settings import ONSET as TURNS_ONSET
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.empty_words import add_words, select_words
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.field_cell import FieldCell
@@ -62,12 +62,13 @@ class FrequencyAndAmplitudePanel(Panel):
         super().__init__(parent)
         self._design: Design | None = None
         self._view = View()
-        self._theme = LIGHT
         self._words = Heading(add_words(self.in_sight))
         self._words.setObjectName("frequency_and_amplitude_words")
+        set_tone(self._words, "dim")
         self._control = ChoiceField(CONTROL, self)
         self._control.setObjectName("control_field")
         self._control_label, self._control_part = QLabel(CONTROL.label), _Labelled()
+        set_tone(self._control_label, "dim")
         self._control_part.hold(self._control_label, self._control)
         self._control.chosen.connect(self._choose_control)
         self._amplitude = FieldCell("amplitude", AMPLITUDE)
@@ -128,14 +129,6 @@ class FrequencyAndAmplitudePanel(Panel):
         if self._design is not None:
             self.show_state(self._design, self._view)
 
-    def show_theme(self, theme: Theme) -> None:
-        self._theme = theme
-        for words in (self._words, self._control_label):
-            words.setStyleSheet(f"color: {theme.dim};")
-        for cell in (self._amplitude, self._onset, self._frequency):
-            if cell is not None:
-                cell.show_theme(theme)
-
     def _show_frequency(self, one: Clip | None) -> None:
         spec = None if one is None else specs_of(one.waveform).get(_FREQUENCY)
         if spec != self._spec:
@@ -143,7 +136,6 @@ class FrequencyAndAmplitudePanel(Panel):
             self._drop_frequency()
             if spec is not None:
                 self._frequency = FieldCell(_FREQUENCY, spec)
-                self._frequency.show_theme(self._theme)
                 self._frequency.edited.connect(self._change)
                 self._turned.hold(self._frequency.label, self._frequency)
         self._turned.setVisible(self._frequency is not None)

@@ -20,9 +20,9 @@ from skinsource_gui.panels.hand.hand_stage import HandStage
 from skinsource_gui.panels.hand.hand_state import HandState, Mark
 from skinsource_gui.panels.hand.site_cursor import SiteCursor
 from skinsource_gui.panels.hand.site_mouse import SiteMouse
-from skinsource_gui.theme import Theme
+from skinsource_gui.theme import current_theme
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
+from skinsource_gui.widgets.keys import claims_shortcut
 from skinsource_gui.widgets.pan_zoom import WHOLE
 
 # Ways in which focus comes without the keyboard being used here.
@@ -40,8 +40,6 @@ class HandDiagram(QWidget):
     ----------
     drawing
         The hand.
-    theme
-        Its colours until `show_theme`.
 
     Attributes
     ----------
@@ -65,10 +63,9 @@ class HandDiagram(QWidget):
     #: Site, position on the screen.
     menu_requested = Signal(int, QPoint)
 
-    def __init__(self, drawing: HandDrawing, theme: Theme, parent: QWidget | None = None) -> None:
+    def __init__(self, drawing: HandDrawing, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._theme = theme
-        self.stage = HandStage(drawing, theme, self)
+        self.stage = HandStage(drawing, self)
         self.stage.changed.connect(self.update)
         self._mouse, self._cursor = SiteMouse(self.stage, self), SiteCursor(self.stage)
         self._mouse.pressed.connect(self._cursor.follow)
@@ -109,11 +106,6 @@ class HandDiagram(QWidget):
             self.stage.show_drawing(drawing, self)
             self._cursor.show_hand()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.stage.show_theme(theme)
-
     def show_inputs(
         self, marks: tuple[Mark, ...], selected: int | None, *, anew: bool = False
     ) -> None:
@@ -150,7 +142,7 @@ class HandDiagram(QWidget):
         self.stage.paint(painter, self.devicePixelRatioF())
         if self.hasFocus():
             # The ring shows where keys act once they are used here; this, that they would be.
-            paint_focus_frame(painter, QRectF(self.rect()), self._theme)
+            paint_focus_frame(painter, QRectF(self.rect()), current_theme())
         painter.end()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
@@ -227,7 +219,7 @@ class HandDiagram(QWidget):
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             self._show_tooltip(event)
             return True
-        return kept_from_shortcuts(event, self._overrides) or super().event(event)
+        return claims_shortcut(event, self._overrides) or super().event(event)
 
     def _overrides(self, event: QKeyEvent) -> bool:
         """Whether a key is wanted here even if it is a shortcut of the window."""

@@ -19,7 +19,7 @@ from skinsource_gui.panels.hand.site_marker import (
     paint_occupied,
     paint_selection,
 )
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, current_theme
 from skinsource_gui.widgets.paper import is_on_paper
 
 _SIDE_ALIGNMENT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
@@ -42,8 +42,6 @@ class HandPicture:
     ----------
     drawing
         The hand.
-    theme
-        Its colours.
 
     Attributes
     ----------
@@ -51,8 +49,7 @@ class HandPicture:
         Where the hand is seen.
     """
 
-    def __init__(self, drawing: HandDrawing, theme: Theme) -> None:
-        self.theme = theme
+    def __init__(self, drawing: HandDrawing) -> None:
         self.area = QRectF(0.0, 0.0, 260.0, 330.0)
         self._drawing = drawing
         self._size = QSize()
@@ -93,7 +90,7 @@ class HandPicture:
         for site in self._in_order(state):
             self._paint_site(painter, site, state)
         if state.cursor is not None:
-            paint_cursor(painter, self._place(state.cursor, in_use=True), self.theme)
+            paint_cursor(painter, self._place(state.cursor, in_use=True), current_theme())
         painter.restore()
         if state.ghost is not None and state.moving is not None:
             self._paint_ghost(painter, state.ghost, state.marks[state.moving])
@@ -106,8 +103,8 @@ class HandPicture:
     def _hand(self, ratio: float) -> QPixmap:
         about = self._drawing, self._layout.transform, self._size
         if is_on_paper():
-            return hand_pixmap(*about, _PAPER_RATIO, self.theme)
-        return kept_hand_pixmap(*about, ratio, self.theme)
+            return hand_pixmap(*about, _PAPER_RATIO, current_theme())
+        return kept_hand_pixmap(*about, ratio, current_theme())
 
     def _in_order(self, state: HandState) -> list[int]:
         """All sites, those above others last: in use, selected, pointed at."""
@@ -130,32 +127,32 @@ class HandPicture:
     def _paint_site(self, painter: QPainter, site: int, state: HandState) -> None:
         if site == state.target and state.moving is None:
             # What is held over it comes from another panel.
-            paint_cursor(painter, self._place(site, in_use=True), self.theme)
+            paint_cursor(painter, self._place(site, in_use=True), current_theme())
         front, chosen = state.front_at(site), site in (state.hovered, state.target)
         place = self._place(site, in_use=front is not None or chosen or site == state.cursor)
         if front is None:
             small = place.radius_px < self._readable_px and site != state.cursor
             if chosen:
-                paint_hovered(painter, place, self.theme)
+                paint_hovered(painter, place, current_theme())
             elif not has_room(place) or (small and state.moving is None):
-                paint_dot(painter, place, self.theme)
+                paint_dot(painter, place, current_theme())
             else:
-                paint_empty(painter, place, self.theme, inviting=state.moving is not None)
+                paint_empty(painter, place, current_theme(), inviting=state.moving is not None)
             return
         if front == state.selected:
-            paint_selection(painter, place, self.theme)
+            paint_selection(painter, place, current_theme())
         elif any(state.marks[k].chosen for k in state.at(site)):
-            paint_selection(painter, place, self.theme, last=False)
+            paint_selection(painter, place, current_theme(), last=False)
         elif chosen:
-            paint_hovered(painter, place, self.theme)
+            paint_hovered(painter, place, current_theme())
         order = (front, *(k for k in state.at(site) if k != front))
         colours = [state.marks[k].colour for k in order]
-        paint_occupied(painter, place, self.theme, colours, silent=state.marks[front].silent)
+        paint_occupied(painter, place, current_theme(), colours, silent=state.marks[front].silent)
 
     def _paint_ghost(self, painter: QPainter, centre: QPointF, mark: Mark) -> None:
         ghost = replace(self._place(mark.site, in_use=True), centre=centre)
         painter.setOpacity(0.6)
-        paint_occupied(painter, ghost, self.theme, [mark.colour], silent=mark.silent)
+        paint_occupied(painter, ghost, current_theme(), [mark.colour], silent=mark.silent)
         painter.setOpacity(1.0)
 
     def _paint_caption(self, painter: QPainter, state: HandState) -> None:
@@ -164,7 +161,7 @@ class HandPicture:
         text = caption_of(
             state, limb, lambda words: metrics.horizontalAdvance(words) <= area.width()
         )
-        colour = self.theme.accent if text == HINT else self.theme.text
+        colour = current_theme().accent if text == HINT else current_theme().text
         text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, area.width())
         painter.setPen(QColor(colour))
         painter.drawText(area, Qt.AlignmentFlag.AlignCenter, text)
@@ -179,7 +176,7 @@ class HandPicture:
         if self._readable_px and width > _MOST_SIDE * self._size.width():
             return  # in large letters it would lie on the fingers
         area = QRectF(bottom - QPointF(width, 4 * self._line_px), bottom)
-        painter.setPen(QColor(self.theme.dim))
+        painter.setPen(QColor(current_theme().dim))
         painter.drawText(area, _SIDE_ALIGNMENT, self._drawing.side)
 
     def _paint_legend(self, painter: QPainter) -> None:
@@ -195,7 +192,7 @@ class HandPicture:
                 radius_px=radius * (1.0 if push is None else 0.85),
                 push=push,
             )
-            painter.setPen(QColor(self.theme.dim))
+            painter.setPen(QColor(current_theme().dim))
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.drawPath(sign.path())
             at = QRectF(QPointF(left + advance, area.top()), QSizeF(width, area.height()))

@@ -14,7 +14,6 @@ from skinsource_gui.panels.hand.hand_drawing import HandDrawing
 from skinsource_gui.panels.hand.hand_layout import HandLayout, fitted_hand, hand_layout
 from skinsource_gui.panels.hand.hand_picture import HandPicture
 from skinsource_gui.panels.hand.hand_state import HandState
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.pan_zoom import WHOLE, PanZoom
 from skinsource_gui.widgets.paper import is_on_paper
 
@@ -31,8 +30,6 @@ class HandStage(QObject):
     ----------
     drawing
         The hand.
-    theme
-        Its colours until `show_theme`.
     widget
         Where it is painted.
 
@@ -49,10 +46,10 @@ class HandStage(QObject):
     #: It looks different.
     changed = Signal()
 
-    def __init__(self, drawing: HandDrawing, theme: Theme, widget: QWidget) -> None:
+    def __init__(self, drawing: HandDrawing, widget: QWidget) -> None:
         super().__init__(widget)
         self._drawing, self._outline = drawing, _points_of(drawing)
-        self._picture = HandPicture(drawing, theme)
+        self._picture = HandPicture(drawing)
         self.state = HandState()
         self.layout: HandLayout = hand_layout(drawing, fitted_hand(drawing, self._picture.area))
         self.pan_zoom = PanZoom(widget)
@@ -73,11 +70,6 @@ class HandStage(QObject):
             self.fit(widget)
             self.pan_zoom.show(WHOLE)
             self.changed.emit()
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._picture.theme = theme
-        self.changed.emit()
 
     def change(self, **changes: Any) -> None:
         """Replace fields of the state, and tell if that makes a difference."""

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import ClassVar
 
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtWidgets import QLabel, QMenu, QStackedLayout, QWidget
 
 from skinsource import edits
@@ -18,11 +18,11 @@ from skinsource_gui.panels.hand.drawings import drawing_of
 from skinsource_gui.panels.hand.hand_diagram import HandDiagram
 from skinsource_gui.panels.hand.hand_state import Mark
 from skinsource_gui.panels.hand.pointing import Pointing
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import current_theme, set_tone
 from skinsource_gui.widgets.drop_place import DropPlace
 from skinsource_gui.widgets.inputs.input_words import EMPTY
 from skinsource_gui.widgets.inputs.inputs_menu import fill_inputs_menu
-from skinsource_gui.widgets.key_tables.key_table import key_text
+from skinsource_gui.widgets.keys import key_text
 
 
 class HandPanel(Panel):
@@ -35,9 +35,8 @@ class HandPanel(Panel):
         super().__init__(parent)
         self._design: Design | None = None
         self._view = View()
-        self._theme = LIGHT
         self._words: dict[int, tuple[Input, str]] = {}
-        self.diagram = HandDiagram(drawing_of(""), self._theme, self)
+        self.diagram = HandDiagram(drawing_of(""), self)
         self.diagram.add_requested.connect(self._add)
         self.diagram.add_besides_requested.connect(partial(self._add, besides=True))
         self.diagram.select_requested.connect(self._select)
@@ -51,6 +50,7 @@ class HandPanel(Panel):
         # Of a limb that is missing no hand is known: that of another has other places.
         self._missing = QLabel()
         self._missing.setObjectName("hand_missing")
+        set_tone(self._missing, "dim")
         self._missing.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._missing.setWordWrap(True)
         self._stack = QStackedLayout(self)
@@ -72,11 +72,10 @@ class HandPanel(Panel):
     def show_pointed_input(self, input_id: int | None) -> None:
         self._pointing.show(input_id)
 
-    def show_theme(self, theme: Theme) -> None:
-        self._theme = theme
-        self.diagram.show_theme(theme)
-        self._missing.setStyleSheet(f"color: {theme.dim};")
-        self._show_inputs()
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._show_inputs()
 
     def drop_place(self, at: QPoint) -> DropPlace | None:
         if self._stack.currentWidget() is not self.diagram:
@@ -101,7 +100,7 @@ class HandPanel(Panel):
         marks = tuple(
             Mark(
                 site=one.location,
-                colour=self._theme.input_colour(one.colour),
+                colour=current_theme().input_colour(one.colour),
                 silent=id(one) not in heard,
                 words=self._words[one.id][1],
                 chosen=one.id in self._view.selected_inputs,

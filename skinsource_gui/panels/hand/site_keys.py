@@ -4,7 +4,7 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 
 from skinsource_gui.widgets.fields.gesture import new_gesture
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import meaning_of
 
 #: Two digits typed within this time make one number, ms.
 TYPING_MS = 800
@@ -58,11 +58,11 @@ class SiteKeys(QObject):
 
     def claims(self, event: QKeyEvent) -> bool:
         """Whether the diagram wants this key for itself, before any shortcut of the window."""
-        return bool(meant(_PLACE, event))
+        return bool(meaning_of(_PLACE, event))
 
     def press(self, event: QKeyEvent) -> bool:
         """Tell by a signal what the key means; return whether it means anything here."""
-        wanted, key = meant(_PLACE, event), _Key(event.key())
+        wanted, key = meaning_of(_PLACE, event), _Key(event.key())
         if wanted == "move":
             self._gesture = self._gesture or new_gesture()
             self.shifted.emit(*_STEPS[key], self._gesture)

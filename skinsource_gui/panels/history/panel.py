@@ -11,9 +11,8 @@ from skinsource_gui.history import History
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.history.step_delegate import StepDelegate
 from skinsource_gui.panels.history.steps_model import StepsModel
-from skinsource_gui.theme import UNIT_PX, Theme
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.widgets.keys import claims_shortcut, meaning_of
 
 _PLACE = "history"
 
@@ -22,10 +21,10 @@ class StepList(QListView):
     """Rows of the history; Enter goes to the one that the keys have reached."""
 
     def event(self, event: QEvent) -> bool:
-        return kept_from_shortcuts(event, partial(meant, _PLACE)) or super().event(event)
+        return claims_shortcut(event, partial(meaning_of, _PLACE)) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if meant(_PLACE, event) == "go" and self.currentIndex().isValid():
+        if meaning_of(_PLACE, event) == "go" and self.currentIndex().isValid():
             self.clicked.emit(self.currentIndex())
         else:
             super().keyPressEvent(event)
@@ -68,10 +67,6 @@ class HistoryPanel(Panel):
         present = self.model.index(history.present)
         self.rows.setCurrentIndex(present)
         self.rows.scrollTo(present)
-
-    def show_theme(self, theme: Theme) -> None:
-        self._delegate.theme = theme
-        self.rows.viewport().update()
 
     def _go(self, row: QModelIndex) -> None:
         if row.row() != self.model.history.present:

@@ -5,7 +5,7 @@ from PySide6.QtGui import QColor, QFontMetrics, QPainter
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
 
 from skinsource_gui.panels.history.steps_model import DONE, PRESENT, TIME
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
+from skinsource_gui.theme import UNIT_PX, current_theme, tabular
 
 # Label and time share a row as long as so much of it is left for the label.
 _BAR_PX, _LEAST_WORDS = 3, 0.5
@@ -13,8 +13,6 @@ _BAR_PX, _LEAST_WORDS = 3, 0.5
 
 class StepDelegate(QStyledItemDelegate):
     """Label at the left, time at the right; pale what was taken back; a bar at the present."""
-
-    theme: Theme = LIGHT
 
     def sizeHint(
         self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
@@ -27,7 +25,7 @@ class StepDelegate(QStyledItemDelegate):
         option: QStyleOptionViewItem,
         index: QModelIndex | QPersistentModelIndex,
     ) -> None:
-        theme, rect = self.theme, option.rect
+        theme, rect = current_theme(), option.rect
         chosen = bool(option.state & QStyle.StateFlag.State_Selected)
         focused = chosen and bool(option.state & QStyle.StateFlag.State_HasFocus)
         painter.save()

@@ -18,7 +18,6 @@ from skinsource.own_limbs import facts_of
 from skinsource.view import View
 from skinsource.waveforms import Drawn, Recording, Waveform
 from skinsource_gui.panels.inspector.button_cell import file_cell, pen_cell
-from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.edited_cell import LabelledCell, WordsCell
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
@@ -62,7 +61,6 @@ class InputFields(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._theme = LIGHT
         facts = facts_of("")
         self._played_at, self._places = (facts.sample_rate_hz, facts.band_hz), _places_of("")
         self._own: tuple[LabelledCell, ...] = ()
@@ -158,14 +156,6 @@ class InputFields(QObject):
         for cell in self._fields():
             cell.forget_typing()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        # Those that are not shown now, too.
-        hidden = self._onset, self._gain, self._curve, self._lasts, self._peak
-        for cell in {*self._cells(), *hidden}:
-            cell.show_theme(theme)
-
     @property
     def _said(self) -> tuple[bool, bool]:
         """Whether it is said how long a clip lasts, and which peak results."""
@@ -206,8 +196,6 @@ class InputFields(QObject):
             cells.append(file)
         self._own = tuple(cells)
         self._built_for = type(waveform) if waveform else None
-        for cell in cells:
-            cell.show_theme(self._theme)
         focused = QApplication.focusWidget()
         if focused is not None and any(cell.isAncestorOf(focused) for cell in old):
             self.kind.field.setFocus(Qt.FocusReason.OtherFocusReason)

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from skinsource.design import Input
 from skinsource.locations import PlaceWords, input_words
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.inputs.letter_button import mute_button, solo_button
 from skinsource_gui.widgets.inputs.swatch import Swatch
 from skinsource_gui.widgets.room.room_or_words import RoomOrWords
@@ -31,6 +31,7 @@ class InputHeading(QWidget):
         font.setWeight(QFont.Weight.DemiBold)
         self._words.setFont(font)
         self._state = QLabel()
+        set_tone(self._state, "warning")
         self._mute, self._solo = mute_button(), solo_button()
         self._row = layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -73,9 +74,3 @@ class InputHeading(QWidget):
                 short[0].upper() + short[1:], Qt.TextElideMode.ElideRight, room
             )
         self._words.setText(name)
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        for part in (self._swatch, self._mute, self._solo):
-            part.show_theme(theme)
-        self._state.setStyleSheet(f"color: {theme.warning};")

@@ -5,7 +5,6 @@ from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
     QLabel,
     QStackedLayout,
@@ -25,7 +24,7 @@ from skinsource_gui.panels.inspector.effects.effect_chain import EffectChain
 from skinsource_gui.panels.inspector.input_fields import InputFields
 from skinsource_gui.panels.inspector.input_heading import InputHeading
 from skinsource_gui.panels.inspector.selection import Selection
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.empty_words import add_words, select_words
 from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
 from skinsource_gui.widgets.room.steady_area import SteadyArea
@@ -47,7 +46,6 @@ class InspectorPanel(Panel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._design = Design(limb="")
-        self._theme = LIGHT
         self._shown: tuple[tuple[int, ...], ...] = ()
         self._view = View()
         self._results: Mapping[str, Any] | None = None
@@ -140,14 +138,6 @@ class InspectorPanel(Panel):
         self._results = None
         self._preview.show_words(reason)
 
-    def show_theme(self, theme: Theme) -> None:
-        self._theme = theme
-        self._empty.setStyleSheet(f"color: {theme.dim};")
-        for part in (self._heading, self._preview, self._fields, self._chain):
-            part.show_theme(theme)
-        if self._selection.last is not None:
-            self._show_look(self._selection.last)
-
     def _lay_out(self) -> None:
         self._scrolled = inside = QWidget()
         fields = QVBoxLayout(inside)
@@ -172,6 +162,7 @@ class InspectorPanel(Panel):
         column.addWidget(scroll, 3)
         self._empty = QLabel()
         self._empty.setObjectName("inspector_empty")
+        set_tone(self._empty, "dim")
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._empty.setWordWrap(True)
         self._stack = QStackedLayout(self)
@@ -189,6 +180,10 @@ class InspectorPanel(Panel):
         self._fields.show_input(one, together, amplitude, self._view, peak)
         self._show_chain(one, together)
         self._show_look(one)
+
+    def _show_look(self, one: Input) -> None:
+        problem = self._problems.get(one.id, "")
+        self._preview.set_look(one.colour, flipped=one.amplitude < 0, problem=problem)
 
     def _show_chain(self, one: Input, together: tuple[Input, ...]) -> None:
         clip = clip_of(one, self._view)
@@ -208,12 +203,6 @@ class InspectorPanel(Panel):
         chain.edited.connect(changes.change_field)
         changes.edited.connect(self.edited)
         changes.field_refused.connect(chain.show_refused)
-
-    def _show_look(self, one: Input) -> None:
-        problem = self._problems.get(one.id, "")
-        colour = QColor(self._theme.error) if problem else self._theme.input_colour(one.colour)
-        self._preview.set_look(colour, flipped=one.amplitude < 0)
-        self._preview.setAccessibleDescription(problem)
 
     def _show_refused(self, name: str, reason: str) -> None:
         # Each number is allowed alone, but not together with the others.

@@ -3,7 +3,7 @@
 from PySide6.QtWidgets import QMenu, QPushButton, QVBoxLayout, QWidget
 
 from skinsource_gui.widgets.folding_row import FoldingRow
-from skinsource_gui.widgets.key_tables.key_table import key_text
+from skinsource_gui.widgets.keys import key_text
 
 _PLACE = "library"
 

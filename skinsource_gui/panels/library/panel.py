@@ -19,7 +19,7 @@ from skinsource_gui.panels.library.preset_preview import PresetPreview
 from skinsource_gui.panels.library.presets_model import PresetsModel
 from skinsource_gui.panels.library.search_row import SearchRow
 from skinsource_gui.panels.library.shelves import Shelves
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.asking import agreed
 
 _WIDE_PX, _HIGH_PX = 340, 440
@@ -43,6 +43,7 @@ class LibraryPanel(Panel):
         self.preview, self.buttons = PresetPreview(), LibraryButtons()
         self.faults = QLabel()
         self.faults.setObjectName("library_faults")
+        set_tone(self.faults, "warning")
         self.faults.setWordWrap(True)
         self.faults.hide()
         column = QVBoxLayout(self)
@@ -72,11 +73,6 @@ class LibraryPanel(Panel):
 
     def show_playhead(self, view: View) -> None:
         self._view = view
-
-    def show_theme(self, theme: Theme) -> None:
-        self.rows.show_theme(theme)
-        self.preview.show_theme(theme)
-        self.faults.setStyleSheet(f"color: {theme.warning};")
 
     def showEvent(self, event: QShowEvent) -> None:
         # What happened to the files meanwhile is not known.

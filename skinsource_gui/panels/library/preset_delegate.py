@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem,
 
 from skinsource_gui.panels.library.presets_model import ENTRY, OWN, TAGS
 from skinsource_gui.panels.library.thumbnails import SIZE_PX, thumbnail
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, current_theme
 
 _Index = QModelIndex | QPersistentModelIndex
 _OWN_PX = 3
@@ -14,8 +14,6 @@ _OWN_PX = 3
 
 class PresetDelegate(QStyledItemDelegate):
     """A picture, the name, and tags below it; a bar at the user's own."""
-
-    theme: Theme = LIGHT
 
     def sizeHint(self, option: QStyleOptionViewItem, index: _Index) -> QSize:
         words = 2 * option.fontMetrics.height() + UNIT_PX
@@ -27,7 +25,7 @@ class PresetDelegate(QStyledItemDelegate):
         editor.setGeometry(self._words(option.rect))
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: _Index) -> None:
-        theme, rect = self.theme, option.rect
+        theme, rect = current_theme(), option.rect
         chosen = bool(option.state & QStyle.StateFlag.State_Selected)
         focused = chosen and bool(option.state & QStyle.StateFlag.State_HasFocus)
         under = bool(option.state & QStyle.StateFlag.State_MouseOver)

@@ -18,9 +18,8 @@ from PySide6.QtWidgets import QAbstractItemView, QListView, QWidget
 from skinsource.presets import Entry
 from skinsource_gui.panels.library.preset_delegate import PresetDelegate
 from skinsource_gui.panels.library.presets_model import ENTRY, OWN, PresetsModel
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.theme import UNIT_PX, current_theme
+from skinsource_gui.widgets.keys import claims_shortcut, meaning_of
 
 _PLACE = "library"
 # How far from the pointer a dragged preset is shown, and how wide its name may be.
@@ -39,7 +38,7 @@ class PresetList(QListView):
 
     def __init__(self, model: PresetsModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._theme, self._words = LIGHT, ""
+        self._words = ""
         self._under: Entry | None = None
         self._delegate = PresetDelegate(self)
         self.setObjectName("preset_rows")
@@ -71,11 +70,6 @@ class PresetList(QListView):
         self._words = words
         self.viewport().update()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = self._delegate.theme = theme
-        self.viewport().update()
-
     def go_to(self, row: int) -> None:
         """Let the keys be at this row."""
         self.setCurrentIndex(self.model().index(row, 0))
@@ -102,10 +96,10 @@ class PresetList(QListView):
         size = QSize(metrics.horizontalAdvance(words) + 2 * UNIT_PX, metrics.height() + UNIT_PX)
         tag = QPixmap(size * ratio)
         tag.setDevicePixelRatio(ratio)
-        tag.fill(QColor(self._theme.accent))
+        tag.fill(QColor(current_theme().accent))
         painter = QPainter(tag)
         painter.setFont(self.font())
-        painter.setPen(QColor(self._theme.on_accent))
+        painter.setPen(QColor(current_theme().on_accent))
         painter.drawText(QRect(QPoint(), size), Qt.AlignmentFlag.AlignCenter, words)
         painter.end()
         return tag
@@ -128,10 +122,10 @@ class PresetList(QListView):
         self._look(None)
 
     def event(self, event: QEvent) -> bool:
-        return kept_from_shortcuts(event, partial(meant, _PLACE)) or super().event(event)
+        return claims_shortcut(event, partial(meaning_of, _PLACE)) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        name, entry = meant(_PLACE, event), self.current
+        name, entry = meaning_of(_PLACE, event), self.current
         if name == "search":
             self.search_wanted.emit()
         elif name == "rename":
@@ -147,7 +141,7 @@ class PresetList(QListView):
         super().paintEvent(event)
         if self.model().rowCount() == 0 and self._words:
             painter = QPainter(self.viewport())
-            painter.setPen(QColor(self._theme.dim))
+            painter.setPen(QColor(current_theme().dim))
             room = self.viewport().rect().adjusted(UNIT_PX, UNIT_PX, -UNIT_PX, -UNIT_PX)
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(room, flags, self._words)

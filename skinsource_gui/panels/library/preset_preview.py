@@ -2,7 +2,7 @@
 
 from html import escape
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from skinsource.errors import SkinSourceError
@@ -10,7 +10,7 @@ from skinsource.locations import input_words
 from skinsource.own_limbs import facts_of
 from skinsource.presets import Preset, mixed
 from skinsource.quoting import sentence
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import current_theme
 from skinsource_gui.widgets.inputs.clip_strip import ClipStrip, strip_lanes
 from skinsource_gui.widgets.plot.spectrum_preview import SpectrumPreview
 
@@ -24,7 +24,6 @@ class PresetPreview(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._theme = LIGHT
         self._preset: Preset | None = None
         self._limb = ""
         self.strip, self.spectrum, self.words = ClipStrip(), SpectrumPreview(), QLabel()
@@ -87,12 +86,9 @@ class PresetPreview(QWidget):
             self.spectrum.show_samples(None)
         self._show_words(preset)
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.strip.show_theme(theme)
-        self.spectrum.show_theme(theme)
-        if self._preset is not None:
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and self._preset is not None:
             self._show_words(self._preset)
 
     def _show_words(self, preset: Preset) -> None:
@@ -100,7 +96,7 @@ class PresetPreview(QWidget):
         if preset.description:
             parts.append(escape(preset.description))
         if preset.source:
-            dim = self._theme.dim
+            dim = current_theme().dim
             parts.append(f"<span style='color:{dim}'>Source: {escape(preset.source)}</span>")
         self.words.setText("<br>".join(parts))
 

@@ -7,6 +7,7 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QWidget
 
 from skinsource_gui.widgets.fields.drop_down import DropDown
+from skinsource_gui.widgets.keys import KEYS
 
 _ALL = "All tags"
 
@@ -25,7 +26,10 @@ class SearchRow(QWidget):
         self.line.setObjectName("preset_search")
         self.line.setPlaceholderText("Search")
         self.line.setAccessibleName("Search presets")
-        self.line.setToolTip("Words of the name, tags, description or source; Enter places")
+        self.line.setToolTip(
+            "Words of the name, tags, description or source; "
+            f"{KEYS['library'].gestures['place'].shown} places"
+        )
         self.line.setClearButtonEnabled(True)
         self.line.textChanged.connect(self.changed)
         self.line.returnPressed.connect(self.accepted)

@@ -11,7 +11,7 @@ from skinsource_gui.panels.linearity.end_labels import (
     write_labels,
     x_with_room_for_labels,
 )
-from skinsource_gui.theme import UNIT_PX, Theme, scaled
+from skinsource_gui.theme import UNIT_PX, Theme, current_theme, scaled
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.figure.axes import Axes, fitted_axes
 from skinsource_gui.widgets.figure.figure import Figure
@@ -42,7 +42,7 @@ class DiagramsPicture(Figure):
         areas = _areas(room.adjusted(0, head.height(), 0, 0), len(self.diagrams))
         painter.setFont(font_in(areas, painter.font()))
         metrics = QFontMetricsF(painter.font())
-        draw_legend(painter, head, self.outputs, self.theme)
+        draw_legend(painter, head, self.outputs, current_theme())
         self._placed = []
         for area, one in zip(areas, self.diagrams, strict=True):
             painter.save()
@@ -52,11 +52,11 @@ class DiagramsPicture(Figure):
             axes = fitted_axes(inner, one.x, one.y, metrics)
             longer = x_with_room_for_labels(axes, one.curves, metrics)
             axes = fitted_axes(inner, longer, one.y, metrics)
-            axes.paint(painter, self.theme)
+            axes.paint(painter, current_theme())
             painter.setClipRect(axes.frame.adjusted(-DOT_PX, -DOT_PX, DOT_PX, DOT_PX))
             for curve in one.curves:
-                _draw(painter, axes, curve, self.theme)
-            write_labels(painter, axes, one.curves, self.theme)
+                _draw(painter, axes, curve, current_theme())
+            write_labels(painter, axes, one.curves, current_theme())
             painter.restore()
             self._placed.append((area.topLeft(), axes))
 

@@ -17,7 +17,7 @@ from skinsource.checking import (
     straightness,
     superposition,
 )
-from skinsource.comparing import Snapshot
+from skinsource.comparing import NUMBERS, Snapshot
 from skinsource.design import Design
 from skinsource.fields import SwitchSpec
 from skinsource.own_limbs import axes_on, facts_of
@@ -42,6 +42,7 @@ from skinsource_gui.panels.linearity.settings import (
 )
 from skinsource_gui.panels.linearity.strength import of_amplitudes, of_velocities
 from skinsource_gui.panels.linearity.table import tab_separated
+from skinsource_gui.widgets.keys import shortcut_text
 from skinsource_gui.widgets.room.button_row import ButtonRow
 from skinsource_gui.widgets.tool_button import tool_button
 
@@ -56,10 +57,6 @@ _NEEDS = frozenset(
     }
 )
 _EVERY = "output_band_rms"
-NEITHER = (
-    "Store one stimulus at three strengths or more, or inputs alone and all of them together, "
-    "with Ctrl+1 to Ctrl+4: here is seen whether outputs grow in step, and add up"
-)
 _TOO_MUCH = (
     "Too long to be shown here; File > Check against a recording… checks whether it is linear"
 )
@@ -95,7 +92,7 @@ class LinearityPanel(FigurePanel):
         self.choices.addWidget(ButtonRow(switches, self), 1)
         self.copy = self.add_copy(self.table)
         self.heads.addWidget(self.about)
-        self.say_instead(NEITHER)
+        self.say_instead(_neither())
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
@@ -125,7 +122,7 @@ class LinearityPanel(FigurePanel):
         # A switch may need more than what was found before it: that is on its way.
         found = [one for one in known if wanted <= one.keys()]
         if not held.is_linear:
-            self.say_instead(NEITHER)
+            self.say_instead(_neither())
         elif problem:
             self.say_instead(problem)
         elif len(found) < len(held.compared):
@@ -251,3 +248,12 @@ def _straightness(
     """How straight all outputs are; None: they are too long to be transformed at once."""
     in_bands = [one[_EVERY] for one in results]
     return None if any(one is None for one in in_bands) else straightness(strengths, in_bands)
+
+
+def _neither() -> str:
+    """What to store where it is neither strengths nor a sum."""
+    first, last = (shortcut_text(f"store_snapshot_{number}") for number in (1, NUMBERS[-1]))
+    return (
+        "Store one stimulus at three strengths or more, or inputs alone and all of them together, "
+        f"with {first} to {last}: here is seen whether outputs grow in step, and add up"
+    )

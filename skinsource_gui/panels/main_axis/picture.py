@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.analysis.main_axes import MainAxes, ellipse
 from skinsource.locations import output_words
-from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.theme import UNIT_PX, current_theme
 from skinsource_gui.widgets.figure.figure import Figure
 
 _LEAST_ROW_PX = 66.0
@@ -78,7 +78,7 @@ class MainAxisPicture(Figure):
         if shown_count < count:
             row, column = divmod(shown_count, across)
             place = QRectF(column * cell[0], row * cell[1], *cell)
-            painter.setPen(QColor(self.theme.dim))
+            painter.setPen(QColor(current_theme().dim))
             words = f"and {count - shown_count} more"
             painter.drawText(place, Qt.AlignmentFlag.AlignCenter, words)
 
@@ -94,7 +94,7 @@ class MainAxisPicture(Figure):
         if shown is None:
             return
         line = QFontMetricsF(painter.font()).height()
-        found, theme = shown.found, self.theme
+        found, theme = shown.found, current_theme()
         head = QRectF(place.left(), place.top(), place.width(), line)
         number = shown.outputs[rank]
         if np.isnan(found.share[rank]):
@@ -117,7 +117,7 @@ class MainAxisPicture(Figure):
     def _draw_plane(
         self, painter: QPainter, area: QRectF, rank: int, plane: tuple[int, int], largest: float
     ) -> None:
-        shown, theme = self.shown, self.theme
+        shown, theme = self.shown, current_theme()
         if shown is None:
             return
         metrics = QFontMetricsF(painter.font())

@@ -34,7 +34,7 @@ from skinsource_gui.panels.perception.contact import (
 )
 from skinsource_gui.panels.perception.level_table import LevelTable
 from skinsource_gui.panels.perception.rows import header, rows, tab_separated
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.beside_or_below import BesideOrBelow
 from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.empty_words import output_words
@@ -71,6 +71,7 @@ class PerceptionPanel(Panel):
         LetterWidth(self.area, _MOST_AREA_PX, at_most=True)
         self.area_label = QLabel("Moving area")
         self.area_label.setBuddy(self.area)
+        set_tone(self.area_label, "dim")
         self.own = tool_button(self, "perception_own", "Own thresholds…")
         hint = "Use the thresholds of the model again"
         self.model = tool_button(self, "perception_model", "Use the model", hint)
@@ -84,6 +85,7 @@ class PerceptionPanel(Panel):
         ):
             label.setObjectName(name)
             label.setWordWrap(True)
+            set_tone(label, "dim")
         self.message.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.computed = (self.table,)
         self._lay_out()
@@ -161,11 +163,6 @@ class PerceptionPanel(Panel):
 
     def show_folder(self, folder: Path) -> None:
         self._folder = folder
-
-    def show_theme(self, theme: Theme) -> None:
-        self.area.show_theme(theme)
-        for label in (self.area_label, self.message, self.contact, self.limits):
-            label.setStyleSheet(f"color: {theme.dim};")
 
     def take_thresholds(self, path: Path) -> None:
         """Hold levels against the thresholds of a file."""

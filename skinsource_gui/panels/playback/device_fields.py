@@ -15,7 +15,6 @@ from skinsource.playing.output import (
     SHORTEST_LATENCY_S,
 )
 from skinsource_gui.played import Played
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.rig_field import RigField
@@ -122,11 +121,6 @@ class DeviceFields(QObject):
         self.shift.set_value(played.output.shift_hz)
         self.shift.setEnabled(played.output.stand_in)
         self.stand_in.setChecked(played.output.stand_in)
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.latency.show_theme(theme)
-        self.shift.show_theme(theme)
 
     def _choose_device(self, key: str, _gesture: int | None) -> None:
         name, _, host_api = key.partition(_BETWEEN)

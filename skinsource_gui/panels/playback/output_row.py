@@ -9,7 +9,7 @@ from skinsource.fields import NumberSpec
 from skinsource.locations import PlaceWords, input_words
 from skinsource.playing.output import MOST_OUTPUTS
 from skinsource_gui.played import Played
-from skinsource_gui.theme import Theme, tabular
+from skinsource_gui.theme import tabular
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.fitting_label import FittingLabel
 from skinsource_gui.widgets.level_meter import LevelMeter
@@ -92,11 +92,6 @@ class OutputRow(QObject):
             if highest_db <= _SILENT_DB
             else f"{highest_db:z.1f} dBFS".replace("-", "\u2212")
         )
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.output.show_theme(theme)
-        self.meter.show_theme(theme)
 
     def _choose(self, output: float, _gesture: int | None) -> None:
         self.output_wanted.emit(self.place, round(output))

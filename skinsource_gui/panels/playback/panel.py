@@ -21,10 +21,10 @@ from skinsource_gui.panel import Panel
 from skinsource_gui.panels.playback.device_fields import DeviceFields
 from skinsource_gui.panels.playback.output_row import OutputRow
 from skinsource_gui.played import Played
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
+from skinsource_gui.widgets.keys import shortcut_text
 from skinsource_gui.widgets.room.steady_area import SteadyArea
 
-_NOT_LOOKED = "Press Space to play."
 _NO_INPUTS = "No place is in use: click one on the hand."
 _NOT_WIRED = "The rig wires no place that is in use."
 _METER_COLUMN = 2
@@ -49,7 +49,7 @@ class PlaybackPanel(Panel):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._theme, self._played, self._unit = LIGHT, Played(), "m/s²"
+        self._played, self._unit = Played(), "m/s²"
         self._in_volts = False
         self._limb = ""
         self._content = content = QWidget()
@@ -58,8 +58,10 @@ class PlaybackPanel(Panel):
         column.setSpacing(UNIT_PX)
         self.problem = QLabel()
         self.problem.setObjectName("playback_problem")
+        set_tone(self.problem, "error")
         self.words = QLabel()
         self.words.setObjectName("playback_words")
+        set_tone(self.words, "dim")
         for label in (self.problem, self.words):
             label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -121,14 +123,6 @@ class PlaybackPanel(Panel):
             row.output.setEnabled(not played.output.stand_in and not played.rig_title)
         self._say(played)
 
-    def show_theme(self, theme: Theme) -> None:
-        self._theme = theme
-        self.problem.setStyleSheet(f"color: {theme.error};")
-        self.words.setStyleSheet(f"color: {theme.dim};")
-        self.fields.show_theme(theme)
-        for row in self._rows:
-            row.show_theme(theme)
-
     def _make_rows(self, wired: dict[int, int]) -> None:
         for row in self._rows:
             for widget in row.widgets:
@@ -141,7 +135,6 @@ class PlaybackPanel(Panel):
         for row in self._rows:
             row.output_wanted.connect(self._wire)
             row.tone_wanted.connect(self.tone_wanted)
-            row.show_theme(self._theme)
 
     def _meaning(self, played: Played) -> str:
         """What a gain of 0 dB is, and whether that is calibrated."""
@@ -184,7 +177,7 @@ class PlaybackPanel(Panel):
                 "delay."
             )
         elif not played.missing and not played.playing:
-            says.append(_NOT_LOOKED)
+            says.append(f"Press {shortcut_text('play')} to play.")
         text = "\n".join(says)
         if text != self.words.text():
             self.words.setText(text)

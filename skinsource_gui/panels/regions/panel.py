@@ -35,7 +35,7 @@ from skinsource_gui.panels.regions.columns import (
     tab_separated,
 )
 from skinsource_gui.panels.regions.table import RegionTable
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.figure.words_label import WordsLabel
 from skinsource_gui.widgets.room.steady_area import SteadyArea
@@ -129,9 +129,6 @@ class RegionsPanel(Panel):
             for table in self._tables:
                 table.fit_words(self.font())
             self._put_in_order()
-
-    def show_theme(self, theme: Theme) -> None:
-        self.about.show_theme(theme)
 
     def _show_columns(self) -> None:
         matched = alike_in_level(self._snapshots, matched=self._matched)

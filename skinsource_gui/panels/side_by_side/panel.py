@@ -127,10 +127,6 @@ class SideBySidePanel(Panel):
         self._compared = compared
         self._show()
 
-    def show_theme(self, theme: Theme) -> None:
-        self.maps.show_theme(theme)
-        self.words.show_theme(theme)
-
     def draw_picture(
         self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
     ) -> None:

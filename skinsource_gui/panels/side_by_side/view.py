@@ -12,10 +12,9 @@ from skinsource_gui.panels.side_by_side.headings import places_for
 from skinsource_gui.panels.side_by_side.layout import least_height
 from skinsource_gui.panels.side_by_side.painter import paint_view
 from skinsource_gui.panels.side_by_side.seen_maps import SeenMaps
-from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.theme import current_theme, tabular
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import KEYS, claims_shortcut, meaning_of
 from skinsource_gui.widgets.outputs.picker import OutputPicker
 
 # Those keys of the skin map that are about outputs.
@@ -40,7 +39,6 @@ class MapsView(QWidget):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self._theme: Theme = LIGHT
         self._outdated = False
         # Of which map the mouse was last.
         self._at = 0
@@ -51,8 +49,7 @@ class MapsView(QWidget):
         self.setObjectName("maps_side_by_side")
         self.setAccessibleName("Maps side by side")
         self.setAccessibleDescription(
-            "Arrow keys move to the next output, Space selects it, Shift and Space adds it; it is "
-            "marked in all maps."
+            "; ".join((*KEYS["skin"].sentences("go", "select", "toggle"), "marked in all maps"))
         )
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -82,19 +79,14 @@ class MapsView(QWidget):
         self._outdated = outdated
         self.update()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def event(self, event: QEvent) -> bool:
-        return kept_from_shortcuts(event, self._wants) or super().event(event)
+        return claims_shortcut(event, self._wants) or super().event(event)
 
     def _wants(self, event: QKeyEvent) -> bool:
-        return meant("skin", event) in _KEYS and self.picker.claims(event)
+        return meaning_of("skin", event) in _KEYS and self.picker.claims(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter, theme, content = QPainter(self), self._theme, self.content
+        painter, theme, content = QPainter(self), current_theme(), self.content
         painter.setFont(tabular(self.font()))
         painter.fillRect(self.rect(), QColor(theme.base))
         if content.message or not content.cells:
@@ -133,7 +125,7 @@ class MapsView(QWidget):
         points = self.seen.points_of(self._at)
         unplaced = tuple(int(k) + 1 for k in np.flatnonzero(np.isnan(points[:, 0])))
         middle = QRectF(self.rect()).center()
-        if len(unplaced) == len(points) or meant("skin", event) not in _KEYS:
+        if len(unplaced) == len(points) or meaning_of("skin", event) not in _KEYS:
             super().keyPressEvent(event)
         else:
             self.picker.press_key(event, points, unplaced, middle)

@@ -13,7 +13,6 @@ from skinsource_gui.panels.skin.readout_lines import ReadoutLines
 from skinsource_gui.panels.skin.scale.colour_bar import ColourBar
 from skinsource_gui.panels.skin.skin_map import SkinMap
 from skinsource_gui.panels.skin.still_values import in_short
-from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.lateness import Lateness
 
 
@@ -36,7 +35,7 @@ class MapDisplay(QObject):
     def __init__(self, parent: QWidget, lateness: Lateness) -> None:
         super().__init__(parent)
         self.content = MapContent()
-        self._covered, self._theme = False, LIGHT
+        self._covered = False
         self._lateness = lateness
         self._lateness.changed.connect(self._mark_outdated)
         self.map, self.colour_bar = SkinMap(parent), ColourBar(parent)
@@ -74,13 +73,6 @@ class MapDisplay(QObject):
         """Say whether what is known belongs to an older design; once it is late, that is seen."""
         self._lateness.set_stale(stale)
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        for part in (self.map, self.colour_bar, self.note, self.readout):
-            part.show_theme(theme)
-        self.show()
-
     def _mark_outdated(self, late: bool) -> None:
         self.change(outdated=late)
         self.show_map()
@@ -93,7 +85,7 @@ class MapDisplay(QObject):
             return
         self.colour_bar.show_marks(
             tuple(
-                (float(levels[number - 1]), self._theme.output_colour(rank))
+                (float(levels[number - 1]), rank)
                 for rank, number in enumerate(self.content.outputs)
                 if number <= levels.size
             )

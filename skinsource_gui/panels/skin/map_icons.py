@@ -3,11 +3,11 @@
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QIcon, QPainterPath
 
-from skinsource_gui.theme import Theme
+from skinsource_gui.theme import current_theme
 from skinsource_gui.widgets.drawn_icon import drawn_icon
 
 
-def sensors_icon(theme: Theme) -> QIcon:
+def sensors_icon() -> QIcon:
     """A few dots."""
     dots = QPainterPath()
     for x, y in (
@@ -21,10 +21,10 @@ def sensors_icon(theme: Theme) -> QIcon:
         (12.4, 13),
     ):
         dots.addEllipse(QPointF(x, y), 1.5, 1.5)
-    return drawn_icon(dots, theme, filled=True, greyed=False)
+    return drawn_icon(dots, current_theme(), filled=True, greyed=False)
 
 
-def fit_icon(theme: Theme) -> QIcon:
+def fit_icon() -> QIcon:
     """An arm between the corners of a frame."""
     path = QPainterPath()
     for x, y, dx, dy in ((2, 2, 1, 1), (14, 2, -1, 1), (2, 14, 1, -1), (14, 14, -1, -1)):
@@ -32,10 +32,10 @@ def fit_icon(theme: Theme) -> QIcon:
         path.lineTo(x, y)
         path.lineTo(x, y + 3 * dy)
     path.addRoundedRect(QRectF(6, 4.5, 4, 7), 1.8, 1.8)
-    return drawn_icon(path, theme, greyed=False)
+    return drawn_icon(path, current_theme(), greyed=False)
 
 
-def hand_icon(theme: Theme) -> QIcon:
+def hand_icon() -> QIcon:
     """An open hand, thumb to the left."""
     path = QPainterPath(QPointF(5, 14.5))
     for x, y in ((2.2, 9.4), (3.4, 8.4), (5.3, 9.8)):
@@ -48,4 +48,4 @@ def hand_icon(theme: Theme) -> QIcon:
     path.lineTo(13.4, 10.5)
     path.quadTo(13.4, 13, 11.6, 14.5)
     path.closeSubpath()
-    return drawn_icon(path, theme, greyed=False)
+    return drawn_icon(path, current_theme(), greyed=False)

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from skinsource_gui.panels.skin.skin_map import SkinMap
 from skinsource_gui.panels.skin.stage.map_layout import HAND
-from skinsource_gui.widgets.key_tables.key_table import key_text
+from skinsource_gui.widgets.keys import key_text
 from skinsource_gui.widgets.map.level_look import COLOURS
 from skinsource_gui.widgets.pan_zoom import WHOLE
 

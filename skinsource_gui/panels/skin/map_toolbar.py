@@ -1,14 +1,14 @@
 """Buttons of the map."""
 
-from PySide6.QtCore import QSize, Signal
+from PySide6.QtCore import QEvent, QSize, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QToolButton, QWidget
 
 from skinsource_gui.panels.skin.map_icons import fit_icon, hand_icon, sensors_icon
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.stage.map_layout import HAND
-from skinsource_gui.theme import UNIT_PX, Theme
-from skinsource_gui.widgets.key_tables.key_table import key_text
+from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.widgets.keys import key_text
 from skinsource_gui.widgets.pan_zoom import WHOLE
 from skinsource_gui.widgets.tool_button import tool_button
 
@@ -43,6 +43,7 @@ class MapToolbar(QWidget):
         self.hand.setAccessibleName("Hand")
         for button in (self.sensors, self.all, self.hand):
             button.setFixedWidth(_ICON_BUTTON_PX)
+        self._show_icons()
         styles = QButtonGroup(self)
         styles.addButton(self.interpolated)
         styles.addButton(self.sensors_only)
@@ -70,11 +71,15 @@ class MapToolbar(QWidget):
         self.sensors.setEnabled(interpolated)
         self.sensors.setChecked(settings.sensors_shown or not interpolated)
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.sensors.setIcon(sensors_icon(theme))
-        self.all.setIcon(fit_icon(theme))
-        self.hand.setIcon(hand_icon(theme))
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._show_icons()
+
+    def _show_icons(self) -> None:
+        self.sensors.setIcon(sensors_icon())
+        self.all.setIcon(fit_icon())
+        self.hand.setIcon(hand_icon())
 
     def minimumSizeHint(self) -> QSize:
         # Without the fits, which go where there is no room for them.

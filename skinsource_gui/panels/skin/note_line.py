@@ -4,7 +4,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import current_theme
 from skinsource_gui.widgets.tooltips import tooltip
 
 _MOST_LINES, _LOST_AT_ENDS = 2, 0.3
@@ -21,7 +21,6 @@ class NoteLine(QWidget):
         super().__init__(parent)
         self._text = self._short = ""
         self._most_lines = _MOST_LINES
-        self._theme = LIGHT
         self.setAccessibleName("Note on the map")
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.hide()
@@ -53,11 +52,6 @@ class NoteLine(QWidget):
             self.updateGeometry()
             self.update()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def sizeHint(self) -> QSize:
         return QSize(100, self.fontMetrics().lineSpacing() * self._n_lines())
 
@@ -66,7 +60,7 @@ class NoteLine(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
-        painter.setPen(QColor(self._theme.warning))
+        painter.setPen(QColor(current_theme().warning))
         metrics = self.fontMetrics()
         if self._n_lines() > 1:
             words = metrics.elidedText(self.shown, Qt.TextElideMode.ElideRight, self._room_px)

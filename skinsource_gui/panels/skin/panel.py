@@ -62,7 +62,7 @@ class SkinPanel(Panel):
         self._lay_out()
         self._connect()
         self._controls.show_settings(self._view)
-        self.show_theme(LIGHT)
+        self._display.show()
         self._results.show_choice(self._design, self._view)
 
     @property
@@ -124,10 +124,6 @@ class SkinPanel(Panel):
     def show_covered(self, covered: bool) -> None:
         """Hide what was computed; limb and inputs stay, so that there is something to point at."""
         self._display.cover(covered)
-
-    def show_theme(self, theme: Theme) -> None:
-        for part in (self.toolbar, self.time, self._display):
-            part.show_theme(theme)
 
     def draw_picture(
         self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT

@@ -4,7 +4,7 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.theme import current_theme, tabular
 
 _LINES = 2
 
@@ -16,7 +16,6 @@ class ReadoutLines(QWidget):
         super().__init__(parent)
         self._text = ""
         self._lines = _LINES
-        self._theme = LIGHT
         self.setFont(tabular(self.font()))
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
 
@@ -48,11 +47,6 @@ class ReadoutLines(QWidget):
         first, second = lines
         return (f"{second} · {first}" if any(map(str.isdigit, second)) else first,)
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def sizeHint(self) -> QSize:
         return QSize(100, self._lines * self.fontMetrics().lineSpacing())
 
@@ -61,7 +55,7 @@ class ReadoutLines(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
-        painter.setPen(QColor(self._theme.dim))
+        painter.setPen(QColor(current_theme().dim))
         height = self.fontMetrics().lineSpacing()
         for k, line in enumerate(self.shown):
             words = self.fontMetrics().elidedText(line, Qt.TextElideMode.ElideRight, self.width())

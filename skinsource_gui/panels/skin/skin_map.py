@@ -26,10 +26,9 @@ from skinsource_gui.panels.skin.map_readout import hover_words, output_readout, 
 from skinsource_gui.panels.skin.map_words import paint_words
 from skinsource_gui.panels.skin.stage.map_layout import HAND
 from skinsource_gui.panels.skin.stage.map_stage import MapStage
-from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.theme import current_theme, tabular
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import KEYS, claims_shortcut, meaning_of
 from skinsource_gui.widgets.outputs.keys import ADDS
 from skinsource_gui.widgets.outputs.picker import OutputPicker
 from skinsource_gui.widgets.outputs.picking import output_at
@@ -64,7 +63,6 @@ class SkinMap(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.content = MapContent()
-        self._theme = LIGHT
         self._painter: MapPainter | None = None
         self._pointer = InputPointer(self)
         self._pointer.pointed_at.connect(self.input_pointed_at)
@@ -84,8 +82,7 @@ class SkinMap(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName("Map of the skin, back of hand and arm")
         self.setAccessibleDescription(
-            "Arrow keys move to the next output, Space selects it, Shift and Space adds it. "
-            "Delete removes the selected inputs."
+            "; ".join(KEYS["skin"].sentences("go", "select", "toggle", "remove"))
         )
 
     def show_content(self, content: MapContent) -> None:
@@ -107,11 +104,6 @@ class SkinMap(QWidget):
         if self.picker.mouse.pointer is not None or self.hasFocus():
             self.readout_changed.emit(self.readout())
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def readout(self) -> str:
         """What is under the pointer, or else under the keyboard's cursor, in words."""
         number, pointer = self.picker.pointed_at(focused=self.hasFocus()), self.picker.mouse.pointer
@@ -130,25 +122,25 @@ class SkinMap(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, mouse = QPainter(self), self.picker.mouse
-        painter.fillRect(self.rect(), QColor(self._theme.base))
+        painter.fillRect(self.rect(), QColor(current_theme().base))
         if self.stage.layout is not None and self._painter is not None:
             painter.setFont(tabular(small_font(self.stage.letters)))
-            self._painter.paint(painter, self.content, self.stage.layout, self._theme)
-            marks = [(mouse.hovered, self._theme.text)]
+            self._painter.paint(painter, self.content, self.stage.layout, current_theme())
+            marks = [(mouse.hovered, current_theme().text)]
             if self.hasFocus():
-                marks.append((self.picker.keys.cursor_output, self._theme.accent))
+                marks.append((self.picker.keys.cursor_output, current_theme().accent))
             for number, colour in marks:
                 if number is not None:
                     paint_mark(
-                        painter, number, colour, self.content, self.stage.layout, self._theme
+                        painter, number, colour, self.content, self.stage.layout, current_theme()
                     )
             if mouse.band is not None:
-                paint_band(painter, mouse.band, self._theme)
+                paint_band(painter, mouse.band, current_theme())
         painter.setFont(self.stage.letters)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        paint_words(painter, self.content, self.stage.layout, QRectF(self.rect()), self._theme)
+        paint_words(painter, self.content, self.stage.layout, QRectF(self.rect()), current_theme())
         if self.hasFocus():
-            paint_focus_frame(painter, QRectF(self.rect()), self._theme)
+            paint_focus_frame(painter, QRectF(self.rect()), current_theme())
         painter.end()
 
     def event(self, event: QEvent) -> bool:
@@ -156,7 +148,7 @@ class SkinMap(QWidget):
             words = hover_words(self.content, self.stage.layout, QPointF(event.pos()))
             QToolTip.showText(event.globalPos(), words, self)
             return True
-        return kept_from_shortcuts(event, self._claims) or super().event(event)
+        return claims_shortcut(event, self._claims) or super().event(event)
 
     def _claims(self, event: QKeyEvent) -> bool:
         return self.picker.claims(event)
@@ -214,7 +206,7 @@ class SkinMap(QWidget):
         self.menu_requested.emit(middle if by_key else event.globalPos())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        layout, wanted = self.stage.layout, meant("skin", event)
+        layout, wanted = self.stage.layout, meaning_of("skin", event)
         middle = QRectF(self.rect()).center()
         if layout is None:
             super().keyPressEvent(event)

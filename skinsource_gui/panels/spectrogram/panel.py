@@ -17,7 +17,7 @@ from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.figure_panel import SILENT, FigurePanel
 from skinsource_gui.panels.spectrogram.picture import Shown, SpectrogramPicture
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.beside_or_below import BesideOrBelow
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.level_text import output_text
@@ -105,11 +105,6 @@ class SpectrogramPanel(FigurePanel):
             return
         self._results = dict(results)
         self._draw(results)
-
-    def show_theme(self, theme: Theme) -> None:
-        super().show_theme(theme)
-        for field in (self.floor, self.ceiling):
-            field.show_theme(theme)
 
     def say_instead(self, message: str) -> None:
         self._results = None

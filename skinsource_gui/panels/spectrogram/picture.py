@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 from skinsource.analysis.spectrogram import Spectrogram
 from skinsource.arrays import Floats
 from skinsource.decibels import decibels
-from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.theme import UNIT_PX, current_theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.figure.axes import Axes, Axis, fitted_axes
@@ -104,7 +104,7 @@ class SpectrogramPicture(Figure):
         painter.drawImage(self._image_place(axes, shown), self._image)
         self._draw_lines(painter, axes)
         painter.restore()
-        axes.paint(painter, self.theme, grid=False)
+        axes.paint(painter, current_theme(), grid=False)
         self._draw_scale(painter, axes, room, metrics)
 
     def read(self, at: QPointF) -> str:
@@ -134,7 +134,7 @@ class SpectrogramPicture(Figure):
             x = float(axes.to_screen(np.array([self._playhead_s]), np.zeros(1))[0, 0])
             line = QLineF(x, frame.top(), x, frame.bottom())
             # In the colour of every playhead, on a ground on which it is seen in dark colours too.
-            for colour, width_px in ((self.theme.base, 3.5), (self.theme.error, 1.5)):
+            for colour, width_px in ((current_theme().base, 3.5), (current_theme().error, 1.5)):
                 painter.setPen(QPen(QColor(colour), width_px))
                 painter.drawLine(line)
         if self.cursor_at is not None:
@@ -155,9 +155,9 @@ class SpectrogramPicture(Figure):
         colours = np.ascontiguousarray(self._table[::-1, None])
         image = QImage(colours.data, 1, len(colours), 4, QImage.Format.Format_RGB32)
         painter.drawImage(ramp, image)
-        painter.setPen(QPen(QColor(self.theme.border), 1))
+        painter.setPen(QPen(QColor(current_theme().border), 1))
         painter.drawRect(ramp)
-        painter.setPen(QColor(self.theme.dim))
+        painter.setPen(QColor(current_theme().dim))
         low, high = self.range_db
         matched = "" if self.shown is None else self.shown.matched
         for part in (0.0, 0.5, 1.0):

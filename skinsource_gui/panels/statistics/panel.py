@@ -23,11 +23,11 @@ from skinsource_gui.figure_panel import COMPUTING
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.statistics.rows import NOISE_WORDS, rows_of, tab_separated
 from skinsource_gui.panels.statistics.table_model import TableModel
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.copy_button import CopyButton
 from skinsource_gui.widgets.empty_words import output_words
 from skinsource_gui.widgets.figure.words_label import WordsLabel
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
+from skinsource_gui.widgets.keys import claims_shortcut
 from skinsource_gui.widgets.name_column import dress_table, give_names_the_rest
 
 
@@ -37,7 +37,7 @@ class FigureTable(QTableView):
     copy_wanted = Signal()
 
     def event(self, event: QEvent) -> bool:
-        return kept_from_shortcuts(event, _copies) or super().event(event)
+        return claims_shortcut(event, _copies) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if _copies(event):
@@ -67,6 +67,7 @@ class StatisticsPanel(Panel):
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._message = QLabel()
         self._message.setObjectName("statistics_message")
+        set_tone(self._message, "dim")
         self._message.setWordWrap(True)
         self._message.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._stack = QStackedWidget()
@@ -125,12 +126,6 @@ class StatisticsPanel(Panel):
         super().show_in_sight(names)
         if said:
             self._message.setText(self.no_outputs)
-
-    def show_theme(self, theme: Theme) -> None:
-        self.model.theme = theme
-        self.about.show_theme(theme)
-        self._message.setStyleSheet(f"color: {theme.dim}; background: {theme.base};")
-        self.table.viewport().update()
 
     def _lay_out(self) -> None:
         bar = QHBoxLayout()

@@ -4,7 +4,7 @@ from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersisten
 from PySide6.QtGui import QColor
 
 from skinsource_gui.panels.statistics.rows import COLUMNS, NOISE_WORDS, Row
-from skinsource_gui.theme import LIGHT
+from skinsource_gui.theme import current_theme
 from skinsource_gui.widgets.name_column import SHORT_NAME
 
 _Index = QModelIndex | QPersistentModelIndex
@@ -17,7 +17,6 @@ class TableModel(QAbstractTableModel):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.rows: tuple[Row, ...] = ()
-        self.theme = LIGHT
 
     def show_rows(self, rows: tuple[Row, ...]) -> None:
         """Take over other rows; where they are the same outputs, the selection stays."""
@@ -45,8 +44,8 @@ class TableModel(QAbstractTableModel):
             return int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         if role == _Role.ForegroundRole:
             if column == 0:
-                return self.theme.output_colour(index.row())
-            return QColor(self.theme.dim if row.noisy else self.theme.text)
+                return current_theme().output_colour(index.row())
+            return QColor(current_theme().dim if row.noisy else current_theme().text)
         if role == SHORT_NAME and column == 0:
             return row.short_name
         if role == _Role.ToolTipRole and (row.noisy or not column):

@@ -4,8 +4,7 @@ from PySide6.QtCore import QPointF
 
 from skinsource_gui.panels.timeline.clip_part import Part, part_at
 from skinsource_gui.panels.timeline.content import Content
-from skinsource_gui.widgets.key_tables.key_table import key_text
-from skinsource_gui.widgets.key_tables.mouse_table import gesture
+from skinsource_gui.widgets.keys import MOUSE, key_text
 from skinsource_gui.widgets.tooltips import tooltip
 
 _NEXT = key_text("timeline", "below")
@@ -27,5 +26,4 @@ def hover_words(content: Content, at: QPointF) -> str:
     count = len(content.boxes_at(at))
     several = f"{count} clips here: click again, or {_NEXT}, for the next" if count > 1 else ""
     names = _GESTURES.get(part_at(box.rect, at, box.fades_px), ())
-    found = (gesture("clips", name) for name in names)
-    return tooltip(box.lane.problem, several, *(f"{one.words}: {one.means}" for one in found))
+    return tooltip(box.lane.problem, several, *MOUSE["clips"].sentences(*names))

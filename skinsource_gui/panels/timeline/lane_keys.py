@@ -11,7 +11,7 @@ from skinsource_gui.panels.timeline.content import Content
 from skinsource_gui.panels.timeline.gain.gain_points import GainPoints
 from skinsource_gui.panels.timeline.overlaps import after, overlapping
 from skinsource_gui.widgets.fields.burst import Burst
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import meaning_of
 from skinsource_gui.widgets.time.playhead_moves import PLAYHEAD, moved_playhead
 from skinsource_gui.widgets.time.time_scale import panned
 
@@ -46,7 +46,7 @@ class LaneKeys(QObject):
 
     def claims(self, event: QKeyEvent) -> bool:
         """Whether the lanes want this key for themselves, before any shortcut of the window."""
-        return bool(meant(_PLACE, event) or meant(PLAYHEAD, event))
+        return bool(meaning_of(_PLACE, event) or meaning_of(PLAYHEAD, event))
 
     def press(self, event: QKeyEvent) -> bool:
         """Do what a key means; whether it means anything."""
@@ -57,7 +57,7 @@ class LaneKeys(QObject):
         if playhead_s is not None:
             self._put_playhead(playhead_s)
             return True
-        wanted = meant(_PLACE, event)
+        wanted = meaning_of(_PLACE, event)
         if wanted in ("nudge", "change_track"):
             leap = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
             self._nudge(wanted, _STEPS[_Key(event.key())] * (_LEAP if leap else 1))

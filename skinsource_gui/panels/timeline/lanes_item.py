@@ -19,7 +19,7 @@ from skinsource_gui.panels.timeline.lane_look import (
 )
 from skinsource_gui.panels.timeline.overlaps import paint_overlaps
 from skinsource_gui.panels.timeline.ruler_painter import grid_lines, paint_ruler
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import current_theme
 
 # Clips lie deeper in their lanes than this.  What is painted anew is one px larger than asked for:
 # so far inside it does not reach the next lane.
@@ -53,7 +53,6 @@ class LanesItem(pyqtgraph.GraphicsObject):
         self.painted = self.painted_lanes = 0
         self._content: Content | None = None
         self._hovered: int | None = None
-        self._theme = LIGHT
         self._font = QFont()
         self._rect = QRectF(0, 0, 1, 1)
 
@@ -76,9 +75,9 @@ class LanesItem(pyqtgraph.GraphicsObject):
                 self._update_lane_of(one)
             self._hovered = clip
 
-    def show_look(self, theme: Theme, font: QFont) -> None:
-        """Take over colours and font."""
-        self._theme, self._font = theme, font
+    def show_font(self, font: QFont) -> None:
+        """Take over a font."""
+        self._font = font
         self.pictures.forget()
         self.update()
 
@@ -100,19 +99,19 @@ class LanesItem(pyqtgraph.GraphicsObject):
         shown = [lane for lane in content.lanes if self._strip(lane).intersects(exposed)]
         for lane in shown:
             self._paint_ground(painter, lane)
-        painter.setPen(QPen(QColor(self._theme.grid), 1))
+        painter.setPen(QPen(QColor(current_theme().grid), 1))
         painter.drawLines(grid_lines(content.scale, lanes))
         self._paint_after_end(painter, content, lanes)
         for lane in shown:
             self._paint_why_silent(painter, lane)
             self._paint_clips(painter, content, lane, lanes)
             found = content.overlaps.of(lane.track)
-            paint_overlaps(painter, lane, found, content.scale, self._theme)
+            paint_overlaps(painter, lane, found, content.scale, current_theme())
         self.painted_lanes += len(shown)
         painter.restore()
         ruler = QRectF(rect.left(), 0, rect.width(), content.ruler_px)
         if ruler.intersects(exposed):
-            paint_ruler(painter, content, ruler, self._theme)
+            paint_ruler(painter, content, ruler, current_theme())
 
     def _update_lane_of(self, clip: int | None) -> None:
         for lane in () if self._content is None or clip is None else self._content.lanes:
@@ -133,12 +132,12 @@ class LanesItem(pyqtgraph.GraphicsObject):
     @property
     def _ground(self) -> QColor:
         """Of the lanes."""
-        return QColor(self._theme.base)
+        return QColor(current_theme().base)
 
     @property
     def _tint(self) -> QColor:
         """What lies over the ground of lanes that are selected."""
-        tint = QColor(self._theme.accent)
+        tint = QColor(current_theme().accent)
         tint.setAlpha(18)
         return tint
 
@@ -149,7 +148,7 @@ class LanesItem(pyqtgraph.GraphicsObject):
         strip = self._strip(lane)
         if lane.selected:
             painter.fillRect(strip, self._tint)
-        painter.setPen(QPen(QColor(self._theme.border), 1))
+        painter.setPen(QPen(QColor(current_theme().border), 1))
         painter.drawLine(
             QLineF(strip.left(), strip.bottom() - 0.5, strip.right(), strip.bottom() - 0.5)
         )
@@ -164,14 +163,15 @@ class LanesItem(pyqtgraph.GraphicsObject):
         painter.fillRect(words.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._ground)
         if lane.selected:
             painter.fillRect(words.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._tint)
-        painter.setPen(QColor(self._theme.error if lane.problem else self._theme.dim))
+        theme = current_theme()
+        painter.setPen(QColor(theme.error if lane.problem else theme.dim))
         painter.drawText(room, flags, lane.silent)
 
     def _paint_after_end(self, painter: QPainter, content: Content, lanes: QRectF) -> None:
         if content.design.loop_s is None:
             return
         start, end = (content.scale.x(one) for one in content.design.loop_s)
-        shade = QColor(self._theme.dim)
+        shade = QColor(current_theme().dim)
         shade.setAlpha(22)
         for left, right in ((lanes.left(), start), (end, lanes.right())):
             if right > left:
@@ -187,7 +187,7 @@ class LanesItem(pyqtgraph.GraphicsObject):
                 content.waveforms.get(box.clip.id),
                 content.sample_rate_hz,
                 self.pictures,
-                self._theme,
+                current_theme(),
                 loudest=loudest,
                 selected=box.clip.id in content.selected,
                 shown_elsewhere=box.clip.id in content.chosen,

@@ -18,7 +18,7 @@ from skinsource_gui.panels.timeline.lane_mouse import marker_at
 from skinsource_gui.panels.timeline.overlaps import clip_words
 from skinsource_gui.panels.timeline.settings import toggle_gain_curves
 from skinsource_gui.panels.timeline.timeline_edits import TimelineEdits
-from skinsource_gui.widgets.key_tables.key_table import key_text
+from skinsource_gui.widgets.keys import key_text
 
 AnyEdit = Callable[..., Edit | Refusal]
 _PLACE = "timeline"

@@ -25,7 +25,7 @@ from skinsource_gui.panels.timeline.overlaps import Overlaps
 from skinsource_gui.panels.timeline.playhead_item import PlayheadItem
 from skinsource_gui.panels.timeline.seen_time import SeenTime
 from skinsource_gui.panels.timeline.settings import shown_gain_curves
-from skinsource_gui.theme import Theme, scaled, tabular
+from skinsource_gui.theme import scaled, tabular
 from skinsource_gui.widgets.plot.canvas import Canvas
 from skinsource_gui.widgets.time.time_scale import TimeScale
 from skinsource_gui.widgets.wheel import NOTCH
@@ -90,6 +90,7 @@ class LanesView(Canvas):
         self.gain.chose.connect(self.lay_out)
         self.mouse.shown.connect(self._show_over)
         self._pointer = QPointF()
+        self.take_look()
 
     @property
     def ruler_px(self) -> float:
@@ -114,12 +115,10 @@ class LanesView(Canvas):
         self._waveforms, self._awaited = waveforms, awaited
         self.lay_out()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.set_ground(theme)
+    def take_look(self) -> None:
+        super().take_look()
         for item in (self.item, self.gains, self.over):
-            item.show_look(theme, scaled(tabular(self.font()), _TEXT))
-        self.playhead.show_theme(theme)
+            item.show_font(scaled(tabular(self.font()), _TEXT))
 
     def set_snaps(self, snaps: bool) -> None:
         """Whether edges snap."""

@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from skinsource_gui.panels.timeline.content import Content
 from skinsource_gui.panels.timeline.gestures.gesture import Shown
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import current_theme
 
 _WORDS_GAP_PX = 8.0
 
@@ -22,7 +22,7 @@ class OverItem(pyqtgraph.GraphicsObject):
         self._shown, self._pointer = Shown(), QPointF()
         self._content: Content | None = None
         self._rect = QRectF(0, 0, 1, 1)
-        self._theme, self._font = LIGHT, QFont()
+        self._font = QFont()
 
     @property
     def shown(self) -> Shown:
@@ -46,9 +46,9 @@ class OverItem(pyqtgraph.GraphicsObject):
             self._shown, self._pointer = shown, pointer
             self._update_places()
 
-    def show_look(self, theme: Theme, font: QFont) -> None:
-        """Take over colours and font."""
-        self._theme, self._font = theme, font
+    def show_font(self, font: QFont) -> None:
+        """Take over a font."""
+        self._font = font
         self.update()
 
     def boundingRect(self) -> QRectF:
@@ -58,20 +58,20 @@ class OverItem(pyqtgraph.GraphicsObject):
         painter.setFont(self._font)
         guide = self._guide()
         if guide is not None:
-            painter.setPen(QPen(QColor(self._theme.warning), 2))
+            painter.setPen(QPen(QColor(current_theme().warning), 2))
             painter.drawLine(guide)
         if self._shown.covered is not None:
-            tint = QColor(self._theme.accent)
+            tint = QColor(current_theme().accent)
             painter.setPen(QPen(tint, 1))
             tint.setAlpha(30)
             painter.setBrush(tint)
             painter.drawRect(self._shown.covered)
         if self._shown.words:
             room = self._room_for_words()
-            painter.setPen(QPen(QColor(self._theme.border), 1))
-            painter.setBrush(QColor(self._theme.raised))
+            painter.setPen(QPen(QColor(current_theme().border), 1))
+            painter.setBrush(QColor(current_theme().raised))
             painter.drawRect(room)
-            painter.setPen(QColor(self._theme.text))
+            painter.setPen(QColor(current_theme().text))
             painter.drawText(room, Qt.AlignmentFlag.AlignCenter, self._shown.words)
 
     def _update_places(self) -> None:

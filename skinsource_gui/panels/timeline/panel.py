@@ -18,7 +18,7 @@ from skinsource_gui.panels.timeline.heads.row_places import heads_px, row_places
 from skinsource_gui.panels.timeline.lanes_menu import LanesMenu
 from skinsource_gui.panels.timeline.timeline_edits import TimelineEdits
 from skinsource_gui.panels.timeline.track_table import TrackTable
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.drop_place import DropPlace
 from skinsource_gui.widgets.empty_words import add_words
 from skinsource_gui.widgets.inputs.clip_waveforms import waveforms_of
@@ -44,10 +44,12 @@ class TimelinePanel(Panel):
         self._table = TrackTable(self._list)
         self._empty = QLabel(add_words(self.in_sight, "a track"))
         self._empty.setObjectName("inputs_empty")
+        set_tone(self._empty, "dim")
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._empty.setWordWrap(True)
         self._foot = QLabel()
         self._foot.setObjectName("inputs_problem")
+        set_tone(self._foot, "error")
         self._foot.setWordWrap(True)
         self._foot.setMargin(UNIT_PX)
         self._foot.hide()
@@ -121,13 +123,6 @@ class TimelinePanel(Panel):
         self._then, self._waveforms = {}, {}
         self.show_late(self.late)
         self._show_foot(reason)
-
-    def show_theme(self, theme: Theme) -> None:
-        self._rows.show_theme(theme)
-        self._table.lanes.show_theme(theme)
-        self._table.toolbar.show_theme(theme)
-        self._empty.setStyleSheet(f"color: {theme.dim};")
-        self._foot.setStyleSheet(f"color: {theme.error};")
 
     def drop_place(self, at: QPoint) -> DropPlace | None:
         lanes = self._table.lanes

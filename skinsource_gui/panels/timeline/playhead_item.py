@@ -7,7 +7,7 @@ from PySide6.QtCore import QLineF, QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from skinsource_gui.panels.timeline.content import Content
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import current_theme
 
 _HALF_PX, _HANDLE_PX = 5.0, 8.0
 
@@ -24,7 +24,6 @@ class PlayheadItem(pyqtgraph.GraphicsObject):
     def __init__(self) -> None:
         super().__init__()
         self.moved = 0
-        self._theme = LIGHT
         self._height = 1.0
         self.setZValue(1)
 
@@ -39,16 +38,11 @@ class PlayheadItem(pyqtgraph.GraphicsObject):
             self.moved += 1
             self.setPos(at)
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def boundingRect(self) -> QRectF:
         return QRectF(-_HALF_PX - 1, -3, 2 * _HALF_PX + 2, self._height + 3)
 
     def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
-        colour = QColor(self._theme.error)
+        colour = QColor(current_theme().error)
         painter.setPen(QPen(colour, 1))
         painter.drawLine(QLineF(0, 0, 0, self._height))
         painter.setBrush(colour)

@@ -12,9 +12,12 @@ from skinsource.view import View
 from skinsource.waveforms import Waveform
 from skinsource_gui.panels.timeline import clipboard
 from skinsource_gui.panels.timeline.content import chosen_clips
+from skinsource_gui.widgets.keys import key_text
 
 _NO_CLIPS = Refusal(sentence="No clip is selected; click one in the timeline.")
-_NOTHING_TO_PASTE = Refusal(sentence="The clipboard holds no clips; copy some first, with Ctrl+C.")
+_NOTHING_TO_PASTE = Refusal(
+    sentence=f"The clipboard holds no clips; copy some first, with {key_text('timeline', 'copy')}."
+)
 
 
 class TimelineEdits(QObject):

@@ -3,7 +3,7 @@
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
-from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.keys import KEYS
 from skinsource_gui.widgets.room.room_or_words import RoomOrWords
 from skinsource_gui.widgets.room.words_in_room import fitting_font, write_in
 
@@ -19,6 +19,7 @@ class TimelineToolbar(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self.setStyleSheet("QToolButton { padding: 1px 6px; }")
         self._row = row = QHBoxLayout(self)
         row.setContentsMargins(4, 1, 4, 1)
         row.setSpacing(2)
@@ -27,11 +28,11 @@ class TimelineToolbar(QWidget):
         )
         self._snap.setCheckable(True)
         self._snap.clicked.connect(self.snaps_wanted)
-        self._closer = self._button("+", "See less of the time, larger (+)")
+        self._closer = self._button("+", _hint("zoom_in"))
         self._closer.clicked.connect(self._zoom_in)
-        self._wider = self._button("\u2212", "See more of the time (\u2212)")
+        self._wider = self._button("\u2212", _hint("zoom_out"))
         self._wider.clicked.connect(self._zoom_out)
-        self._all = self._button("Fit", "See all of the time (0)")
+        self._all = self._button("Fit", _hint("whole"))
         self._all.clicked.connect(self._see_all)
         self._buttons = (self._snap, self._wider, self._closer, self._all)
         for button in self._buttons:
@@ -44,10 +45,6 @@ class TimelineToolbar(QWidget):
         self._snap.setChecked(snaps)
         self._all.setEnabled(zoomed)
         self._wider.setEnabled(zoomed)
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.setStyleSheet("QToolButton { padding: 1px 6px; }")
 
     def _fit(self) -> None:
         # Heads do not become as wide as the largest letters, so that lanes have room.
@@ -73,3 +70,8 @@ class TimelineToolbar(QWidget):
 
     def _see_all(self) -> None:
         self.everything_wanted.emit()
+
+
+def _hint(name: str) -> str:
+    gesture = KEYS["timeline"].gestures[name]
+    return f"{gesture.effect[:1].upper()}{gesture.effect[1:]} ({gesture.shown})"

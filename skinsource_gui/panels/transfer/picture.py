@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.analysis.transfer import Transfer
 from skinsource.decibels import decibels
-from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.theme import UNIT_PX, current_theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.figure.axes import Axes, Axis, fitted_axes
 from skinsource_gui.widgets.figure.figure import Figure
@@ -70,17 +70,17 @@ class TransferPicture(Figure):
         metrics = QFontMetricsF(painter.font())
         head = QRectF(room.left(), room.top(), room.width(), metrics.height())
         inner = head.adjusted(UNIT_PX, 0, -UNIT_PX, 0)
-        draw_legend(painter, inner, shown.outputs, self.theme, broken=True)
+        draw_legend(painter, inner, shown.outputs, current_theme(), broken=True)
         self.axes = axes = fitted_axes(room.adjusted(0, head.height(), 0, 0), x, y, metrics)
         self._shade(painter, axes)
-        axes.paint(painter, self.theme)
+        axes.paint(painter, current_theme())
         painter.save()
         painter.setClipRect(axes.frame)
         self._draw_bars(painter, axes, shown)
         for rank in range(len(shown.outputs)):
             self._draw_curve(painter, axes, shown, rank)
         if self.cursor_at is not None:
-            painter.setPen(QPen(QColor(self.theme.dim), 1, Qt.PenStyle.DashLine))
+            painter.setPen(QPen(QColor(current_theme().dim), 1, Qt.PenStyle.DashLine))
             at = self.cursor_at.x()
             painter.drawLine(QLineF(at, axes.frame.top(), at, axes.frame.bottom()))
         painter.restore()
@@ -105,7 +105,7 @@ class TransferPicture(Figure):
         if self.shown is None or self.shown.found.band_hz is None:
             return
         band_hz = np.array(self.shown.found.band_hz)
-        colour = QColor(self.theme.grid)
+        colour = QColor(current_theme().grid)
         colour.setAlpha(140)
         frame = axes.frame
         low, high = (float(p[0]) for p in axes.to_screen(band_hz, np.zeros(1)))
@@ -116,10 +116,10 @@ class TransferPicture(Figure):
     def _draw_curve(self, painter: QPainter, axes: Axes, shown: Shown, rank: int) -> None:
         found = shown.found
         values = found.coherence[rank] if shown.coherence else decibels(found.magnitude[rank])
-        painter.setPen(self.theme.output_pen(rank, 1.4))
+        painter.setPen(current_theme().output_pen(rank, 1.4))
         painter.drawPolyline(axes.polygon(found.frequency_hz, values))
         if not shown.coherence and found.noise[rank].any():
-            pen = QPen(self.theme.output_colour(rank), 1.0, Qt.PenStyle.DotLine)
+            pen = QPen(current_theme().output_colour(rank), 1.0, Qt.PenStyle.DotLine)
             painter.setPen(pen)
             painter.drawPolyline(axes.polygon(found.frequency_hz, decibels(found.noise[rank])))
 
@@ -130,7 +130,7 @@ class TransferPicture(Figure):
         foot = axes.frame.bottom() - UNIT_PX / 2
         for rank, (low, high) in enumerate(bands):
             y = foot - rank * step
-            painter.setPen(QPen(self.theme.output_colour(rank), thick))
+            painter.setPen(QPen(current_theme().output_colour(rank), thick))
             if np.isfinite(low):
                 left, right = axes.to_screen(np.array([low, high]), np.zeros(1))[:, 0]
                 painter.drawLine(QLineF(left, y, right, y))

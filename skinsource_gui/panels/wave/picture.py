@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.analysis_rules.wave_rules import LineWave
 from skinsource.arrays import Booleans, Floats
-from skinsource_gui.theme import UNIT_PX
+from skinsource_gui.theme import UNIT_PX, current_theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.figure.axes import Axes, Axis, fitted_axes
 from skinsource_gui.widgets.figure.figure import Figure
@@ -55,7 +55,7 @@ class WavePicture(Figure):
             # Labels of y begin at the left edge of their half.
             painter.translate(area.left(), area.top())
             axes = fitted_axes(QRectF(0, 0, area.width(), area.height()), way, axis, metrics)
-            axes.paint(painter, self.theme)
+            axes.paint(painter, current_theme())
             painter.setClipRect(axes.frame.adjusted(-_DOT_PX, -_DOT_PX, _DOT_PX, _DOT_PX))
             self._draw_fit(painter, axes, values[used], wave.distance_m[used], slope)
             places = self._draw_dots(painter, axes, values, used)
@@ -87,7 +87,7 @@ class WavePicture(Figure):
             return
         ends = np.array([x.min(), x.max()])
         middle = float(values.mean())
-        painter.setPen(QPen(QColor(self.theme.dim), 1.2, Qt.PenStyle.DashLine))
+        painter.setPen(QPen(QColor(current_theme().dim), 1.2, Qt.PenStyle.DashLine))
         painter.drawPolyline(axes.polygon(ends, middle + slope * (ends - x.mean())))
 
     def _draw_dots(self, painter: QPainter, axes: Axes, values: Floats, used: Booleans) -> Floats:
@@ -98,7 +98,7 @@ class WavePicture(Figure):
         for rank, place, counted in zip(self._ranks, places, used, strict=True):
             if not np.isfinite(place).all():
                 continue
-            colour = self.theme.output_colour(rank)
+            colour = current_theme().output_colour(rank)
             painter.setPen(QPen(colour, 1.5))
             painter.setBrush(colour if counted else Qt.BrushStyle.NoBrush)
             painter.drawEllipse(QPointF(*place), _DOT_PX, _DOT_PX)

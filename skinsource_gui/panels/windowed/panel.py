@@ -132,11 +132,6 @@ class WindowedPanel(Panel):
     def show_problem(self, reason: str) -> None:
         self.strip.show_content(None, reason)
 
-    def show_theme(self, theme: Theme) -> None:
-        self.strip.show_theme(theme)
-        for cell in self.cells.values():
-            cell.show_theme(theme)
-
     def draw_picture(
         self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
     ) -> None:

@@ -19,7 +19,7 @@ from skinsource_gui.panels.windowed.content import WindowedContent, window_words
 from skinsource_gui.panels.windowed.strip_layout import StripLayout, least_height, strip_layout
 from skinsource_gui.panels.windowed.strip_painter import paint_strip
 from skinsource_gui.panels.windowed.window_titles import head_words
-from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.theme import current_theme, tabular
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
 
 _SYNTHETIC = "SYNTHETIC"
@@ -34,7 +34,6 @@ class StripView(QWidget):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self._theme: Theme = LIGHT
         self.content: WindowedContent | None = None
         self.message, self.outdated = "", False
         self.chosen: int | None = None
@@ -72,11 +71,6 @@ class StripView(QWidget):
         self.outdated = outdated
         self.update()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def window_under(self, point: QPointF) -> int | None:
         """The window under a point."""
         cells = enumerate(self.places.cells)
@@ -96,7 +90,7 @@ class StripView(QWidget):
         return head_words(self.content, places.cells, metrics.horizontalAdvance, room)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter, theme = QPainter(self), self._theme
+        painter, theme = QPainter(self), current_theme()
         painter.setFont(tabular(self.font()))
         painter.fillRect(self.rect(), QColor(theme.base))
         if self.content is None or self.message:

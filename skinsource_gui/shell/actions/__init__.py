@@ -9,6 +9,8 @@ from skinsource_gui.shell.actions.file_menu import FILE
 from skinsource_gui.shell.actions.help_menu import HELP
 from skinsource_gui.shell.actions.play_menu import PLAY
 from skinsource_gui.shell.actions.view_menu import VIEW
+from skinsource_gui.widgets.keys import SHORTCUTS
 
 MENUS = ("File", "Edit", "View", "Play", "Help")
 ACTIONS: tuple[ActionSpec, ...] = (*FILE, *EDIT, *VIEW, *PLAY, *HELP)
+SHORTCUTS.update({spec.name: spec.keys for spec in ACTIONS})

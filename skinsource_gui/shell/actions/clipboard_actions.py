@@ -6,7 +6,7 @@ The usual keys are those of the timeline: elsewhere they belong to texts and tab
 from skinsource.design import Design
 from skinsource.view import View
 from skinsource_gui.shell.action_spec import ActionSpec, action
-from skinsource_gui.widgets.key_tables.key_table import key_text
+from skinsource_gui.widgets.keys import key_text
 
 
 def _has_clips(design: Design, view: View) -> bool:

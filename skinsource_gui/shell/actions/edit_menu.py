@@ -10,8 +10,7 @@ from skinsource_gui.shell.action_spec import ActionSpec, action
 from skinsource_gui.shell.actions.clipboard_actions import CLIPBOARD
 from skinsource_gui.shell.actions.snapshot_actions import SNAPSHOTS
 from skinsource_gui.state.wavelet_levelling import selected_train
-from skinsource_gui.widgets.empty_words import ADD_KEY
-from skinsource_gui.widgets.key_tables.key_table import key_text
+from skinsource_gui.widgets.keys import key_text
 
 
 def _has_inputs(design: Design, view: View) -> bool:
@@ -102,7 +101,7 @@ EDIT: tuple[ActionSpec, ...] = (
         "Edit",
         "Add input",
         "Add an input at the next place without one, as the selected one is",
-        ADD_KEY,
+        "Ctrl+Shift+N",
         edit=edits.add_input,
         keywords="new track place insert",
         separated=True,

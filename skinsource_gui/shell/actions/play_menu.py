@@ -1,6 +1,7 @@
 """What the Play menu does."""
 
 from skinsource_gui.shell.action_spec import ActionSpec, action
+from skinsource_gui.widgets.keys import KEYS
 
 PLAY: tuple[ActionSpec, ...] = (
     action(
@@ -25,7 +26,8 @@ PLAY: tuple[ActionSpec, ...] = (
         "stop_at_once",
         "Play",
         "Stop at once",
-        "Silence within a millisecond, and the gain back at where it starts (Esc Esc)",
+        "Silence within a millisecond, and the gain back at where it starts "
+        f"({KEYS['window'].gestures['stop'].shown})",
         command="player.stop_at_once",
         keywords="panic emergency silence halt mute",
     ),

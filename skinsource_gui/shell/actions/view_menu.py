@@ -11,7 +11,12 @@ from skinsource_gui.panels.skin.settings import has_colours, use_colours
 from skinsource_gui.shell.action_spec import ActionSpec, action
 from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS
 from skinsource_gui.theme import theme_words
+from skinsource_gui.widgets.keys import KEYS, key_text
 from skinsource_gui.widgets.map.level_look import COLOURS
+
+
+def _presenting(name: str) -> str:
+    return KEYS["presenting"].gestures[name].shown
 
 
 def _toggle_delay(design: Design, view: View) -> Edit | Refusal:
@@ -188,8 +193,9 @@ VIEW: tuple[ActionSpec, ...] = (
         "present",
         "View",
         "Present, or end it",
-        "The panels alone over the whole screen, in large words; Page Up and Page Down, or a "
-        "clicker, step through the scenes, and B covers the map",
+        "The panels alone over the whole screen, in large words; "
+        f"{_presenting('previous')} and {_presenting('next')}, or a clicker, step through the "
+        f"scenes, and {key_text('presenting', 'cover')} covers the map",
         "F9",
         command="presenter.toggle",
         keywords="lecture slides show talk clicker beamer projector full screen scenes",

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.shell.docks.dock_icons import close_icon, float_icon
-from skinsource_gui.theme import theme_of
+from skinsource_gui.theme import current_theme
 from skinsource_gui.widgets.room.steady_area import SteadyArea
 
 _BUTTONS = {
@@ -156,10 +156,10 @@ class Dock(QDockWidget):
 
 def _draw_buttons(dock: QDockWidget) -> None:
     """Say what the buttons of the title do; those of the style are grey, whatever is behind."""
-    theme = theme_of(dock.palette())
     direct = Qt.FindChildOption.FindDirectChildrenOnly  # a panel has hundreds of widgets
     for name, (hint, icon) in _BUTTONS.items():
         for button in dock.findChildren(QAbstractButton, name, direct):
             button.setToolTip(hint)
-            if button.icon().cacheKey() != icon(theme).cacheKey():
-                button.setIcon(icon(theme))
+            drawn = icon(current_theme())
+            if button.icon().cacheKey() != drawn.cacheKey():
+                button.setIcon(drawn)

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QApplication, QMainWindow, QTabBar, QTabWidget
 from skinsource_gui.shell.docks.dock import Dock
 from skinsource_gui.shell.docks.tab_lists import TabLists, tab_menu
 from skinsource_gui.shell.focus.focus_order import focus_into
+from skinsource_gui.widgets.keys import shortcut_text
 
 _NOTHING = "No panel shares its place with another one; View > Panels brings more"
 
@@ -128,7 +129,10 @@ class DockTabs(QObject):
 
 def _prepare(bar: QTabBar) -> None:
     bar.setAccessibleName("Panels in one place")
-    bar.setToolTip("Panels in one place; Ctrl+Tab shows the next, the right button lists them")
+    bar.setToolTip(
+        f"Panels in one place; {shortcut_text('next_tab')} shows the next, the right button lists "
+        "them"
+    )
     # The keyboard has a key for it; a stop without a panel would only be in the way of Tab.
     bar.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     bar.setDrawBase(False)

@@ -4,7 +4,6 @@ from collections.abc import Callable, Mapping
 
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.panel import PREPARING, Panel
-from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.docks.dock import Dock
 from skinsource_gui.state.preferences import Preferences
 
@@ -18,7 +17,7 @@ class TakingIn:
         By the name of their panel: where it goes.
     do, complain, report
         Does what the table of actions calls by a name; says what went wrong, and what was done.
-    files, preferences, appearance
+    files, preferences
         Who hears of files that are written; folder and colours that it is told.
     """
 
@@ -30,10 +29,9 @@ class TakingIn:
         report: Callable[[str], None],
         files: FileActions,
         preferences: Preferences,
-        appearance: Appearance,
     ) -> None:
         self._docks, self._do, self._complain, self._report = docks, do, complain, report
-        self._files, self._preferences, self._appearance = files, preferences, appearance
+        self._files, self._preferences = files, preferences
 
     def __call__(self, panel: Panel) -> None:
         """Take in a panel."""
@@ -43,7 +41,6 @@ class TakingIn:
         panel.written.connect(self._files.note_written)
         self._files.folder_changed.connect(panel.show_folder)
         panel.show_folder(self._preferences.folder)
-        panel.show_theme(self._appearance.theme)
         if panel.needs:
             panel.show_problem(PREPARING)
         self._docks[panel.name].hold(panel)

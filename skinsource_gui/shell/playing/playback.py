@@ -8,7 +8,6 @@ from PySide6.QtWidgets import QWidget
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.matching_page.matching_actions import MatchingActions
 from skinsource_gui.panel import Panel
-from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.playing.escape_twice import EscapeTwice
 from skinsource_gui.shell.playing.rig_pages import RigPages
 from skinsource_gui.shell.playing.transport import Transport
@@ -77,12 +76,9 @@ class Playback(QObject):
         self.rigs.end()
         self.player.end()
 
-    def connect_to(self, panels: MadePanels, appearance: Appearance, reports: Reports) -> None:
+    def connect_to(self, panels: MadePanels, reports: Reports) -> None:
         """Show it in its panel, while that is visible, and say in ``reports`` what goes wrong."""
         player, bar = self.player, self.bar
-        self.matching.theme = lambda: appearance.theme
-        self.rigs.use(appearance)
-        appearance.changed.connect(bar.show_theme)
         bar.play_wanted.connect(player.play_or_stop)
         bar.repeat_wanted.connect(player.toggle_loop)
         bar.gain_wanted.connect(player.gain.put)

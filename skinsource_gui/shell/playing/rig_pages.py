@@ -13,7 +13,6 @@ from skinsource.edits import Refusal, predict_through
 from skinsource.errors import SkinSourceError
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.quoting import printable
-from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing.sound_settings import SoundSettings
 from skinsource_gui.state.playing.sound_thread import SoundThread
@@ -47,22 +46,12 @@ class RigPages(QObject):
     def __init__(self, document: Document, settings: SoundSettings, window: QWidget) -> None:
         super().__init__(window)
         self._document, self._settings, self._window = document, settings, window
-        self._appearance: Appearance | None = None
         self._thread = SoundThread(self)
-
-    def use(self, appearance: Appearance) -> None:
-        """Take colours from there."""
-        self._appearance = appearance
 
     def show(self) -> None:
         """Open the page."""
-        appearance = self._appearance
-        if appearance is None:
-            return
         module: Any = importlib.import_module("skinsource_gui.rig_page.page")
-        module.RigPage(
-            self._document, self._settings, lambda: appearance.theme, self._window
-        ).open()
+        module.RigPage(self._document, self._settings, self._window).open()
 
     def open_response(self) -> None:
         """Ask for a response that was measured, and look at it in the actuator's panel."""

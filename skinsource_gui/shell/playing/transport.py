@@ -1,15 +1,15 @@
 """Play, repeat and gain, in the bar above the panels."""
 
-from PySide6.QtCore import QSize, Signal
+from PySide6.QtCore import QEvent, QSize, Signal
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from skinsource.fields import NumberSpec
 from skinsource.playing import HIGHEST_DB, LOWEST_DB, START_DB
 from skinsource_gui.played import Played
 from skinsource_gui.state.playing.gain_setting import DECIMALS
-from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.widgets.keys import shortcut_text
 from skinsource_gui.widgets.level_meter import LevelMeter
 from skinsource_gui.widgets.tooltips import tooltip
 from skinsource_gui.widgets.transport_icons import play_icon, repeat_icon, stop_icon
@@ -25,9 +25,9 @@ GAIN = NumberSpec(
 )
 _WIDEST = minus(f"{LOWEST_DB:.{DECIMALS}f}")
 _METER_PX = 3
-_PLAY = "Play or stop (Space)", "Without a device the playhead runs in silence."
+_PLAY = "Play or stop", "Without a device the playhead runs in silence."
 _REPEAT = (
-    "Repeat (Ctrl+L)",
+    "Repeat",
     "Play the whole design again and again; a loop on the ruler is repeated in any case.",
 )
 
@@ -43,10 +43,10 @@ class Transport(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("transport")
-        self._theme, self._played = LIGHT, Played()
-        self.play = self._button("play_button", _PLAY)
+        self._played = Played()
+        self.play = self._button("play_button", "play", *_PLAY)
         self.play.clicked.connect(self.play_wanted)
-        self.repeat = self._button("repeat_button", _REPEAT)
+        self.repeat = self._button("repeat_button", "repeat", *_REPEAT)
         self.repeat.setCheckable(True)
         self.repeat.clicked.connect(self.repeat_wanted)
         self.gain = NumberField(GAIN, widest_unit=GAIN.unit, widest_number=_WIDEST)
@@ -67,6 +67,7 @@ class Transport(QWidget):
         row.addWidget(self.repeat)
         row.addLayout(column)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self._show_icons()
 
     def show_played(self, played: Played) -> None:
         """Take over what is played, and how loud."""
@@ -81,25 +82,24 @@ class Transport(QWidget):
             rms_db, peak_db = float(played.levels.rms_db.max()), float(played.levels.peak_db.max())
         self.meter.show_level(rms_db, peak_db)
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.gain.show_theme(theme)
-        self.meter.show_theme(theme)
-        self._show_icons()
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._show_icons()
 
     def _show_icons(self) -> None:
         playing = self._played.playing
-        self.play.setIcon((stop_icon if playing else play_icon)(self._theme))
+        self.play.setIcon((stop_icon if playing else play_icon)())
         self.play.setAccessibleName("Stop" if playing else "Play")
-        self.repeat.setIcon(repeat_icon(self._theme))
+        self.repeat.setIcon(repeat_icon())
 
-    def _button(self, name: str, hints: tuple[str, str]) -> QToolButton:
+    def _button(self, name: str, action: str, title: str, hint: str) -> QToolButton:
         button = QToolButton(self)
         button.setObjectName(name)
         button.setIconSize(QSize(16, 16))
-        button.setToolTip(tooltip(*hints))
-        button.setAccessibleName(hints[0])
+        title = f"{title} ({shortcut_text(action)})"
+        button.setToolTip(tooltip(title, hint))
+        button.setAccessibleName(title)
         return button
 
     def _want_gain(self, gain_db: float, _gesture: int | None) -> None:

@@ -19,9 +19,7 @@ from skinsource_gui.shell.presenting.scene_list import Step, steps_of_folder, st
 from skinsource_gui.shell.presenting.whole_scene import WholeScene
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
-
-#: What clickers send, beside the keys of the table of actions.
-_NEXT, _PREVIOUS, _COVER, _LEAVE = ("PgDown",), ("PgUp",), ("B", "."), ("Esc",)
+from skinsource_gui.widgets.keys import KEYS, key_text, shortcut_text
 
 
 class Presenter(QObject):
@@ -117,11 +115,12 @@ class Presenter(QObject):
         for keyboard in (window, self._notes):
             if keyboard is not None:
                 self._listen(keyboard)
-        play = self._actions()["play"].trigger
         steps = self.next_scene, self.previous_scene
-        self._taken = PresentingKeys(*steps, play, self.end, self)
-        leave = self._actions()["present"].shortcut().toString()
-        self.done.emit(f"Page Down: next scene · B: cover the maps · {leave} or Esc: leave")
+        self._taken = PresentingKeys(*steps, self._actions()["play"], self.end, self)
+        following = KEYS["presenting"].gestures["next"].shown
+        cover = key_text("presenting", "cover")
+        leave = f"{shortcut_text('present')} or {key_text('presenting', 'leave')}"
+        self.done.emit(f"{following}: next scene · {cover}: cover the maps · {leave}: leave")
 
     def end(self) -> None:
         """Bring back bars, panels where they stood, with those of the scene, and the map."""
@@ -204,14 +203,14 @@ class Presenter(QObject):
         return [window.menuBar(), window.statusBar(), *window.findChildren(QToolBar, "setup")]
 
     def _listen(self, widget: QWidget) -> None:
-        keys: tuple[tuple[tuple[str, ...], Callable[[], None]], ...] = (
-            (_NEXT, self.next_scene),
-            (_PREVIOUS, self.previous_scene),
-            (_COVER, self.cover),
-            (_LEAVE, unless_dragging(self.end)),
-        )
-        for texts, do in keys:
-            for text in texts:
+        doing: dict[str, Callable[[], None]] = {
+            "next": self.next_scene,
+            "previous": self.previous_scene,
+            "cover": self.cover,
+            "leave": unless_dragging(self.end),
+        }
+        for name, do in doing.items():
+            for text in KEYS["presenting"].gestures[name].keys:
                 key = QShortcut(QKeySequence(text), widget)
                 key.activated.connect(do)
                 self._keys.append(key)

@@ -2,8 +2,8 @@
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import QEvent, QObject
+from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
@@ -15,10 +15,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from skinsource_gui.widgets.keys import meaning_of
+
 _ASKED, _PRESSED = QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress
-# Where the keyboard may be by chance, as where a field went that was turned: Space plays.
+# Where the keyboard may be by chance, as where a field went that was turned: the key of Play plays.
 _PUSHED = (QAbstractButton, QComboBox, QAbstractItemView)
-_OTHERS = (Qt.Key.Key_Space, Qt.Key.Key_Escape)
 # They know by themselves whether Esc gives up what is typed.
 _TEXTS = (QLineEdit, QPlainTextEdit, QTextEdit)
 
@@ -27,16 +28,18 @@ class PresentingKeys(QObject):
     """Takes keys from who has the keyboard, as long as it lives.
 
     Clickers send Page Down and Page Up: plots go through time with them and numbers take large
-    steps; a shortcut of the window would come after those.  Space plays, also on a list, and Esc
-    leaves, also on a map whose outputs it would unselect: here too shortcuts of the window come
-    after.  What is typed or dragged has both first.
+    steps; a shortcut of the window would come after those.  The key of Play plays, also on a list,
+    and Esc leaves, also on a map whose outputs it would unselect: here too shortcuts of the window
+    come after.  What is typed or dragged has both first.
 
     Parameters
     ----------
     following, previous
         What is done on Page Down, and on Page Up.
-    play, leave
-        What is done on Space, and on Esc, where no shortcut of the window is asked.
+    play
+        What is done by its shortcut, where no shortcut of the window is asked.
+    leave
+        What is done on Esc, where no shortcut of the window is asked.
     parent
         Its owner.
     """
@@ -45,16 +48,17 @@ class PresentingKeys(QObject):
         self,
         following: Callable[[], None],
         previous: Callable[[], None],
-        play: Callable[[], None],
+        play: QAction,
         leave: Callable[[], None],
         parent: QObject,
     ) -> None:
         super().__init__(parent)
+        self._play = play
         self._doing = {
-            Qt.Key.Key_PageDown: following,
-            Qt.Key.Key_PageUp: previous,
-            Qt.Key.Key_Space: play,
-            Qt.Key.Key_Escape: leave,
+            "next": following,
+            "previous": previous,
+            "play": play.trigger,
+            "leave": leave,
         }
         self._watched: QWidget | None = None
         # One widget at a time: a filter on all widgets would see each event of the studio.
@@ -74,15 +78,15 @@ class PresentingKeys(QObject):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() not in (_ASKED, _PRESSED) or not isinstance(event, QKeyEvent):
             return super().eventFilter(watched, event)
-        key = Qt.Key(event.key())
-        do = self._doing.get(key)
-        held = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+        plays = QKeySequence(event.keyCombination()) in self._play.shortcuts()
+        meaning = "play" if plays else meaning_of("presenting", event)
+        do = self._doing.get(meaning)
         elsewhere = QApplication.activeModalWidget() or QApplication.activePopupWidget()
-        if do is None or held or elsewhere or not _is_taken(watched, key):
+        if do is None or elsewhere or not _is_taken(watched, meaning):
             return super().eventFilter(watched, event)
         if event.type() == _PRESSED:
             do()
-        elif key in _OTHERS:
+        elif meaning in ("play", "leave"):
             # Who listens for Esc Esc hears of it, and a shortcut of the window that is free.
             return super().eventFilter(watched, event)
         event.accept()
@@ -111,10 +115,10 @@ def unless_dragging(do: Callable[[], None]) -> Callable[[], None]:
     return act
 
 
-def _is_taken(watched: QObject, key: Qt.Key) -> bool:
+def _is_taken(watched: QObject, meaning: str) -> bool:
     """Whether a key is not for who has the keyboard."""
-    if key == Qt.Key.Key_Space:
+    if meaning == "play":
         return isinstance(watched, _PUSHED)
-    if key == Qt.Key.Key_Escape:
+    if meaning == "leave":
         return not isinstance(watched, _TEXTS) and not QApplication.mouseButtons()
     return True

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
 
 from skinsource.effects.breakpoints import Points
 from skinsource.fields import BreakpointsSpec
-from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.theme import current_theme, tabular
 from skinsource_gui.widgets.fields.curve_mouse import CurveMouse
 from skinsource_gui.widgets.fields.curve_painter import paint_curve, paint_frame
 from skinsource_gui.widgets.fields.edited_points import EditedPoints
@@ -22,8 +22,7 @@ from skinsource_gui.widgets.fields.point_menu import (
     fill_ground_menu,
     fill_point_menu,
 )
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
-from skinsource_gui.widgets.key_tables.key_table import key_text, meant
+from skinsource_gui.widgets.keys import claims_shortcut, key_text, meaning_of
 from skinsource_gui.widgets.tooltips import tooltip
 
 _WORDS_PX = 16
@@ -47,7 +46,6 @@ class CurveField(QWidget):
 
     def __init__(self, spec: BreakpointsSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._theme = LIGHT
         self.points = EditedPoints(spec, self)
         self.points.edited.connect(self.edited)
         self.points.changed.connect(self.update)
@@ -76,11 +74,6 @@ class CurveField(QWidget):
         self._mouse.fit()
         self.update()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def cancel(self) -> None:
         """Let go of a drag."""
         self._mouse.let_go()
@@ -97,11 +90,11 @@ class CurveField(QWidget):
         return QSize(72, 84)
 
     def event(self, event: QEvent) -> bool:
-        return kept_from_shortcuts(event, self._wants) or super().event(event)
+        return claims_shortcut(event, self._wants) or super().event(event)
 
     def _wants(self, event: QKeyEvent) -> bool:
         gives_up = self._mouse.drags and event.key() == Qt.Key.Key_Escape
-        return gives_up or bool(meant("curve", event))
+        return gives_up or bool(meaning_of("curve", event))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() != Qt.MouseButton.LeftButton:
@@ -142,7 +135,7 @@ class CurveField(QWidget):
         menu.popup(event.globalPos())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        name = meant("curve", event)
+        name = meaning_of("curve", event)
         if self._mouse.drags and event.key() == Qt.Key.Key_Escape:
             self._mouse.give_up()
         elif name:
@@ -153,10 +146,10 @@ class CurveField(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, inside = QPainter(self), self._inside()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        paint_frame(painter, QRectF(self.rect()), self._theme, focused=self.hasFocus())
+        paint_frame(painter, QRectF(self.rect()), current_theme(), focused=self.hasFocus())
         chosen = self.points.chosen if self.hasFocus() else None
-        paint_curve(painter, inside, self._mouse.scale, self.value, chosen, self._theme)
-        painter.setPen(QColor(self._theme.dim))
+        paint_curve(painter, inside, self._mouse.scale, self.value, chosen, current_theme())
+        painter.setPen(QColor(current_theme().dim))
         room = QRectF(inside.left(), 2, inside.width(), _WORDS_PX)
         words = painter.fontMetrics().elidedText(
             self.words, Qt.TextElideMode.ElideRight, round(room.width())

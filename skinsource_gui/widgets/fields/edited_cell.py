@@ -4,7 +4,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from skinsource.fields import Spec
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import set_tone
 from skinsource_gui.widgets.fields.editor import NewEditor
 from skinsource_gui.widgets.next_act import NextAct
 from skinsource_gui.widgets.tooltips import tooltip
@@ -50,13 +50,10 @@ class LabelledCell(QWidget):
         super().__init__(parent)
         self.across = False
         self.label: QLabel = _FieldLabel(words)
+        set_tone(self.label, "dim")
         self.stack = QVBoxLayout(self)
         self.stack.setContentsMargins(0, 0, 0, 0)
         self.stack.setSpacing(2)
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.label.setStyleSheet(f"color: {theme.dim};")
 
 
 class WordsCell(LabelledCell):
@@ -90,7 +87,6 @@ class EditedCell(LabelledCell):
     ) -> None:
         super().__init__(spec.label, parent)
         self.name, self._words = name, spec.label
-        self._theme = LIGHT
         self._value: object = None
         self._warns = self._differs = False
         self._problem, self._reason = "", ""
@@ -101,6 +97,7 @@ class EditedCell(LabelledCell):
         self.editor.problem_changed.connect(self._show_problem)
         if self.editor.label is not None:
             self.label, self.across = self.editor.label, True
+            set_tone(self.label, "dim")
         self.field = self.editor.field
         self.field.setObjectName(f"{name}_field")
         if isinstance(self.field, QLabel | QCheckBox):
@@ -158,12 +155,6 @@ class EditedCell(LabelledCell):
             self._next_act.wait()
         self._advise()
 
-    def show_theme(self, theme: Theme) -> None:
-        super().show_theme(theme)
-        self._theme = theme
-        self.editor.show_theme(theme)
-        self._colour_note()
-
     def _edit(self, value: object, gesture: int | None) -> None:
         self._forget_reason()
         self.edited.emit(self.name, value, gesture)
@@ -185,8 +176,4 @@ class EditedCell(LabelledCell):
             self._warns = warns
             self._note.setText(words)
             self._note.setVisible(bool(words))
-            self._colour_note()
-
-    def _colour_note(self) -> None:
-        colour = self._theme.warning if self._warns else self._theme.error
-        self._note.setStyleSheet(f"color: {colour};")
+            set_tone(self._note, "warning" if warns else "error")

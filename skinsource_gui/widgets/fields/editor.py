@@ -6,7 +6,6 @@ from typing import Any, Protocol
 from PySide6.QtWidgets import QLabel, QWidget
 
 from skinsource.fields import Spec
-from skinsource_gui.theme import Theme
 
 
 class Editor(Protocol):
@@ -50,9 +49,6 @@ class Editor(Protocol):
 
     def cancel(self) -> None:
         """Forget what is being entered."""
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
 
 
 #: Makes the editor for a field.

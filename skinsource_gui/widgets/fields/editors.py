@@ -22,7 +22,6 @@ from skinsource.fields import (
     made_for,
 )
 from skinsource.quoting import printable
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.curve_field import CurveField
 from skinsource_gui.widgets.fields.editor import Editor
@@ -49,7 +48,7 @@ class NumberEditor(QObject):
         self.field.edited.connect(self.edited.emit)
         self.field.problem_changed.connect(self.problem_changed)
         self.set_value, self.set_spec = self.field.set_value, self.field.set_spec
-        self.cancel, self.show_theme = self.field.cancel_editing, self.field.show_theme
+        self.cancel = self.field.cancel_editing
 
     def refuse(self, reason: str) -> None:
         """The number is not shown any longer."""
@@ -80,9 +79,6 @@ class _Plain(QObject):
     def cancel(self) -> None:
         """There is nothing half entered."""
 
-    def show_theme(self, theme: Theme) -> None:
-        """Its colours are those of the window."""
-
 
 class ChoiceEditor(_Plain):
     """Chooses one of several names."""
@@ -106,10 +102,6 @@ class KindEditor(_Plain):
         self.field = KindField(spec, parent)
         self.field.chosen.connect(self.edited.emit)
         self.set_value = self.field.set_value
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.field.show_theme(theme)
 
 
 class SwitchEditor(_Plain):
@@ -167,7 +159,7 @@ class LiveTextEditor(QObject):
         self.field.edited.connect(self.edited.emit)
         self.field.problem_changed.connect(self.problem_changed)
         self.set_value, self.refuse = self.field.set_value, self.field.refuse
-        self.cancel, self.show_theme = self.field.cancel, self.field.show_theme
+        self.cancel = self.field.cancel
 
     def set_spec(self, spec: TextSpec) -> None:
         """Nothing about it changes with the design."""
@@ -189,10 +181,6 @@ class CurveEditor(_Plain):
     def cancel(self) -> None:
         """Let go of a drag."""
         self.field.cancel()
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.field.show_theme(theme)
 
 
 class ShownOnly(_Plain):

@@ -8,7 +8,6 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
 from skinsource.errors import InvalidInputError
 from skinsource.fields import CurveSpec, ListSpec, NumberSpec, PointsSpec, TextSpec
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.live_text import LiveText
 from skinsource_gui.widgets.fields.sweep_dialog import SweepDialog
 from skinsource_gui.widgets.fields.typed_numbers import (
@@ -68,10 +67,6 @@ class Listed(QObject):
     def advice(self) -> str:
         """Nothing needs a remark."""
         return ""
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.line.show_theme(theme)
 
     def _tell(self, text: str, gesture: int | None) -> None:
         value = self._read(text)

@@ -15,7 +15,6 @@ from PySide6.QtWidgets import QPlainTextEdit, QSizePolicy, QWidget
 from skinsource.errors import InvalidInputError
 from skinsource.fields import TextSpec
 from skinsource.formula import column_of
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.burst import Burst
 from skinsource_gui.widgets.fields.text_mark import TextMark
 from skinsource_gui.widgets.tooltips import tooltip
@@ -86,9 +85,10 @@ class LiveText(QPlainTextEdit):
         if self.text() != self._value:
             self._restore()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._mark.show_theme(theme)
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._mark.put(self._mark.column)
 
     def sizeHint(self) -> QSize:
         lines = min(max(self._lines(), 1), _MOST_LINES)

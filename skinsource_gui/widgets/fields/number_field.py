@@ -17,7 +17,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from skinsource.fields import NumberSpec
-from skinsource_gui.theme import LIGHT, Theme, letter_scale, tabular
+from skinsource_gui.theme import current_theme, letter_scale, tabular
 from skinsource_gui.widgets.fields.number_gestures import NumberGestures
 from skinsource_gui.widgets.fields.number_typing import (
     FINISHERS,
@@ -28,7 +28,7 @@ from skinsource_gui.widgets.fields.number_typing import (
 from skinsource_gui.widgets.fields.round_numbers import clamped
 from skinsource_gui.widgets.fields.shown_number import ShownNumber
 from skinsource_gui.widgets.fields.unit_beside import UnitBeside
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
+from skinsource_gui.widgets.keys import claims_shortcut
 from skinsource_gui.widgets.tooltips import show_tip_below
 
 #: Fields that stand below each other leave the same room for units, so that digits align.
@@ -82,7 +82,6 @@ class NumberField(QLineEdit):
         self._number = ShownNumber(spec=spec, value_si=clamped(0.0, spec))
         self._unit = UnitBeside(self, widest_unit)
         self._problem_beside, self._widest_number = problem_beside, widest_number
-        self._theme = LIGHT
         self._typing = NumberTyping(self)
         self.gestures = NumberGestures(self)
         self._typing.problem_changed.connect(self._show_problem)
@@ -133,11 +132,6 @@ class NumberField(QLineEdit):
                 self._typing.end()
             self._show(float(value_si))
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def begin_editing(self, text: str | None = None) -> None:
         """Let the user type; ``text`` replaces the number, which is selected otherwise."""
         self._typing.begin(self._number, text)
@@ -185,7 +179,7 @@ class NumberField(QLineEdit):
             event.ignore()
 
     def event(self, event: QEvent) -> bool:
-        return kept_from_shortcuts(event, self._wants) or super().event(event)
+        return claims_shortcut(event, self._wants) or super().event(event)
 
     def _wants(self, event: QKeyEvent) -> bool:
         return (
@@ -262,10 +256,10 @@ class NumberField(QLineEdit):
         painter = QPainter(self)
         has_own_unit = self.editing and any(c.isalpha() or c in "°×²" for c in self.text())
         if not has_own_unit:
-            self._unit.paint(painter, self._number.beside(editing=self.editing), self._theme)
+            self._unit.paint(painter, self._number.beside(editing=self.editing), current_theme())
         if self.problem and self.editing:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            painter.setPen(QPen(QColor(self._theme.error), 2))
+            painter.setPen(QPen(QColor(current_theme().error), 2))
             painter.drawRoundedRect(QRectF(self.rect()).adjusted(1, 1, -1, -1), 4, 4)
 
     def _edit(self, value_si: float, gesture: int | None) -> None:

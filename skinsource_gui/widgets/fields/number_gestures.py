@@ -10,7 +10,7 @@ from skinsource_gui.widgets.fields.burst import Burst
 from skinsource_gui.widgets.fields.gesture import new_gesture
 from skinsource_gui.widgets.fields.round_numbers import COARSE, FINE, PLAIN, Ladder, stepped
 from skinsource_gui.widgets.fields.shown_number import ShownNumber
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import meaning_of
 from skinsource_gui.widgets.wheel import NOTCH
 
 #: Way of the mouse that makes one step, and way after which a press is a drag.
@@ -80,7 +80,7 @@ class NumberGestures(QObject):
     @staticmethod
     def knows(event: QKeyEvent) -> bool:
         """Whether a key makes steps."""
-        return meant("number", event) in ("step", "page")
+        return meaning_of("number", event) in ("step", "page")
 
     def notches(self, event: QWheelEvent) -> int:
         """Whole notches that the wheel has turned since the last one."""
@@ -97,7 +97,7 @@ class NumberGestures(QObject):
 
     def press_key(self, event: QKeyEvent, number: ShownNumber) -> None:
         """Go one step with a key."""
-        size = COARSE if meant("number", event) == "page" else _size(event.modifiers())
+        size = COARSE if meaning_of("number", event) == "page" else _size(event.modifiers())
         direction = _DIRECTIONS[Qt.Key(event.key())]
         self._go(stepped(number.value_si, direction, number.spec, size), number)
 

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QLineEdit
 from skinsource.errors import InvalidInputError
 from skinsource_gui.widgets.fields.shown_number import ShownNumber
 from skinsource_gui.widgets.fields.units import parse_number
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import meaning_of
 from skinsource_gui.widgets.next_act import NextAct
 
 _STARTERS = frozenset("0123456789.,+-−")
@@ -22,12 +22,12 @@ _OTHERS = (
 def begins_typing(event: QKeyEvent) -> bool:
     """Whether a key opens the editor."""
     typed = not event.modifiers() & _OTHERS and event.text() in _STARTERS
-    return typed or meant("number", event) in ("type", "empty")
+    return typed or meaning_of("number", event) in ("type", "empty")
 
 
 def first_text(event: QKeyEvent) -> str | None:
     """What stands in the editor that a key opened; None: the number itself."""
-    wanted = meant("number", event)
+    wanted = meaning_of("number", event)
     return None if wanted == "type" else "" if wanted == "empty" else event.text()
 
 

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from skinsource.effects.breakpoints import Points as Breakpoints
 from skinsource.fields import BreakpointsSpec, NumberSpec, PointsSpec
 from skinsource.synthesis.glide_curves import Column, Curve, bends_of, curve_of, with_curve
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.curve_field import CurveField
 from skinsource_gui.widgets.fields.list_editors import Listed
 from skinsource_gui.widgets.fields.typed_numbers import (
@@ -80,12 +79,6 @@ class PointsEditor(Listed):
         super().set_value(value)
         for name, curve in self.curves.items() if value else ():
             curve.show_curve(curve_of(value, name))
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        super().show_theme(theme)
-        for curve in self.curves.values():
-            curve.show_theme(theme)
 
     def _draw(self, name: Column, _points: Breakpoints, gesture: int | None) -> None:
         points = with_curve(self._value, name, self.curves[name].curve)

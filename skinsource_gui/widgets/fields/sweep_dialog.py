@@ -4,7 +4,6 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLabel, QW
 
 from skinsource.fields import ChoiceSpec, ListSpec, NumberSpec
 from skinsource.waveforms import frequency_sweep
-from skinsource_gui.theme import theme_of
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.fields.typed_numbers import number_of, numbers_text
@@ -78,7 +77,6 @@ class SweepDialog(QDialog):
         field = NumberField(spec, self)
         field.setObjectName(f"{name}_sweep")
         field.setAccessibleName({"low_hz": "From", "high_hz": "To"}.get(name, spec.label))
-        field.show_theme(theme_of(self.palette()))
         field.set_value(value)
         field.edited.connect(self._show_list)
         return field

@@ -4,7 +4,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QFont, QPainter, QPen, QTextCharFormat, QTextCursor
 from PySide6.QtWidgets import QPlainTextEdit, QTextEdit
 
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import current_theme
 
 
 class TextMark:
@@ -17,17 +17,12 @@ class TextMark:
     """
 
     def __init__(self, text: QPlainTextEdit) -> None:
-        self._text, self._theme = text, LIGHT
-        self._column: int | None = None
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.put(self._column)
+        self._text = text
+        self.column: int | None = None
 
     def put(self, column: int | None) -> None:
         """Mark the letter of that number, from 1; None: all could be read."""
-        self._column = column
+        self.column = column
         letters, marks = self._text.toPlainText(), []
         if column is not None and letters:
             mark = QTextEdit.ExtraSelection()
@@ -37,8 +32,8 @@ class TextMark:
             mark.cursor.setPosition(start)
             mark.cursor.setPosition(start + 1, QTextCursor.MoveMode.KeepAnchor)
             style = QTextCharFormat()
-            style.setForeground(QColor(self._theme.error))
-            style.setUnderlineColor(QColor(self._theme.error))
+            style.setForeground(QColor(current_theme().error))
+            style.setUnderlineColor(QColor(current_theme().error))
             style.setUnderlineStyle(QTextCharFormat.UnderlineStyle.SingleUnderline)
             style.setFontWeight(QFont.Weight.Bold)
             mark.format = style
@@ -48,10 +43,10 @@ class TextMark:
 
     def paint_frame(self) -> None:
         """Frame the text, while it is painted, if there is a mark."""
-        if self._column is not None:
+        if self.column is not None:
             painter = QPainter(self._text.viewport())
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            painter.setPen(QPen(QColor(self._theme.error), 2))
+            painter.setPen(QPen(QColor(current_theme().error), 2))
             inside = QRectF(self._text.viewport().rect()).adjusted(1, 1, -1, -1)
             painter.drawRoundedRect(inside, 4, 4)
             painter.end()

@@ -4,10 +4,9 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, scaled, tabular
+from skinsource_gui.theme import UNIT_PX, current_theme, scaled, tabular
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import claims_shortcut, meaning_of
 from skinsource_gui.widgets.over.veil import PALE, paint_updating
 
 _TEXT = 0.92
@@ -19,8 +18,6 @@ class Figure(QWidget):
 
     Attributes
     ----------
-    theme
-        Its colours.
     cursor_at
         Where the pointer, or the keys, have put the cursor; None: nowhere.
     """
@@ -30,7 +27,6 @@ class Figure(QWidget):
 
     def __init__(self, name: str, accessible_name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.theme: Theme = LIGHT
         self.cursor_at: QPointF | None = None
         self.message = ""
         self._late = False
@@ -55,11 +51,6 @@ class Figure(QWidget):
     def keys_area(self) -> QRectF:
         """Where the cursor can be put with the keys; empty: nowhere."""
         return QRectF()
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.theme = theme
-        self.update()
 
     def show_late(self, late: bool) -> None:
         """Say whether what is drawn is older than the design."""
@@ -88,7 +79,7 @@ class Figure(QWidget):
     def paint(self, painter: QPainter, room: QRectF) -> None:
         """Draw what there is, or say why there is nothing; on the screen and on a page."""
         if self.message:
-            painter.setPen(QColor(self.theme.dim))
+            painter.setPen(QColor(current_theme().dim))
             inner = room.adjusted(2 * UNIT_PX, UNIT_PX, -2 * UNIT_PX, -UNIT_PX)
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(inner, flags, self.message)
@@ -98,21 +89,21 @@ class Figure(QWidget):
         self.draw(painter, room)
         painter.setOpacity(1.0)
         if self._late:
-            theme = self.theme
+            theme = current_theme()
             paint_updating(painter, room, QColor(theme.base), QColor(theme.text))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         room = QRectF(self.rect())
-        painter.fillRect(room, QColor(self.theme.base))
+        painter.fillRect(room, QColor(current_theme().base))
         self.paint(painter, room)
         if self.hasFocus():
-            paint_focus_frame(painter, room, self.theme)
+            paint_focus_frame(painter, room, current_theme())
         painter.end()
 
     def event(self, event: QEvent) -> bool:
-        return kept_from_shortcuts(event, self._means) or super().event(event)
+        return claims_shortcut(event, self._means) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         means, area = self._means(event), self.keys_area()
@@ -139,7 +130,7 @@ class Figure(QWidget):
         self.move_cursor(None)
 
     def _means(self, event: QKeyEvent) -> str:
-        means = meant("plot", event)
+        means = meaning_of("plot", event)
         if means not in ("step", "jump", "give_up") or self.keys_area().isEmpty():
             return ""
         return means if means != "give_up" or self.cursor_at is not None else ""

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QPainter
 
-from skinsource_gui.theme import UNIT_PX, tabular
+from skinsource_gui.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.widgets.figure.figure import Figure
 from skinsource_gui.widgets.paper import on_paper
 
@@ -13,7 +13,7 @@ _NO_END_PX = 100_000.0
 def draw_figure(painter: QPainter, room: QRectF, figure: Figure, above: str, below: str) -> None:
     """Fill ``room`` with a figure and the words above and below it."""
     painter.save()
-    painter.fillRect(room, QColor(figure.theme.base))
+    painter.fillRect(room, QColor(current_theme().base))
     painter.setFont(tabular(figure.font()))
     inner = room.adjusted(UNIT_PX, 1.0, -UNIT_PX, -2.0)
     top = inner.top() + _write(painter, inner, above, Qt.AlignmentFlag.AlignTop, figure)
@@ -37,6 +37,6 @@ def _write(
         return 0.0
     flags = int(Qt.AlignmentFlag.AlignLeft | side | Qt.TextFlag.TextWordWrap)
     endless = QRectF(0.0, 0.0, room.width(), _NO_END_PX)
-    painter.setPen(QColor(figure.theme.dim))
+    painter.setPen(QColor(current_theme().dim))
     painter.drawText(room, flags, words)
     return painter.boundingRect(endless, flags, words).height()

@@ -4,7 +4,7 @@ from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.theme import current_theme, tabular
 
 _MOST_LINES = 4
 _BETWEEN = " · "
@@ -27,7 +27,6 @@ class WordsLabel(QWidget):
     def __init__(self, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.text = ""
-        self._theme: Theme = LIGHT
         self._held_lines = 1
         self.setObjectName(name)
         self.setFont(tabular(self.font()))
@@ -53,11 +52,6 @@ class WordsLabel(QWidget):
             self._held_lines = lines
             self.updateGeometry()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def sizeHint(self) -> QSize:
         return QSize(80, self._height_of(self._held_lines))
 
@@ -80,7 +74,7 @@ class WordsLabel(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
-        painter.setPen(QColor(self._theme.dim))
+        painter.setPen(QColor(current_theme().dim))
         painter.drawText(self.rect(), int(_FLAGS), self.shown)
         painter.end()
 

@@ -13,7 +13,7 @@ from skinsource.arrays import Floats
 from skinsource.clips import Clip, Fragment
 from skinsource.effects import Effect, played
 from skinsource.waveforms import Waveform
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
+from skinsource_gui.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.inputs.swatch import paint_swatch
 from skinsource_gui.widgets.inputs.waveform_preview import tick_step
@@ -103,7 +103,6 @@ class ClipStrip(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._theme = LIGHT
         self._lanes: tuple[Lane, ...] = ()
         self._words = ""
         self._picture = KeptPicture()
@@ -135,11 +134,6 @@ class ClipStrip(QWidget):
         self._lanes, self._words = (), words
         self.update()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def minimumSizeHint(self) -> QSize:
         lanes = max(len(self._lanes), 2)
         return QSize(300, round(lanes * _LANE_PX[0]) + _AXIS_PX + 4)
@@ -151,12 +145,12 @@ class ClipStrip(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         if self._words:
-            painter.setPen(QColor(self._theme.warning))
+            painter.setPen(QColor(current_theme().warning))
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(self.rect(), flags, self._words)
             return
         if self._lanes:
-            shown = (self._theme, self._lanes, self.font().toString())
+            shown = (current_theme(), self._lanes, self.font().toString())
             whole = QRectF(self.rect())
             self._picture.paint(
                 painter, whole, shown, self._paint_all, self.palette().window().color()
@@ -173,9 +167,9 @@ class ClipStrip(QWidget):
         x_of = partial(_x_at, plot, start_s, span_s)
         for row, lane in enumerate(self._lanes):
             area = QRectF(plot.left(), plot.top() + row * height, plot.width(), height)
-            colour = self._theme.input_colour(lane.colour)
+            colour = current_theme().input_colour(lane.colour)
             self._paint_head(painter, area, lane, colour)
-            painter.setPen(QPen(QColor(self._theme.border), 1))
+            painter.setPen(QPen(QColor(current_theme().border), 1))
             painter.drawLine(QLineF(area.left(), area.bottom(), area.right(), area.bottom()))
             for clip in lane.clips:
                 self._paint_clip(painter, area, colour, clip, x_of)
@@ -184,7 +178,7 @@ class ClipStrip(QWidget):
     def _paint_head(self, painter: QPainter, area: QRectF, lane: Lane, colour: QColor) -> None:
         high = min(area.height() - 2.0, _SWATCH_PX)
         place = QRectF(0.0, area.center().y() - high / 2, _SWATCH_PX, high)
-        paint_swatch(painter, place, lane.place, colour, QColor(self._theme.text), silent=False)
+        paint_swatch(painter, place, lane.place, colour, QColor(current_theme().text), silent=False)
 
     def _paint_clip(
         self,
@@ -222,16 +216,16 @@ class ClipStrip(QWidget):
         baseline = plot.bottom() + _AXIS_PX - 5
         for k in range(first, last + 1):
             x = _x_at(plot, start_s, span_s, k * step / per_s)
-            painter.setPen(QPen(QColor(self._theme.grid), 1))
+            painter.setPen(QPen(QColor(current_theme().grid), 1))
             painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
             label = f"{k * step:g}"
             width = self.fontMetrics().horizontalAdvance(label)
             where = min(max(x - width / 2, plot.left()), plot.right() - width)
             # The last tick makes room for the unit of all.
             if where + width <= plot.right() - unit_px:
-                painter.setPen(QColor(self._theme.dim))
+                painter.setPen(QColor(current_theme().dim))
                 painter.drawText(QPointF(where, baseline), label)
-        painter.setPen(QColor(self._theme.dim))
+        painter.setPen(QColor(current_theme().dim))
         painter.drawText(QPointF(plot.right() - unit_px + 2, baseline), f" {unit}")
 
 

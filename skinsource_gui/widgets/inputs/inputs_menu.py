@@ -10,7 +10,7 @@ from skinsource import edits
 from skinsource.design import Design, Input
 from skinsource.edits import Edit, Refusal
 from skinsource.view import View
-from skinsource_gui.widgets.key_tables.key_table import key_text
+from skinsource_gui.widgets.keys import KEYS, key_text
 
 #: What is done to the inputs of these ids.
 InputEdit = Callable[[Design, View, Iterable[int]], Edit | Refusal]
@@ -87,7 +87,8 @@ def fill_inputs_menu(
     for entry in entries:
         if entry.separated:
             menu.addSeparator()
-        words, key = entry.words.format(several), key_text(place, entry.key)
+        words = entry.words.format(several)
+        key = key_text(place, entry.key) if entry.key in KEYS[place].gestures else ""
         action = menu.addAction(f"{words}\t{key}" if key else words)
         action.setEnabled(bool(chosen))
         action.setCheckable(entry.on is not None)

@@ -5,7 +5,6 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from skinsource.fields import ChoiceSpec
 from skinsource.waveforms import kinds
-from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.inputs.kind_menu import fill_kind_menu
 from skinsource_gui.widgets.inputs.waveform_picture import PICTURE_PX, waveform_icon
@@ -20,14 +19,8 @@ class KindField(ChoiceField):
     def __init__(self, spec: ChoiceSpec, parent: QWidget | None = None) -> None:
         super().__init__(spec, parent)
         self._menu: QMenu | None = None
-        self._theme = LIGHT
         self.setIconSize(PICTURE_PX)
         self.currentIndexChanged.connect(self._picture)
-        self._picture()
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
         self._picture()
 
     def showPopup(self) -> None:
@@ -51,7 +44,7 @@ class KindField(ChoiceField):
         # for which the first picture of the window need not wait.
         for kind in kinds():
             if kind.__name__ == self.currentData():
-                self.setItemIcon(self.currentIndex(), waveform_icon(kind, self._theme))
+                self.setItemIcon(self.currentIndex(), waveform_icon(kind))
 
     def _forget(self) -> None:
         self._menu = None

@@ -7,7 +7,6 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu
 
 from skinsource.waveforms import COMMON, Waveform, kinds
-from skinsource_gui.theme import Theme, theme_of
 from skinsource_gui.widgets.inputs.waveform_picture import PICTURE_PX, waveform_icon
 
 MORE = "More"
@@ -19,17 +18,16 @@ def fill_kind_menu(menu: QMenu, choose: Callable[[str], None], *, current: str =
     Parameters
     ----------
     menu
-        Its palette says whether pictures are light or dark.
+        What they are added to.
     choose
         Is called with the name of the class of the kind that was chosen.
     current
         Name of the present kind, which is printed in bold.
     """
-    theme = theme_of(menu.palette())
     _show_pictures(menu)
     common = [kind for kind in kinds() if kind in COMMON]
     for kind in common:
-        _add(menu, kind, choose, current, theme)
+        _add(menu, kind, choose, current)
     others = [kind for kind in kinds() if kind not in COMMON]
     if not others:
         return
@@ -37,15 +35,13 @@ def fill_kind_menu(menu: QMenu, choose: Callable[[str], None], *, current: str =
     more.setObjectName("more_kinds")
     _show_pictures(more)
     for kind in others:
-        _add(more, kind, choose, current, theme)
+        _add(more, kind, choose, current)
     if current in {kind.__name__ for kind in others}:
         _embolden(more.menuAction())
 
 
-def _add(
-    menu: QMenu, kind: type[Waveform], choose: Callable[[str], None], current: str, theme: Theme
-) -> None:
-    action = menu.addAction(waveform_icon(kind, theme), kind.title)
+def _add(menu: QMenu, kind: type[Waveform], choose: Callable[[str], None], current: str) -> None:
+    action = menu.addAction(waveform_icon(kind), kind.title)
     action.setObjectName(f"kind_{kind.__name__}")
     action.triggered.connect(partial(_tell, choose, kind.__name__))
     if kind.__name__ == current:

@@ -4,9 +4,9 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
-from skinsource_gui.theme import LIGHT, Theme, letter_scale
+from skinsource_gui.theme import current_theme, letter_scale
 from skinsource_gui.widgets.inputs.swatch import words_on
-from skinsource_gui.widgets.key_tables.key_table import key_text
+from skinsource_gui.widgets.keys import key_text
 
 BUTTON_PX = 22
 # Of one that cannot be pressed now.
@@ -30,17 +30,11 @@ class LetterButton(QAbstractButton):
     ) -> None:
         super().__init__(parent)
         self._colour_name = colour_name
-        self._theme = LIGHT
         self.setText(letter)
         self.setAccessibleName(name)
         self.setCheckable(bool(colour_name))
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.setAttribute(Qt.WidgetAttribute.WA_Hover)
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
 
     def sizeHint(self) -> QSize:
         side = round(BUTTON_PX * letter_scale(self.font()))
@@ -61,24 +55,24 @@ class LetterButton(QAbstractButton):
         painter.setOpacity(1.0 if self.isEnabled() else _FAINT)
         place = QRectF(self.rect()).adjusted(1.5, 1.5, -1.5, -1.5)
         lit = self.isChecked()
-        fill = QColor(getattr(self._theme, self._colour_name)) if lit else None
+        fill = QColor(getattr(current_theme(), self._colour_name)) if lit else None
         if fill is None and self.isEnabled() and (self.underMouse() or self.isDown()):
-            fill = QColor(self._theme.grid)
+            fill = QColor(current_theme().grid)
         if fill is not None:
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(fill)
             painter.drawRoundedRect(place, 4, 4)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if self.hasFocus():
-            painter.setPen(QPen(QColor(self._theme.accent), 2))
+            painter.setPen(QPen(QColor(current_theme().accent), 2))
             painter.drawRoundedRect(place, 4, 4)
         elif self.isCheckable() and not lit:
-            painter.setPen(QPen(QColor(self._theme.border), 1))
+            painter.setPen(QPen(QColor(current_theme().border), 1))
             painter.drawRoundedRect(place, 4, 4)
         font = QFont(painter.font())
         font.setWeight(QFont.Weight.DemiBold)
         painter.setFont(font)
-        painter.setPen(words_on(fill) if fill is not None and lit else QColor(self._theme.dim))
+        painter.setPen(words_on(fill) if fill is not None and lit else QColor(current_theme().dim))
         painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self.text())
 
 

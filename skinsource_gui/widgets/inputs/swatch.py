@@ -4,7 +4,7 @@ from PySide6.QtCore import QEvent, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.theme import current_theme, tabular
 
 SWATCH_PX = 24
 _ROUNDING_PX = 5
@@ -55,7 +55,6 @@ class Swatch(QWidget):
         self._number = 0
         self._colour_number = 0
         self._silent = False
-        self._theme = LIGHT
 
     def show_input(self, number: int, colour_number: int, *, silent: bool) -> None:
         """Number of the place, number of the colour, and whether the input is silent."""
@@ -64,11 +63,6 @@ class Swatch(QWidget):
             self.setAccessibleName(f"Place {number}")
             self.updateGeometry()
             self.update()
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
 
     def sizeHint(self) -> QSize:
         # The number is whole in letters of any size.
@@ -86,7 +80,7 @@ class Swatch(QWidget):
             QPainter(self),
             QRectF(self.rect()),
             self._number,
-            self._theme.input_colour(self._colour_number),
-            QColor(self._theme.text),
+            current_theme().input_colour(self._colour_number),
+            QColor(current_theme().text),
             silent=self._silent,
         )

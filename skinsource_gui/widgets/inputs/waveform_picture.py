@@ -42,7 +42,7 @@ from skinsource.waveforms import (
     Waveform,
     WaveletTrain,
 )
-from skinsource_gui.theme import Theme
+from skinsource_gui.theme import current_theme
 
 #: Size of the pictures, in px.
 PICTURE_PX = QSize(30, 18)
@@ -83,24 +83,24 @@ _SHOWN: tuple[Waveform, ...] = (
 
 
 @lru_cache(maxsize=128)
-def waveform_icon(kind: type[Waveform], theme: Theme) -> QIcon:
+def waveform_icon(kind: type[Waveform]) -> QIcon:
     """Picture of a kind of waveform, drawn from samples of its own when it is first seen."""
-    return QIcon(_WaveformEngine(kind, theme))
+    return QIcon(_WaveformEngine(kind))
 
 
 class _WaveformEngine(QIconEngine):
     """Draws what is asked for: of four modes and three sharpnesses few are ever seen."""
 
-    def __init__(self, kind: type[Waveform], theme: Theme) -> None:
+    def __init__(self, kind: type[Waveform]) -> None:
         super().__init__()
-        self._kind, self._theme = kind, theme
+        self._kind = kind
 
     def scaledPixmap(
         self, size: QSize, mode: QIcon.Mode, state: QIcon.State, scale: float
     ) -> QPixmap:
         del size, state  # pictures have one size, and look the same on and off
         per_px = min(max(ceil(scale), 1), _SHARPEST)
-        return _drawn(_path_of(self._kind), _colour(mode, self._theme), per_px)
+        return _drawn(_path_of(self._kind), _colour(mode), per_px)
 
     def pixmap(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QPixmap:
         return self.scaledPixmap(size, mode, state, 1.0)
@@ -117,10 +117,11 @@ class _WaveformEngine(QIconEngine):
         painter.drawPixmap(area, picture)
 
     def clone(self) -> QIconEngine:
-        return _WaveformEngine(self._kind, self._theme)
+        return _WaveformEngine(self._kind)
 
 
-def _colour(mode: QIcon.Mode, theme: Theme) -> QColor:
+def _colour(mode: QIcon.Mode) -> QColor:
+    theme = current_theme()
     if mode == QIcon.Mode.Disabled:
         return QColor(theme.dim)
     return QColor(theme.text if mode == QIcon.Mode.Normal else theme.on_accent)

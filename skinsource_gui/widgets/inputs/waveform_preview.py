@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
-from skinsource_gui.theme import LIGHT, Theme, letter_scale, tabular
+from skinsource_gui.theme import current_theme, letter_scale, tabular
 from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.paper import dots_in_px, is_on_paper, thin_pen
@@ -46,12 +46,11 @@ class WaveformPreview(QWidget):
     def __init__(self, parent: QWidget | None = None, *, axis: bool = False) -> None:
         super().__init__(parent)
         self._has_axis = axis
-        self._theme = LIGHT
         self._samples: Floats | None = None
         self._sample_rate_hz = self._height = 1.0
         self._words = ""
-        self._colour = QColor(LIGHT.text)
-        self._flipped = False
+        self._colour: int | None = None
+        self._flipped, self._problem = False, ""
         self._pale = False
         self._axis, self._columns = KeptPicture(), KeptColumns()
         self.setObjectName("waveform_preview")
@@ -96,10 +95,14 @@ class WaveformPreview(QWidget):
         self.setToolTip(words)
         self.update()
 
-    def set_look(self, colour: QColor, *, flipped: bool = False) -> None:
-        """Colour of the curve; whether a negative amplitude turns its polarity."""
-        if (colour, flipped) != (self._colour, self._flipped):
-            self._colour, self._flipped = colour, flipped
+    def set_look(self, colour: int, *, flipped: bool = False, problem: str = "") -> None:
+        """Colour of the curve, by `Input.colour`; whether a negative amplitude turns it over.
+
+        With a ``problem``, the curve has the colour of errors.
+        """
+        if (colour, flipped, problem) != (self._colour, self._flipped, self._problem):
+            self._colour, self._flipped, self._problem = colour, flipped, problem
+            self.setAccessibleDescription(problem)
             self.update()
 
     def set_pale(self, pale: bool) -> None:
@@ -108,11 +111,6 @@ class WaveformPreview(QWidget):
             self._pale = pale
             self.update()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         drawn = not self._words and self._samples is not None and self._samples.size > 0
@@ -120,7 +118,7 @@ class WaveformPreview(QWidget):
         if self._has_axis and not drawn:
             painter.fillRect(self.rect(), ground)
         if self._words:
-            painter.setPen(QColor(self._theme.dim))
+            painter.setPen(QColor(current_theme().dim))
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(self.rect(), flags, self._words_that_fit(flags))
             return
@@ -130,7 +128,7 @@ class WaveformPreview(QWidget):
         if self._has_axis:
             plot.setBottom(plot.bottom() - self._axis_px)
             span_s = self._span_s(self._samples)
-            shown = (self._theme, span_s)
+            shown = (current_theme(), span_s)
             self._axis.paint(
                 painter,
                 QRectF(self.rect()),
@@ -138,7 +136,7 @@ class WaveformPreview(QWidget):
                 partial(self._paint_axis, plot=plot, span_s=span_s),
                 ground,
             )
-        painter.setPen(QPen(QColor(self._theme.border), 1))
+        painter.setPen(QPen(QColor(current_theme().border), 1))
         painter.drawLine(QLineF(plot.left(), plot.center().y(), plot.right(), plot.center().y()))
         self._paint_curve(painter, plot, self._samples)
 
@@ -154,11 +152,17 @@ class WaveformPreview(QWidget):
     def _span_s(self, samples: Floats) -> float:
         return max(samples.size / self._sample_rate_hz, _SHORTEST_S)
 
+    def _drawn_colour(self) -> QColor:
+        theme, number = current_theme(), self._colour
+        if self._problem:
+            return QColor(theme.error)
+        return QColor(theme.text) if number is None else theme.input_colour(number)
+
     def _paint_curve(self, painter: QPainter, plot: QRectF, drawn: Floats) -> None:
         if self._pale:
             painter.setOpacity(_PALE)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(QPen(self._colour, 1))
+        painter.setPen(QPen(self._drawn_colour(), 1))
         sign = -1 if self._flipped else 1
         shown_px = plot.width() * drawn.size / self._sample_rate_hz / self._span_s(drawn)
         ratio = dots_in_px(painter)
@@ -181,11 +185,11 @@ class WaveformPreview(QWidget):
         if samples.size == 1:
             top = QPointF(x[0] + 1, y[0])
             painter.drawLine(QPointF(x[0] + 1, middle), top)
-            painter.setBrush(self._colour)
+            painter.setBrush(self._drawn_colour())
             painter.drawEllipse(top + QPointF(0, 2 if y[0] < middle else -2), 2, 2)
             return
         # A path, because Qt leaves gaps in a polyline of upright strokes.
-        painter.setPen(thin_pen(self._colour))
+        painter.setPen(thin_pen(self._drawn_colour()))
         painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
 
     def _paint_axis(self, painter: QPainter, plot: QRectF, span_s: float) -> None:
@@ -196,7 +200,7 @@ class WaveformPreview(QWidget):
         unit_px = self.fontMetrics().horizontalAdvance(f" {unit}") + 2
         for k in range(int(span / step * (1 + 1e-9)) + 1):
             x = plot.left() + k * step / span * plot.width()
-            painter.setPen(QPen(QColor(self._theme.grid), 1))
+            painter.setPen(QPen(QColor(current_theme().grid), 1))
             painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
             label = f"{k * step:g}"
             width = self.fontMetrics().horizontalAdvance(label)
@@ -204,7 +208,7 @@ class WaveformPreview(QWidget):
             if left + width > plot.right() - unit_px:
                 # The last tick makes room for the unit of all.
                 continue
-            painter.setPen(QColor(self._theme.dim))
+            painter.setPen(QColor(current_theme().dim))
             painter.drawText(QPointF(left, self.height() - 5), label)
-        painter.setPen(QColor(self._theme.dim))
+        painter.setPen(QColor(current_theme().dim))
         painter.drawText(QPointF(plot.right() - unit_px + 2, self.height() - 5), f" {unit}")

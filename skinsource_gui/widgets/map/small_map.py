@@ -119,7 +119,7 @@ def paint_small_map(
         QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
     )
     painter.fillPath(outline, QColor(theme.skin))
-    _paint_levels(painter, frame, outline, shown, theme, range_db or shown.range_db, table)
+    _paint_levels(painter, frame, outline, shown, range_db or shown.range_db, table)
     if shown.noisy:
         _paint_noise(painter, frame, outline, shown)
     painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -140,7 +140,6 @@ def _paint_levels(
     frame: Frame,
     outline: QPainterPath,
     shown: SmallMap,
-    theme: Theme,
     range_db: Range,
     table: NDArray[np.uint32] | None,
 ) -> None:

@@ -4,7 +4,7 @@ from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 
 from skinsource.arrays import Floats
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import meaning_of
 from skinsource_gui.widgets.outputs.picking import (
     Outputs,
     dorsal_outputs,
@@ -47,7 +47,7 @@ class OutputKeys(QObject):
 
     def claims(self, event: QKeyEvent) -> bool:
         """Whether a shortcut of the window must not take this key."""
-        return bool(meant("skin", event))
+        return bool(meaning_of("skin", event))
 
     def press(
         self,
@@ -72,7 +72,7 @@ class OutputKeys(QObject):
         middle
             Of the map, where the cursor begins.
         """
-        wanted = meant("skin", event)
+        wanted = meaning_of("skin", event)
         if wanted == "go":
             place = self._start(points, outputs, middle)
             if self.cursor_output is not None:

@@ -4,7 +4,7 @@ from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 
 from skinsource.arrays import Floats
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import meaning_of
 from skinsource_gui.widgets.outputs.keys import ADDS, OutputKeys
 from skinsource_gui.widgets.outputs.mouse import OutputMouse
 from skinsource_gui.widgets.outputs.picking import Outputs
@@ -61,7 +61,7 @@ class OutputPicker(QObject):
         self, event: QKeyEvent, points: Floats, unplaced: Outputs, middle: QPointF
     ) -> bool:
         """Act on a key, see `OutputKeys.press`; return whether it means anything to outputs."""
-        if meant("skin", event) != "select_none":
+        if meaning_of("skin", event) != "select_none":
             return self.keys.press(event, points, unplaced, self.selected, middle)
         if not self.mouse.give_up():
             self._choose(())

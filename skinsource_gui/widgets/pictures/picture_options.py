@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLabel, QW
 
 from skinsource import fields
 from skinsource.fields import ChoiceSpec, NumberSpec, Spec, specs_of
-from skinsource_gui.theme import LIGHT, THEMES, Theme, theme_of, theme_words
+from skinsource_gui.theme import LIGHT, THEMES, Theme, set_tone, theme_words
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.fields.number_typing import FINISHERS
@@ -179,7 +179,6 @@ class PictureDialog(QDialog):
         cell = FieldCell(name, spec, self)
         cell.set_value(getattr(self.options, name))
         cell.edited.connect(self._take)
-        cell.show_theme(theme_of(self.palette()))
         cell.field.installEventFilter(self)
         self._form.addRow(cell.label, cell)
         return cell
@@ -230,10 +229,8 @@ class PictureDialog(QDialog):
             self._form.setRowVisible(cell, name not in self.options.unused)
         self.pixels.setText(self.options.pixels_words)
         remark = Remark("") if self._remark is None else self._remark(self.options)
-        theme = theme_of(self.palette())
-        colours = {(True, False): theme.warning, (False, True): theme.error}
-        colour = colours.get((remark.warns, remark.refuses), theme.text)
-        self.said.setStyleSheet(f"color: {colour};")
+        tones = {(True, False): "warning", (False, True): "error"}
+        set_tone(self.said, tones.get((remark.warns, remark.refuses), ""))
         self.said.setText(remark.words)
         self._form.setRowVisible(self.said, bool(remark.words))
         self._save.setEnabled(not remark.refuses)

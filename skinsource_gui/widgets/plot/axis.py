@@ -7,7 +7,7 @@ import pyqtgraph
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, current_theme
 from skinsource_gui.widgets.plot.plot_layout import fitting
 from skinsource_gui.widgets.plot.ranges import Range
 from skinsource_gui.widgets.plot.ticks import Tick
@@ -41,7 +41,6 @@ class Axis(pyqtgraph.AxisItem):
         self.titles: tuple[str, ...] = ()
         self.band: Range | None = None
         self._rule = rule
-        self._theme = LIGHT
         self._font = QFont()
         self._views: tuple[pyqtgraph.ViewBox, ...] = ()
         # Behind curves; the shaded part of the axis below lies under the other axis's grid.
@@ -56,9 +55,9 @@ class Axis(pyqtgraph.AxisItem):
         self._views = views
         self.refresh()
 
-    def set_look(self, theme: Theme, font: QFont) -> None:
-        """Take over colours and font."""
-        self._theme, self._font = theme, font
+    def show_font(self, font: QFont) -> None:
+        """Take over a font, and the colours in use."""
+        self._font = font
         self.refresh()
 
     def say(self, titles: tuple[str, ...], band: Range | None = None) -> None:
@@ -121,7 +120,7 @@ class Axis(pyqtgraph.AxisItem):
         metrics = QFontMetricsF(self._font)
         ticks = self.ticks()
         below = self.orientation == "bottom"
-        pen = QPen(QColor(self._theme.grid), 1)
+        pen = QPen(QColor(current_theme().grid), 1)
         lines, labels = [], []
         for rect in map(self._view_rect, self._views):
             for at, _ in ticks:
@@ -142,15 +141,15 @@ class Axis(pyqtgraph.AxisItem):
     def drawPicture(self, painter: QPainter, axis: Any, lines: Any, labels: Any) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         for outside in self.shaded():
-            painter.fillRect(outside, QColor(self._theme.window))
+            painter.fillRect(outside, QColor(current_theme().window))
         for pen, start, end in lines:
             painter.setPen(pen)
             painter.drawLine(start, end)
         if self.orientation == "left":
-            painter.setPen(QPen(QColor(self._theme.border), 1))
+            painter.setPen(QPen(QColor(current_theme().border), 1))
             for rect in map(self._view_rect, self._views):
                 painter.drawRect(rect)
-        painter.setPen(QColor(self._theme.dim))
+        painter.setPen(QColor(current_theme().dim))
         for room, flags, text in labels:
             painter.drawText(room, flags, text)
         self._write_title(painter)
@@ -177,6 +176,6 @@ class Axis(pyqtgraph.AxisItem):
         width = metrics.horizontalAdvance(title) + 2
         middle = self._view_rect(self._views[0]).center().x()
         left = min(max(middle - width / 2, _GAP_PX), room.width() - width - _GAP_PX)
-        painter.setPen(QColor(self._theme.text))
+        painter.setPen(QColor(current_theme().text))
         line = metrics.height()
         painter.drawText(QRectF(left, 2 + line, width, line), _CENTRED, title)

@@ -16,10 +16,9 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QWidget
 
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import current_theme
 from skinsource_gui.widgets.focus_frame import paint_focus_frame
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import claims_shortcut, meaning_of
 from skinsource_gui.widgets.wheel import ScrollingOn
 
 
@@ -30,8 +29,6 @@ class Canvas(pyqtgraph.GraphicsView):
     ----------
     key_place
         Where in the table of keys its own stand.
-    theme
-        Its colours.
     scrolling_on
         Knows when the wheel is for what is around it.
     """
@@ -41,30 +38,36 @@ class Canvas(pyqtgraph.GraphicsView):
     def __init__(self, parent: QWidget | None = None, **options: Any) -> None:
         # Each move of the mouse counts, however quick: the last one is where it stopped.
         pyqtgraph.setConfigOption("mouseRateLimit", 0)
-        self.theme = LIGHT
         super().__init__(parent, **options)
         self.scrolling_on = ScrollingOn(self)
 
-    def set_ground(self, theme: Theme) -> None:
-        """Take over colours of ground and frame."""
-        self.theme = theme
-        self.setBackground(QColor(theme.base))
+    def take_look(self) -> None:
+        """Take over colours and font, also where a picture of an item is kept."""
+        self.setBackground(QColor(current_theme().base))
+        for item in self.scene().items():
+            item.update()
 
     def claims(self, event: QKeyEvent) -> bool:
         """Whether it wants this key for itself, whatever the window's actions are."""
-        return bool(meant(self.key_place, event))
+        return bool(meaning_of(self.key_place, event))
 
     def lay_out(self) -> None:
         """Put everything where it belongs in the size that there is now."""
 
     def event(self, event: QEvent) -> bool:
-        return kept_from_shortcuts(event, self.claims) or super().event(event)
+        return claims_shortcut(event, self.claims) or super().event(event)
 
     def viewportEvent(self, event: QEvent) -> bool:
         if isinstance(event, QWheelEvent) and self.scrolling_on.passes(event):
             event.ignore()
             return False
         return super().viewportEvent(event)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        # pyqtgraph's constructor changes the palette, before there is a scene.
+        if event.type() in (QEvent.Type.StyleChange, QEvent.Type.FontChange):
+            self.take_look()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -82,7 +85,7 @@ class Canvas(pyqtgraph.GraphicsView):
         super().paintEvent(event)
         if self.hasFocus():
             painter = QPainter(self.viewport())
-            paint_focus_frame(painter, QRectF(self.rect()), self.theme)
+            paint_focus_frame(painter, QRectF(self.rect()), current_theme())
             painter.end()
 
     def resizeEvent(self, event: QResizeEvent | None) -> None:

@@ -5,7 +5,7 @@ from typing import Protocol
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import meaning_of
 from skinsource_gui.widgets.plot.crosshair import Crosshair
 from skinsource_gui.widgets.plot.curves import Curves
 from skinsource_gui.widgets.plot.plot_layout import PlotLayout
@@ -94,7 +94,7 @@ class Navigation(QObject):
 
     def press(self, event: QKeyEvent) -> None:
         """Do what a key means, or leave it to others."""
-        plot, key, wanted = self._plot, Qt.Key(event.key()), meant("plot", event)
+        plot, key, wanted = self._plot, Qt.Key(event.key()), meaning_of("plot", event)
         if plot.curves is None or not wanted:
             event.ignore()
         elif wanted == "give_up":

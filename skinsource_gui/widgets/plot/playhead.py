@@ -6,7 +6,7 @@ import pyqtgraph
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QColor, QPen
 
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import current_theme
 from skinsource_gui.widgets.plot.view_box import PlotViewBox
 
 _HANDLE_PX = 10.0
@@ -22,8 +22,9 @@ class PlayheadLine(pyqtgraph.InfiniteLine):
         self.setZValue(20)
         self.setCursor(Qt.CursorShape.SizeHorCursor)
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
+    def take_colours(self) -> None:
+        """Take over the colours in use."""
+        theme = current_theme()
         self.setPen(QPen(QColor(theme.error), 0))
         self.setHoverPen(QPen(QColor(theme.accent), 0))
 
@@ -51,14 +52,13 @@ class Playhead(QObject):
         self.time_s: float | None = None
         self.moved = 0
         self._lines: list[PlayheadLine] = []
-        self._theme = LIGHT
         # Which line is dragged, and where it was before.
         self._held: tuple[PlayheadLine, float] | None = None
 
     def watch(self, view: PlotViewBox) -> None:
         """Show it in one more row."""
         line = PlayheadLine()
-        line.show_theme(self._theme)
+        line.take_colours()
         line.setVisible(self.time_s is not None)
         if self.time_s is not None:
             line.setPos(QPointF(self.time_s, 0.0))
@@ -66,6 +66,11 @@ class Playhead(QObject):
         line.sigPositionChangeFinished.connect(self._let_go)
         view.addItem(line, ignoreBounds=True)
         self._lines.append(line)
+
+    def take_colours(self) -> None:
+        """Take over the colours in use."""
+        for line in self._lines:
+            line.take_colours()
 
     def show_at(self, time_s: float) -> None:
         """Put it there, and tell nobody; nothing but the lines is painted again."""
@@ -77,12 +82,6 @@ class Playhead(QObject):
             line.setPos(QPointF(time_s, 0.0))
             if appears:
                 line.show()
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        for line in self._lines:
-            line.show_theme(theme)
 
     def cancel(self) -> bool:
         """Give up a drag; whether there was one."""

@@ -11,8 +11,8 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
-from skinsource_gui.theme import LIGHT, Theme, scaled, tabular
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.theme import scaled, tabular
+from skinsource_gui.widgets.keys import meaning_of
 from skinsource_gui.widgets.paper import PAPER_DOTS
 from skinsource_gui.widgets.plot.axis_spec import ValueUnit, XAxis, value_unit
 from skinsource_gui.widgets.plot.canvas import Canvas
@@ -102,9 +102,9 @@ class Plot(Canvas):
         self.navigation = Navigation(self, self)
         self.playhead = Playhead(self)
         watch = (self.navigation.watch, self.playhead.watch)
-        self.stack = Stack(self.scene(), self.theme, self.words_font, watch)
+        self.stack = Stack(self.scene(), self.words_font, watch)
         self.scene().sigMouseMoved.connect(self.navigation.follow_mouse)
-        self.set_theme(LIGHT)
+        self.take_look()
 
     @property
     def message(self) -> str:
@@ -117,15 +117,13 @@ class Plot(Canvas):
     def minimumSizeHint(self) -> QSize:
         return least_size(QFontMetricsF(self.words_font))
 
-    def set_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.set_ground(theme)
+    def take_look(self) -> None:
+        super().take_look()
         self.words_font = scaled(tabular(self.font()), _TEXT)
         self.updateGeometry()
-        self.stack.set_look(theme, self.words_font, self.font())
-        self.playhead.show_theme(theme)
+        self.stack.show_fonts(self.words_font, self.font())
+        self.playhead.take_colours()
         self._colour()
-        self.viewport().update()
 
     def set_view(
         self, axis: XAxis, zoom: Range | None, *, stacked: bool, fitted: bool = False
@@ -232,7 +230,7 @@ class Plot(Canvas):
         self.navigation.leave()
 
     def _moves_playhead(self, event: QKeyEvent) -> bool:
-        return self.playhead.time_s is not None and bool(meant(PLAYHEAD, event))
+        return self.playhead.time_s is not None and bool(meaning_of(PLAYHEAD, event))
 
     def _hint_at(self, y_px: float) -> str:
         # What the words above and below the plot say when there is room for them.

@@ -6,7 +6,7 @@ import pyqtgraph
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QFont, QPen
 
-from skinsource_gui.theme import Theme
+from skinsource_gui.theme import current_theme
 from skinsource_gui.widgets.plot.axis import Axis
 from skinsource_gui.widgets.plot.curve import SignalCurve
 from skinsource_gui.widgets.plot.curve_points import CurvePoints
@@ -69,9 +69,10 @@ class PlotRow:
         for item in (self.view, self.axis, self.number):
             item.setVisible(visible)
 
-    def set_look(self, theme: Theme, font: QFont) -> None:
-        """Take over colours and font."""
-        self.axis.set_look(theme, font)
+    def show_font(self, font: QFont) -> None:
+        """Take over a font, and the colours in use."""
+        theme = current_theme()
+        self.axis.show_font(font)
         self.line.setPen(QPen(QColor(theme.dim), 0))
         self.dots.setPen(pyqtgraph.mkPen(QColor(theme.base), width=1))
 

@@ -6,7 +6,7 @@ import pyqtgraph
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, current_theme
 from skinsource_gui.widgets.plot.plot_layout import Header
 
 _CENTRED = Qt.AlignmentFlag.AlignCenter
@@ -28,12 +28,11 @@ class HeaderLine(pyqtgraph.GraphicsWidget):
         super().__init__()
         self.setCacheMode(self.CacheMode.DeviceCoordinateCache)
         self.header = Header()
-        self._theme = LIGHT
         self._font = QFont()
 
-    def set_look(self, theme: Theme, font: QFont) -> None:
-        """Take over colours and font."""
-        self._theme, self._font = theme, font
+    def show_font(self, font: QFont) -> None:
+        """Take over a font."""
+        self._font = font
         self.update()
 
     def say(self, header: Header) -> None:
@@ -43,7 +42,7 @@ class HeaderLine(pyqtgraph.GraphicsWidget):
             self.update()
 
     def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
-        header, theme, line = self.header, self._theme, self.rect()
+        header, theme, line = self.header, current_theme(), self.rect()
         painter.setFont(self._font)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         metrics = QFontMetricsF(self._font)

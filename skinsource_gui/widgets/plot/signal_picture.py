@@ -7,7 +7,7 @@ from math import ceil
 from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, current_theme, drawn_in
 from skinsource_gui.widgets.paper import on_paper
 from skinsource_gui.widgets.plot.plot import Plot
 
@@ -17,7 +17,7 @@ _SWATCH_PX, _GAP_PX = 16, 4
 
 def usual_size(plot: Plot) -> QSize:
     """Of a picture of what ``plot`` shows, px: twice as large as on the screen, with its legend."""
-    copy = copy_of(plot, plot.size(), LIGHT)
+    copy = copy_of(plot, plot.size())
     size = QSize(copy.width(), copy.height() + _head_px(copy)) * _SCALE
     copy.deleteLater()
     return size
@@ -27,18 +27,23 @@ def draw_signals(
     painter: QPainter, width: int, height: int, *, plot: Plot, theme: Theme = LIGHT
 ) -> None:
     """Draw what ``plot`` shows, ``width`` by ``height`` px; words grow with the picture."""
+    with drawn_in(theme):
+        _draw(painter, width, height, plot)
+
+
+def _draw(painter: QPainter, width: int, height: int, plot: Plot) -> None:
     usual = usual_size(plot).toSizeF() * (1.0 / _SCALE)
     scale = min(width / usual.width(), height / usual.height())
     room = QSize(round(width / scale), round(height / scale))
     # As wide as it will be, so that the head takes as many lines as it needs there.
-    measured = copy_of(plot, room, theme)
+    measured = copy_of(plot, room)
     head_px = _head_px(measured)
     measured.deleteLater()
     # A plot that is not shown is laid out for the size in which it was made.
     left_px = max(room.height() - head_px, measured.minimumHeight())
-    copy = copy_of(plot, QSize(room.width(), left_px), theme)
+    copy = copy_of(plot, QSize(room.width(), left_px))
     painter.save()
-    painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
+    painter.fillRect(QRectF(0, 0, width, height), QColor(current_theme().base))
     painter.scale(scale, scale)
     _paint_head(painter, copy)
     painter.translate(0, head_px)
@@ -49,11 +54,10 @@ def draw_signals(
     copy.deleteLater()
 
 
-def copy_of(plot: Plot, size: QSize, theme: Theme) -> Plot:
-    """What ``plot`` shows, in another size and on paper."""
+def copy_of(plot: Plot, size: QSize) -> Plot:
+    """What ``plot`` shows, in the colours in use, in another size and on paper."""
     # A plot of its own: the one on the screen keeps its colours, its crosshair and its picture.
     copy = Plot(on_paper=True)
-    copy.set_theme(theme)
     copy.resize(size)
     copy.set_view(plot.x_window.axis, plot.zoom, stacked=plot.stacked, fitted=plot.fitted)
     copy.set_words(replace(plot.words, stale=False))
@@ -74,7 +78,7 @@ def _head_px(plot: Plot) -> int:
 def _paint_head(painter: QPainter, plot: Plot) -> None:
     line_px = _line_px(plot)
     painter.setFont(plot.words_font)
-    painter.setPen(QColor(plot.theme.text))
+    painter.setPen(QColor(current_theme().text))
     heading = _heading_lines(plot)
     for row, words in enumerate(heading):
         room = QRectF(UNIT_PX, row * line_px, plot.width(), line_px)
@@ -86,7 +90,7 @@ def _paint_head(painter: QPainter, plot: Plot) -> None:
                 painter.setPen(pen)
                 painter.drawLine(left, int(middle), left + _SWATCH_PX, int(middle))
                 left += _SWATCH_PX + _GAP_PX
-            painter.setPen(QColor(plot.theme.text))
+            painter.setPen(QColor(current_theme().text))
             room = QRectF(left, row * line_px, plot.width(), line_px)
             painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, text)
 
@@ -133,9 +137,9 @@ def _entries(plot: Plot) -> Iterator[tuple[QPen | None, str]]:
     if curves is None:
         return
     for rank, axis in enumerate(curves.axes):
-        yield QPen(plot.theme.axis_colour(rank), 2.0), axis
+        yield QPen(current_theme().axis_colour(rank), 2.0), axis
     for rank, name in enumerate(curves.names):
         text = f"{name.number}  {name.short}" if name.number else name.short
         if curves.peaks:
             text += f", peak {curves.peak_words[rank]} {curves.peak_unit.symbol}"
-        yield None if curves.axes else plot.theme.output_pen(rank, 2.0), text
+        yield None if curves.axes else current_theme().output_pen(rank, 2.0), text

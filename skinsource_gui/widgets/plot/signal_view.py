@@ -6,7 +6,7 @@ from dataclasses import replace
 from PySide6.QtCore import QPoint, Signal
 from PySide6.QtWidgets import QToolButton, QVBoxLayout, QWidget
 
-from skinsource_gui.theme import Theme
+from skinsource_gui.widgets.keys import KEYS
 from skinsource_gui.widgets.lateness import Lateness
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves
@@ -62,7 +62,7 @@ class SignalView(QWidget):
         self.plot.setObjectName(name)
         self.plot.setAccessibleName(accessible_name)
         self.plot.setAccessibleDescription(
-            "Left and right move the crosshair, plus and minus zoom, A shows everything"
+            "; ".join(KEYS["plot"].sentences("step", "zoom_in", "zoom_out", "whole"))
         )
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -90,11 +90,6 @@ class SignalView(QWidget):
         self.toolbar.show_passing(button, False)
         self._in_menu.append(button)
         return button
-
-    def set_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.legend.set_theme(theme)
-        self.plot.set_theme(theme)
 
     def set_view(
         self, axis: XAxis, zoom: Range | None, *, stacked: bool, fitted: bool = False

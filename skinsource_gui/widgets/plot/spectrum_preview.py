@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.arrays import Floats
 from skinsource.limb import SAMPLE_RATE_HZ, Band
-from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.theme import current_theme, tabular
 from skinsource_gui.widgets.paper import thin_pen
 
 LOWEST_HZ, FLOOR_DB = 10.0, -80.0
@@ -26,7 +26,6 @@ class SpectrumPreview(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._theme = LIGHT
         self._lines: tuple[Floats, Floats] | None = None
         self._highest_hz = SAMPLE_RATE_HZ / 2.0
         self._band_hz: Band | None = None
@@ -47,16 +46,11 @@ class SpectrumPreview(QWidget):
         self._lines = None if samples is None else _lines(samples, sample_rate_hz)
         self.update()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         plot = QRectF(self.rect()).adjusted(_LEFT_PX, _EDGE_PX, -_EDGE_PX, -_BOTTOM_PX)
         if self._band_hz is not None:
-            band = QColor(self._theme.accent)
+            band = QColor(current_theme().accent)
             band.setAlpha(_BAND_ALPHA)
             left, right = (
                 self._x(plot, min(max(hz, LOWEST_HZ), self._highest_hz)) for hz in self._band_hz
@@ -74,7 +68,7 @@ class SpectrumPreview(QWidget):
         return plot.top() + plot.height() * db / FLOOR_DB
 
     def _paint_ticks(self, painter: QPainter, plot: QRectF) -> None:
-        grid, words = QPen(QColor(self._theme.grid), 1), QPen(QColor(self._theme.dim))
+        grid, words = QPen(QColor(current_theme().grid), 1), QPen(QColor(current_theme().dim))
         metrics = self.fontMetrics()
         for db in _TICKS_DB:
             y = self._y(plot, db)
@@ -113,7 +107,7 @@ class SpectrumPreview(QWidget):
         x = plot.left() + column[firsts].astype(np.float64)
         highest = np.maximum.reduceat(db[inside], firsts)
         y = plot.top() + plot.height() * np.clip(highest, FLOOR_DB, 0.0) / FLOOR_DB
-        painter.setPen(thin_pen(QColor(self._theme.text)))
+        painter.setPen(thin_pen(QColor(current_theme().text)))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QFont, QPen
 from PySide6.QtWidgets import QGraphicsRectItem
 
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, current_theme
 from skinsource_gui.widgets.plot.axis import Axis
 from skinsource_gui.widgets.plot.curve_points import CurvePoints
 from skinsource_gui.widgets.plot.plot_layout import PlotLayout
@@ -42,12 +42,11 @@ class Stack:
     def __init__(
         self,
         scene: pyqtgraph.GraphicsScene,
-        theme: Theme,
         font: QFont,
         watch: Sequence[Callable[[PlotViewBox], None]],
     ) -> None:
         self._scene, self._watch = scene, watch
-        self._theme, self._font = theme, font
+        self._font = font
         self._message_font = font
         self._window: XWindow | None = None
         self._n_axes = 0
@@ -62,13 +61,14 @@ class Stack:
             scene.addItem(item)
         self.say("")
 
-    def set_look(self, theme: Theme, font: QFont, message_font: QFont) -> None:
-        """Take over colours, and fonts around the curves and in place of them."""
-        self._theme, self._font, self._message_font = theme, font, message_font
-        self.header.set_look(theme, font)
-        self.x_axis.set_look(theme, font)
+    def show_fonts(self, font: QFont, message_font: QFont) -> None:
+        """Take over fonts around the curves and in place of them, and the colours in use."""
+        theme = current_theme()
+        self._font, self._message_font = font, message_font
+        self.header.show_font(font)
+        self.x_axis.show_font(font)
         for row in self._pool:
-            row.set_look(theme, font)
+            row.show_font(font)
         self.message.say(self.message.text, QColor(theme.dim), message_font)
         self.hint.say(self.hint.text, QColor(theme.dim), font)
         accent = QColor(theme.accent)
@@ -86,7 +86,7 @@ class Stack:
         self.x_axis.hide()
         self.band.hide()
         self.hint.say("", QColor(), self._font)
-        self.message.say(message, QColor(self._theme.dim), self._message_font)
+        self.message.say(message, QColor(current_theme().dim), self._message_font)
 
     def place(self, layout: PlotLayout, window: XWindow) -> None:
         """Show ``layout`` around ``window``, in place of a message."""
@@ -107,7 +107,7 @@ class Stack:
             self.x_axis.refresh()
         self.hint.setGeometry(layout.area)
         hint = "" if window.holds_data else _NOTHING_HERE
-        self.hint.say(hint, QColor(self._theme.dim), self._font)
+        self.hint.say(hint, QColor(current_theme().dim), self._font)
 
     def place_message(self, room: QRectF) -> None:
         """Say messages inside ``room``."""
@@ -125,14 +125,14 @@ class Stack:
         """
         self._n_axes = n_axes
         # One pixel of the screen: any wider line takes a hundred times as long.
-        pens = [self._theme.output_pen(rank, 0.0) for rank in range(self._n_curves())]
+        pens = [current_theme().output_pen(rank, 0.0) for rank in range(self._n_curves())]
         if n_axes:
             pens = [QPen(colour, 0.0) for colour in self._colours(len(pens))]
         for row, of_row in zip(self.rows, self._by_row(pens), strict=True):
             row.show_pens(of_row, stale=stale)
         for rank, row in enumerate(self.rows):
             text = str(numbers[rank] or "") if numbers else ""
-            row.number.say(text, self._theme.output_colour(rank), self._font)
+            row.number.say(text, current_theme().output_colour(rank), self._font)
 
     def show_crosshair(self, position: float | None, heights: Sequence[float]) -> None:
         """Read each curve at ``position``, or nothing."""
@@ -154,8 +154,8 @@ class Stack:
 
     def _colours(self, n_curves: int) -> list[QColor]:
         if not self._n_axes:
-            return [self._theme.output_colour(rank) for rank in range(n_curves)]
-        return [self._theme.axis_colour(rank % self._n_axes) for rank in range(n_curves)]
+            return [current_theme().output_colour(rank) for rank in range(n_curves)]
+        return [current_theme().axis_colour(rank % self._n_axes) for rank in range(n_curves)]
 
     def _n_curves(self) -> int:
         return sum(row.n_curves for row in self.rows)
@@ -165,7 +165,7 @@ class Stack:
             return
         while len(self._pool) < count:
             row = PlotRow(self._scene)
-            row.set_look(self._theme, self._font)
+            row.show_font(self._font)
             for follow in self._watch:
                 follow(row.view)
             self._pool.append(row)

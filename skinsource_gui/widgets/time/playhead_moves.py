@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 
 from skinsource.design import Design
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import meaning_of
 
 #: Where these keys stand in the table of keys.
 PLAYHEAD = "playhead"
@@ -17,7 +17,7 @@ _BACK = (Qt.Key.Key_Left, Qt.Key.Key_PageUp)
 
 def moved_playhead(event: QKeyEvent, design: Design, playhead_s: float) -> float | None:
     """Where a key puts the playhead, s; None where it means nothing to it."""
-    wanted, back = meant(PLAYHEAD, event), Qt.Key(event.key()) in _BACK
+    wanted, back = meaning_of(PLAYHEAD, event), Qt.Key(event.key()) in _BACK
     if wanted == "step":
         leap = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
         by_s = STEP_S * (_LEAP if leap else 1)

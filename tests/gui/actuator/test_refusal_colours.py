@@ -6,16 +6,17 @@ from skinsource_gui.panels.actuator.figures_view import FiguresView
 from skinsource_gui.theme import DARK
 
 
-def test_what_is_only_not_known_yet_is_said_in_quiet_colours(qtbot):
+def test_what_is_only_not_known_yet_is_said_in_quiet_colours(qtbot, use_theme):
     view = FiguresView()
     qtbot.addWidget(view)
-    view.show_theme(DARK)
+    use_theme(DARK)
 
-    def colours(refusal):
+    def colour(refusal):
         found = Demand(place=None, refusal=refusal, leaves_velocity=False)
         view.show_demand(found, ActuatorSettings(), tap=False)
-        return view.refusal.styleSheet()
+        view.refusal.ensurePolished()
+        return view.refusal.palette().windowText().color().name()
 
-    assert DARK.dim in colours(PREPARING)
-    assert DARK.error in colours("The limb is not here.")
-    assert DARK.dim in colours("")
+    assert colour(PREPARING) == DARK.dim
+    assert colour("The limb is not here.") == DARK.error
+    assert colour("") == DARK.dim

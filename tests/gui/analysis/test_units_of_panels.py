@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor, QGuiApplication
 from skinsource.evaluation import evaluate
 from skinsource_gui.panels.spectrogram.picture import scale_words
 from skinsource_gui.panels.statistics.rows import Row
+from skinsource_gui.theme import current_theme
 
 LINE = (29, 31, 33, 35)
 
@@ -77,7 +78,7 @@ def test_where_there_is_no_main_axis_no_line_is_drawn(show):
         pixels = (
             image.pixelColor(x, y) for x in range(image.width()) for y in range(image.height())
         )
-        text = picture.theme.text
+        text = current_theme().text
         return sum(one.name() == text.lower() for one in pixels)
 
     none = np.ones(len(LINE), bool)
@@ -104,7 +105,7 @@ def test_the_playhead_of_the_spectrogram_has_the_colour_of_every_playhead(show):
     x, y = picture.axes.to_screen(np.array([0.2]), np.array([300.0]))[0]
     row = [seen.pixelColor(round(x) + k, round(y)) for k in (-1, 0, 1)]
     reddest = max(row, key=lambda colour: colour.red() - colour.blue())
-    wanted = QColor(picture.theme.error)
+    wanted = QColor(current_theme().error)
     assert abs(reddest.red() - wanted.red()) < 60
     assert abs(reddest.blue() - wanted.blue()) < 60
 

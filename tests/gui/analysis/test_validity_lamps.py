@@ -127,7 +127,7 @@ def said(lamps):
     return [one.name for one, place in lamps.places if place.width() > 9]
 
 
-def test_lamps_have_words_as_there_is_room_and_the_worst_one_always(lamps):
+def test_lamps_have_words_as_there_is_room_and_the_worst_one_always(lamps, use_theme):
     assert [one.name for one in lamps.row.lamps] == ["band", "drive", "noise"]
     assert lamps.accessibleDescription() == "band: caution; drive: unknown; SNR: kept"
     assert lamps.accessibleName() == "Validity of the prediction: 1 caution"
@@ -145,7 +145,7 @@ def test_lamps_have_words_as_there_is_room_and_the_worst_one_always(lamps):
     lamps.show_findings(tuple(replace(one, state="kept") for one in FINDINGS))
     lamps.resize(lamps.minimumSizeHint())
     assert said(lamps) == []
-    lamps.show_theme(DARK)
+    use_theme(DARK)
     lamps.grab()
 
 
@@ -161,7 +161,7 @@ def test_lamps_answer_the_keyboard_and_each_place(lamps, qtbot):
 
 
 def test_the_card_offers_a_button_only_where_something_can_be_done(qtbot):
-    card = ValidityCard(FINDINGS, "band", DARK, None)
+    card = ValidityCard(FINDINGS, "band", None)
     card.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
     qtbot.addWidget(card)
     names = {one.objectName() for one in card.findChildren(QPushButton)}

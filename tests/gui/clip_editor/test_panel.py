@@ -71,7 +71,7 @@ def test_a_low_wide_editor_has_its_spectrum_beside_the_curve(tone):
     assert canvas.width() > 2.5 * spectrum.width()
 
 
-def test_curves_are_painted_again_only_when_they_look_different(tone, monkeypatch):
+def test_curves_are_painted_again_only_when_they_look_different(tone, monkeypatch, use_theme):
     painted = []
     paint = EditorItem._paint_curve
 
@@ -102,7 +102,7 @@ def test_curves_are_painted_again_only_when_they_look_different(tone, monkeypatc
     assert [samples is other for samples in painted] == [True]
     tone.canvas.item.show_late(True)
     assert tone.canvas.grab().toImage() != after
-    tone.panel.show_theme(DARK)
+    use_theme(DARK)
     tone.canvas.grab()
     assert len(painted) == 4
 

@@ -11,6 +11,7 @@ from skinsource.evaluation import evaluate
 from skinsource.panel_settings import settings_of, with_settings
 from skinsource.spectra import magnitude_spectrum
 from skinsource_gui.panels.spectra.settings import SpectraSettings
+from skinsource_gui.theme import current_theme
 from skinsource_gui.widgets.plot.signal_table import save_table
 from skinsource_gui.widgets.plot.signal_view import SignalView
 from tests.gui.curve_panels.bench import click, plot_of, said_above
@@ -124,9 +125,9 @@ def test_rows_have_a_curve_for_each_axis_in_colours_that_no_output_has(panel):
     assert [row.n_curves for row in plot.stack.rows] == [3, 3]
     assert plot.curves.y.max(axis=-1) == pytest.approx(PEAKS.ravel())
     pens = [[one.pen.color() for one in row.curves[:3]] for row in plot.stack.rows]
-    assert pens[0] == pens[1] == [plot.theme.axis_colour(k) for k in range(3)]
+    assert pens[0] == pens[1] == [current_theme().axis_colour(k) for k in range(3)]
     assert not {one.name() for one in pens[0]} & {
-        plot.theme.output_colour(k).name() for k in range(8)
+        current_theme().output_colour(k).name() for k in range(8)
     }
     assert [row.number.text for row in plot.stack.rows] == ["29", "52"]
 
@@ -176,7 +177,7 @@ def test_a_picture_has_the_colours_of_axes(panel):
     panel.draw_picture(painter, 800, 600)
     painter.end()
     seen = {image.pixel(x, y) & 0xFFFFFF for x in range(800) for y in range(600)}
-    theme = plot_of(panel).theme
+    theme = current_theme()
     assert {QColor(theme.axis_colour(k)).rgb() & 0xFFFFFF for k in range(2)} <= seen
 
 

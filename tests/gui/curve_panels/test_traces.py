@@ -12,7 +12,6 @@ from skinsource.panel_settings import settings_of, with_settings
 from skinsource.view import View
 from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.state.start_design import start_design
-from skinsource_gui.theme import LIGHT
 from skinsource_gui.widgets.plot.signal_picture import copy_of
 from skinsource_gui.widgets.plot.signal_table import save_table
 from skinsource_gui.widgets.plot.signal_view import SignalView
@@ -249,7 +248,7 @@ def test_zoomed_in_values_fit_what_is_seen_if_that_is_chosen(show):
     heights = [curve.points.y for row in plot.stack.rows for curve in row.curves[: row.n_curves]]
     assert np.ptp(np.concatenate(heights)) > 0.5
     # A picture has the same range; new results and the whole have theirs.
-    copy = copy_of(plot, plot.size(), LIGHT)
+    copy = copy_of(plot, plot.size())
     assert copy.value_scale.values == plot.value_scale.values
     copy.deleteLater()
     panel.show_results(results)

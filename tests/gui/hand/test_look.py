@@ -14,10 +14,10 @@ from tests.gui.hand.bench import KEY
 # Showing
 
 
-def test_an_input_has_its_own_colour_on_the_hand_in_both_themes(studio):
+def test_an_input_has_its_own_colour_on_the_hand_in_both_themes(studio, use_theme):
     studio.show(track(location=20), track(location=16), selected=1)
     for theme in (LIGHT, DARK):
-        studio.panel.show_theme(theme)
+        use_theme(theme)
         image = studio.diagram.grab().toImage()
         for index, site in enumerate((20, 16)):
             point = studio.diagram.site_centre(site) + QPoint(0, 8)

@@ -107,9 +107,9 @@ def test_two_fields_stand_side_by_side_where_there_is_room(bench, qtbot):
     qtbot.waitUntil(lambda: grid.pairs == 1)
 
 
-def test_the_panel_takes_over_a_theme_and_fits_its_smallest_dock(bench):
+def test_the_panel_takes_over_a_theme_and_fits_its_smallest_dock(bench, use_theme):
     light = bench.panel.grab().toImage()
-    bench.panel.show_theme(DARK)
+    use_theme(DARK)
     assert bench.panel.grab().toImage() != light
     assert bench.panel.minimumSizeHint().width() <= 300
     assert bench.panel.minimumSizeHint().height() <= 260

@@ -69,8 +69,9 @@ def ink(icon: QIcon, mode: QIcon.Mode = QIcon.Mode.Normal) -> np.ndarray:
 
 
 @pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
-def test_every_kind_has_a_picture_of_its_own(theme):
-    pictures = {kind: ink(waveform_icon(kind, theme)) for kind in KINDS}
+def test_every_kind_has_a_picture_of_its_own(theme, use_theme):
+    use_theme(theme)
+    pictures = {kind: ink(waveform_icon(kind)) for kind in KINDS}
     for picture in pictures.values():
         assert picture.shape == (PICTURE_PX.height(), PICTURE_PX.width())
         # From left to right, and not at the edges, where it would be cut.
@@ -82,7 +83,7 @@ def test_every_kind_has_a_picture_of_its_own(theme):
 @pytest.mark.parametrize("size_px", [16, 24, 30])
 def test_no_picture_is_a_blob(size_px):
     for kind in KINDS:
-        image = waveform_icon(kind, THEMES["light"]).pixmap(size_px, size_px).toImage()
+        image = waveform_icon(kind).pixmap(size_px, size_px).toImage()
         width, height = image.width(), image.height()
         covered = np.mean(
             [image.pixelColor(x, y).alpha() > 128 for x in range(width) for y in range(height)]
@@ -91,8 +92,9 @@ def test_no_picture_is_a_blob(size_px):
 
 
 @pytest.mark.parametrize("theme", THEMES.values(), ids=THEMES)
-def test_a_picture_has_the_colour_of_the_words_beside_it(theme):
-    icon = waveform_icon(Tone, theme)
+def test_a_picture_has_the_colour_of_the_words_beside_it(theme, use_theme):
+    use_theme(theme)
+    icon = waveform_icon(Tone)
     for mode, colour in ((QIcon.Mode.Normal, theme.text), (QIcon.Mode.Active, theme.on_accent)):
         image = icon.pixmap(PICTURE_PX, 1.0, mode).toImage()
         drawn = [image.pixelColor(x, y) for x in range(30) for y in range(18)]
@@ -115,7 +117,7 @@ def test_a_picture_is_drawn_when_it_is_seen_and_as_sharp_as_the_screen(monkeypat
         return really(samples, colour, per_px)
 
     monkeypatch.setattr(waveform_picture, "_drawn", noted)
-    icon = QIcon(waveform_icon.__wrapped__(Tone, LIGHT))
+    icon = QIcon(waveform_icon.__wrapped__(Tone))
     assert drawn == []
     for mode, colour in ((QIcon.Mode.Normal, LIGHT.text), (QIcon.Mode.Disabled, LIGHT.dim)):
         for ratio, per_px in ((1.0, 1), (1.5, 2), (5.0, 3)):
@@ -186,12 +188,12 @@ def test_keys_choose_among_all_kinds_as_in_any_list(field):
     assert told[-1] == "Saw"
 
 
-def test_the_field_shows_the_picture_of_its_kind_in_each_theme(field):
+def test_the_field_shows_the_picture_of_its_kind_in_each_theme(field, use_theme):
     for theme in THEMES.values():
-        field.show_theme(theme)
+        use_theme(theme)
         for kind in KINDS:
             field.set_value(kind.__name__)
-            found, expected = field.itemIcon(field.currentIndex()), waveform_icon(kind, theme)
+            found, expected = field.itemIcon(field.currentIndex()), waveform_icon(kind)
             assert np.array_equal(ink(found), ink(expected))
             assert found.cacheKey() == expected.cacheKey()
 

@@ -263,12 +263,13 @@ def test_the_tab_key_goes_along_the_rows(bench):
     assert seen == ["1 · Tone", "Move down", "Remove clip 1", "2 · Noise"]
 
 
-def test_two_inputs_that_differ_are_marked_and_colours_are_taken_over(bench):
+def test_two_inputs_that_differ_are_marked_and_colours_are_taken_over(bench, use_theme):
     second = track(location=9, waveform=Layers((A,)))
     design = bench.design.adding(second)
     bench.show(design, selected_inputs=tuple(one.id for one in design.inputs[::2]))
     assert bench.cell.label.text() == "Parts ≠"
     bench.rows[0].set_open(True)
-    bench.panel.show_theme(DARK)
-    assert DARK.text in bench.rows[0].title.styleSheet()
-    assert DARK.dim in bench.rows[0].fields.cells[0].label.styleSheet()
+    use_theme(DARK)
+    row = bench.rows[0]
+    for part, colour in ((row.title, DARK.text), (row.fields.cells[0].label, DARK.dim)):
+        assert part.palette().color(part.foregroundRole()).name() == colour

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from PySide6.QtGui import QColor
 
 from skinsource.waveforms import Tone
 from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
@@ -13,7 +12,7 @@ def preview(qtbot):
     widget = WaveformPreview(axis=True)
     qtbot.addWidget(widget)
     widget.resize(420, 140)
-    widget.set_look(QColor("#0072b2"))
+    widget.set_look(0)
     widget.show()
     return widget
 

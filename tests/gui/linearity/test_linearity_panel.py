@@ -16,7 +16,6 @@ from skinsource.view import View
 from skinsource_gui.compared import Compared
 from skinsource_gui.figure_panel import SILENT
 from skinsource_gui.panels.linearity.diagram import font_in
-from skinsource_gui.panels.linearity.panel import NEITHER
 from skinsource_gui.theme import scaled
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.1)
@@ -127,7 +126,7 @@ def test_while_snapshots_are_computed_anew_what_is_drawn_is_told_to_be_of_others
     panel.show_snapshots([Compared(snapshot=one) for one in kept(*STRENGTHS)])
     qtbot.waitUntil(lambda: panel.late)
     panel.show_snapshots([])
-    assert panel.figure.message == NEITHER
+    assert "with Ctrl+1 to Ctrl+4" in panel.figure.message
     assert not panel.late
 
 
@@ -196,7 +195,7 @@ def test_actuators_that_are_switched_off_make_no_volts(show):
 
 def test_what_cannot_be_held_against_each_other_says_what_to_store(show, qtbot):
     window, panel = show([played(8), played(9)])
-    assert panel.figure.message == NEITHER
+    assert "with Ctrl+1 to Ctrl+4" in panel.figure.message
     assert panel.table() == ""
     assert not panel.copy.isEnabled()
     document = window.document

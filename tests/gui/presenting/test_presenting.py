@@ -7,7 +7,7 @@ from PySide6.QtTest import QTest
 
 import skinsource as ss
 from skinsource.design_file import save_design
-from skinsource_gui.theme import CONTRAST
+from skinsource_gui.theme import CONTRAST, current_theme
 from skinsource_gui.widgets.over.cover import COVERED
 
 
@@ -128,5 +128,5 @@ def test_while_the_bars_are_away_words_lie_over_the_window(studio):
 
 def test_the_theme_of_high_contrast_is_one_of_three(window):
     window.do("use_contrast_theme")
-    assert window.theme == CONTRAST
+    assert current_theme() == CONTRAST
     window.do("use_light_theme")

@@ -80,8 +80,8 @@ def test_twenty_openings_of_the_menu_leave_nothing(signals):
     assert signals.findChildren(QMenu) == []
 
 
-def test_the_picture_on_the_clipboard_is_light_large_and_has_a_legend(signals):
-    signals.set_theme(DARK)
+def test_the_picture_on_the_clipboard_is_light_large_and_has_a_legend(signals, use_theme):
+    use_theme(DARK)
     signals.show_curves(waves(3), synthetic=True)
     signals.plot.crosshair.put(100)
     choose(signals, "Copy picture")
@@ -96,7 +96,7 @@ def test_the_picture_on_the_clipboard_is_light_large_and_has_a_legend(signals):
     assert {LIGHT.base, *LIGHT.outputs[:3]} <= seen
     assert DARK.base not in seen
     # The plot on the screen stays as it is.
-    assert signals.plot.theme is DARK
+    assert signals.plot.grab().toImage().pixelColor(1, 1).name() == DARK.base
     assert signals.plot.crosshair.index == 100
 
 

@@ -46,10 +46,10 @@ def test_late_results_are_marked_and_quick_ones_are_not(signals, qtbot):
     assert said_above(signals).mark == ""
 
 
-def test_each_theme_has_its_own_background_and_colours(signals):
+def test_each_theme_has_its_own_background_and_colours(signals, use_theme):
     signals.show_curves(waves(2), synthetic=False)
     for theme in (LIGHT, DARK):
-        signals.set_theme(theme)
+        use_theme(theme)
         picture = signals.plot.grab().toImage()
         assert picture.pixelColor(1, picture.height() // 2).name() == theme.base
         seen = {picture.pixelColor(x, y).name() for x in range(420) for y in range(150)}

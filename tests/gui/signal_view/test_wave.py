@@ -11,6 +11,7 @@ from skinsource.resampling import FINER, finer
 from skinsource.view import View
 from skinsource_gui.panels.traces.panel import TracesPanel
 from skinsource_gui.state.start_design import start_design
+from skinsource_gui.theme import current_theme
 from skinsource_gui.widgets.plot.curves import Curves, output_names
 from skinsource_gui.widgets.plot.wave import wave_of
 from tests.gui.signal_view.bench import TIME, drawn
@@ -96,7 +97,7 @@ def test_samples_are_marked_where_eight_pixels_lie_between_them(signals):
     picture, row = signals.plot.grab().toImage(), signals.plot.stack.rows[0]
     best = int(np.argmax(curves.y[0, samples]))
     at = row.view.mapViewToScene(drawn(signals)[0].dots.at(best))
-    colour = signals.plot.theme.output_colour(0).name()
+    colour = current_theme().output_colour(0).name()
 
     def inked(dx, dy):
         return picture.pixelColor(round(at.x() + dx), round(at.y() + dy)).name() == colour

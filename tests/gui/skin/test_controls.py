@@ -80,8 +80,8 @@ def test_everything_that_can_be_used_is_reached_by_tab_and_named(window):
 
 
 @pytest.mark.parametrize("theme", [LIGHT, DARK])
-def test_the_map_follows_the_theme(window, theme):
-    window.panel.show_theme(theme)
+def test_the_map_follows_the_theme(window, theme, use_theme):
+    use_theme(theme)
     corner = pixel(window.panel.map.grab().toImage(), QPoint(4, 4))
     assert corner == QColor(theme.base).getRgb()[:3]
 
@@ -165,10 +165,10 @@ def test_marks_of_levels_have_no_more_painted_anew_than_where_they_stand(qtbot):
     qtbot.waitExposed(strip)
     QApplication.processEvents()
     for before, after in (((), (-20.0,)), ((-20.0,), (-25.0,)), ((-25.0, -40.0), ())):
-        strip.show_marks(tuple((level, QColor("red")) for level in before))
+        strip.show_marks(tuple((level, 0) for level in before))
         QApplication.processEvents()
         pictures, painted = [strip.grab().toImage()], Painted(strip)
-        strip.show_marks(tuple((level, QColor("red")) for level in after))
+        strip.show_marks(tuple((level, 0) for level in after))
         QApplication.processEvents()
         # Told so before it is painted as a whole, below.
         region = QRegion(painted.region)

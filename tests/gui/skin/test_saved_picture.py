@@ -67,8 +67,8 @@ def test_pictures_say_what_strokes_mean_where_there_are_some(window, monkeypatch
     assert said[1].details.endswith("hatched: less than 6 dB above the noise")
 
 
-def test_pictures_are_light_unless_another_theme_is_asked_for(window):
-    window.panel.show_theme(DARK)
+def test_pictures_are_light_unless_another_theme_is_asked_for(window, use_theme):
+    use_theme(DARK)
     assert pixel(window.panel.picture(300, 400), QPoint(2, 2)) == (255, 255, 255)
     dark = pixel(window.panel.picture(300, 400, DARK), QPoint(2, 2))
     assert dark == QColor(DARK.base).getRgb()[:3]

@@ -12,7 +12,6 @@ from skinsource_gui.stimulus_page.channels_view import words_of
 from skinsource_gui.stimulus_page.page import StimulusPage, calibration_of, summary_of
 from skinsource_gui.stimulus_page.remembering import recall, remembered
 from skinsource_gui.stimulus_page.stimulus_form import StimulusForm
-from skinsource_gui.theme import LIGHT
 
 WAIT = {"timeout": 30_000}
 DESIGN = ss.Design(
@@ -111,7 +110,7 @@ def test_full_scale_in_volts_without_a_rig_is_what_shall_be(qtbot):
     design = ss.Design(
         limb="synthetic-1", inputs=DESIGN.inputs, actuation=ss.Actuation(actuators=(COIL,))
     )
-    page = StimulusPage(design, View(), lambda: LIGHT)
+    page = StimulusPage(design, View())
     qtbot.addWidget(page)
     qtbot.waitUntil(lambda: page.ready and not page.busy, **WAIT)
     overview = page.channels.overview

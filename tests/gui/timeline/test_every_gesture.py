@@ -5,7 +5,7 @@ from PySide6.QtCore import QPointF
 from PySide6.QtTest import QTest
 
 from skinsource_gui.panels.timeline.hover_words import hover_words
-from skinsource_gui.widgets.key_tables.mouse_table import MOUSE
+from skinsource_gui.widgets.keys import MOUSE
 from tests.gui.timeline.gestures_made import MADE, SHIFT, end_of, middle, px
 from tests.gui.timeline.lanes_bench import LEFT, LanesBench
 
@@ -19,7 +19,7 @@ def lanes(qtbot):
 
 @pytest.mark.parametrize(
     ("where", "name"),
-    [(where, one.name) for where in MADE for one in MOUSE[where][1]],
+    [(where, name) for where in MADE for name in MOUSE[where].gestures],
 )
 def test_what_help_lists_is_what_the_mouse_does(lanes, where, name):
     MADE[where][name](lanes)

@@ -17,7 +17,7 @@ from skinsource.waveforms import Tap, Tone
 from skinsource_gui.panels.timeline.clip_lengths import ClipLengths
 from skinsource_gui.panels.timeline.clip_painter import mark_clip
 from skinsource_gui.panels.timeline.gestures.gesture import Shown
-from skinsource_gui.theme import DARK
+from skinsource_gui.theme import DARK, apply_theme
 from skinsource_gui.widgets.kept_picture import KeptPicture
 from tests.gui.timeline.bench import results_of
 from tests.gui.timeline.lanes_bench import LanesBench
@@ -139,7 +139,7 @@ EDITS = {
     "other times": lambda bench: bench._look(replace(bench.view, time_range_s=(0.0, 0.9))),
     "hovered": lambda bench: bench.lanes.item.show_hovered(3),
     "no samples": lambda bench: bench.panel.show_problem("No limb."),
-    "theme": lambda bench: bench.panel.show_theme(DARK),
+    "theme": lambda bench: apply_theme(QApplication.instance(), DARK),
 }
 
 

@@ -21,7 +21,7 @@ def test_no_line_of_the_grid_runs_through_why_a_track_is_silent(qtbot, chosen):
     clips = (Clip(onset_s=0.1, waveform=Tap()),)
     bench.show(Design(limb="synthetic-1", inputs=(Input(location=1, clips=clips, muted=True),)))
     item = bench.lanes.item
-    item.show_look(LIGHT, bench.panel.font())
+    item.show_font(bench.panel.font())
     image = QImage(bench.lanes.viewport().size(), QImage.Format.Format_RGB32)
     image.fill(QColor(LIGHT.base))
     painter = QPainter(image)

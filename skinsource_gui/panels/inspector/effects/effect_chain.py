@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 
 from skinsource.effects import Effect, effect_kinds
 from skinsource_gui.panels.inspector.effects.effect_row import EffectRow
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.fields.parts.row_column import RowColumn
 from skinsource_gui.widgets.into_sight import bring_into_sight
 from skinsource_gui.widgets.tooltips import tooltip
@@ -41,10 +41,10 @@ class EffectChain(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._theme = LIGHT
         self._clip_id: int | None = None
         self._adds = False
         self._words = QLabel("Effects")
+        set_tone(self._words, "dim")
         self._add = QToolButton()
         self._add.setObjectName("add_effect")
         self._add.setText("Add…")
@@ -104,14 +104,6 @@ class EffectChain(QWidget):
         if index < len(self.rows):
             self.rows[index].show_refused(name, reason)
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self._words.setStyleSheet(f"color: {theme.dim};")
-        self._column.show_theme(theme)
-        for row in self.rows:
-            row.show_theme(theme)
-
     def forget_typing(self) -> None:
         """Close open editors without committing."""
         for row in self.rows:
@@ -131,7 +123,7 @@ class EffectChain(QWidget):
         self.added.emit(name)
 
     def _new_row(self, effect: Effect) -> EffectRow:
-        row = EffectRow(effect, self._theme, self)
+        row = EffectRow(effect, self)
         row.switched.connect(lambda on: self.switched.emit(self.rows.index(row), on))
         row.removed.connect(lambda: self.removed.emit(self.rows.index(row)))
         row.edited.connect(lambda *change: self.edited.emit(self.rows.index(row), *change))

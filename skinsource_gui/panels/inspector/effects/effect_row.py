@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QVBoxLayout, QWidget
 
 from skinsource.effects import ON, Effect
 from skinsource.fields import specs_of
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.fields.curve_field import CurveField
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
@@ -30,9 +30,9 @@ class EffectRow(QWidget):
     #: Name of a field, its new value, number of the gesture or None.
     edited = Signal(str, object, object)
 
-    def __init__(self, effect: Effect, theme: Theme, parent: QWidget | None = None) -> None:
+    def __init__(self, effect: Effect, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.effect, self._theme = effect, theme
+        self.effect = effect
         self.title = RowTitle(effect.title, "effects", "in the chain")
         self._switch = QCheckBox()
         self._switch.setObjectName("effect_switch")
@@ -58,7 +58,6 @@ class EffectRow(QWidget):
         self.title.opened.connect(self._open)
         self._switch.clicked.connect(self.switched)
         self._remove.clicked.connect(self.removed)
-        self.show_theme(theme)
         self.show_effect(effect)
 
     @property
@@ -83,7 +82,7 @@ class EffectRow(QWidget):
         """Show another effect of the same kind."""
         self.effect = effect
         self._switch.setChecked(effect.on)
-        self._colour_title()
+        set_tone(self.title, "" if effect.on else "dim")
         for cell in self._cells:
             cell.set_value(getattr(effect, cell.name))
 
@@ -104,14 +103,6 @@ class EffectRow(QWidget):
         for cell in self._cells:
             cell.forget_typing()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self._colour_title()
-        self._remove.show_theme(theme)
-        for cell in self._cells:
-            cell.show_theme(theme)
-
     def toggle(self) -> None:
         """Switch it, as a click does."""
         self._switch.click()
@@ -122,10 +113,6 @@ class EffectRow(QWidget):
         cell.field.setObjectName(f"effect_{name}_field")
         cell.edited.connect(self.edited)
         return cell
-
-    def _colour_title(self) -> None:
-        colour = self._theme.text if self.effect.on else self._theme.dim
-        self.title.set_colour(colour)
 
     def _open(self, open_: bool) -> None:
         focused = self._grid.isAncestorOf(self.focusWidget()) if self.focusWidget() else False

@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QResizeEvent
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
 from skinsource.map_range import MAP_RANGE_DB, MAP_ROUND_TO_DB, map_range_db
@@ -18,7 +18,7 @@ from skinsource_gui.panels.skin.scale.level_range import (
     pushed_high,
     pushed_low,
 )
-from skinsource_gui.theme import UNIT_PX, Theme, letter_scale
+from skinsource_gui.theme import UNIT_PX, letter_scale
 
 # So much of the strip is left at least, in letters of the usual size.
 _STRIP_PX = 40
@@ -103,14 +103,9 @@ class ColourBar(QWidget):
         if self._chosen is None:
             self._show(map_range_db(levels_db))
 
-    def show_marks(self, marks: tuple[tuple[float, QColor], ...]) -> None:
+    def show_marks(self, marks: tuple[tuple[float, int], ...]) -> None:
         """Show levels of selected outputs, each in its colour."""
         self.strip.show_marks(marks)
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        for part in (self.strip, self.low_field, self.high_field):
-            part.show_theme(theme)
 
     def _show(self, range_db: Range) -> None:
         self.range_db = range_db

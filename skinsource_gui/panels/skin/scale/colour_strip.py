@@ -33,7 +33,7 @@ from skinsource_gui.panels.skin.scale.range_handle import (
     RangeHandle,
     key_step_db,
 )
-from skinsource_gui.theme import LIGHT, Theme, tabular
+from skinsource_gui.theme import current_theme, tabular
 from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.map.colour_maps import VIRIDIS, colour_table
 
@@ -52,10 +52,9 @@ class ColourStrip(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._theme = LIGHT
         self._colours = VIRIDIS
         self._pulled = PulledRange(SILENT_RANGE)
-        self._marks: tuple[tuple[float, QColor], ...] = ()
+        self._marks: tuple[tuple[float, int], ...] = ()
         self._quantity = MapQuantity()
         self._grip_y: float | None = None
         self._scale = KeptPicture()
@@ -82,7 +81,7 @@ class ColourStrip(QWidget):
             self._pulled.show(range_db)
             self._place_handles()
 
-    def show_marks(self, marks: tuple[tuple[float, QColor], ...]) -> None:
+    def show_marks(self, marks: tuple[tuple[float, int], ...]) -> None:
         """Show levels of selected outputs, each in its colour."""
         if marks != self._marks:
             # From where they were to where they come: the rest of the strip stays.
@@ -99,29 +98,22 @@ class ColourStrip(QWidget):
             self._quantity, self._colours = quantity, colours
             self.update()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.high.show_theme(theme)
-        self.low.show_theme(theme)
-        self.update()
-
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(tabular(small_font(self.font())))
         ramp = self._ramp()
         pulled = self._pulled
-        scale = (pulled.axis_db, pulled.range_db, self._theme, self._quantity, self._colours)
+        scale = (pulled.axis_db, pulled.range_db, current_theme(), self._quantity, self._colours)
         ground = self.palette().window().color()
         self._scale.paint(painter, QRectF(self.rect()), scale, self._paint_scale, ground)
-        painter.setPen(QPen(QColor(self._theme.base), 0.5))
-        for level, colour in self._marks:
-            painter.setBrush(colour)
+        painter.setPen(QPen(QColor(current_theme().base), 0.5))
+        for level, rank in self._marks:
+            painter.setBrush(current_theme().output_colour(rank))
             painter.drawPolygon(self._mark_at(level))
         if self.hasFocus():
             painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.setPen(QPen(QColor(self._theme.accent), 2))
+            painter.setPen(QPen(QColor(current_theme().accent), 2))
             painter.drawRect(ramp.adjusted(-1, -1, 1, 1))
         painter.end()
 
@@ -153,7 +145,7 @@ class ColourStrip(QWidget):
             super().keyPressEvent(event)
 
     def _paint_scale(self, painter: QPainter) -> None:
-        axis, levels, theme = self._pulled.axis_db, self._pulled.range_db, self._theme
+        axis, levels, theme = self._pulled.axis_db, self._pulled.range_db, current_theme()
         table = colour_table(self._colours)
         paint_colour_scale(painter, self._ramp(), axis, levels, table, theme, self._quantity)
 

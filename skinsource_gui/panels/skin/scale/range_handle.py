@@ -4,8 +4,8 @@ from PySide6.QtCore import QPoint, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
-from skinsource_gui.theme import LIGHT, Theme
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.theme import current_theme
+from skinsource_gui.widgets.keys import meaning_of
 
 HANDLE_WIDTH, HANDLE_HEIGHT = 26, 12
 _KEY_STEPS_DB = {
@@ -30,7 +30,6 @@ class RangeHandle(QWidget):
 
     def __init__(self, name: str, words: str, parent: QWidget) -> None:
         super().__init__(parent)
-        self._theme = LIGHT
         self._grip: QPoint | None = None
         self.setObjectName(name)
         self.setAccessibleName(words)
@@ -39,17 +38,12 @@ class RangeHandle(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.SizeVerCursor)
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        edge = self._theme.accent if self.hasFocus() else self._theme.dim
+        edge = current_theme().accent if self.hasFocus() else current_theme().dim
         painter.setPen(QPen(QColor(edge), 2.0 if self.hasFocus() else 1.2))
-        painter.setBrush(QColor(self._theme.raised))
+        painter.setBrush(QColor(current_theme().raised))
         painter.drawRoundedRect(QRectF(self.rect()).adjusted(1.5, 2, -1.5, -2), 3, 3)
         painter.drawLine(QPointF(9, self.height() / 2), QPointF(17, self.height() / 2))
         painter.end()
@@ -78,7 +72,7 @@ class RangeHandle(QWidget):
 
 def key_step_db(event: QKeyEvent) -> float:
     """Step that a key asks for, dB; 0 for none."""
-    if not meant("colour_bar", event):
+    if not meaning_of("colour_bar", event):
         return 0.0
     step = _KEY_STEPS_DB[Qt.Key(event.key())]
     if event.modifiers() & Qt.KeyboardModifier.ControlModifier:

@@ -7,7 +7,7 @@ from skinsource.fields import ChoiceSpec
 from skinsource_gui.panels.skin.map_quantity import RMS, STILL
 from skinsource_gui.panels.skin.settings import QUANTITY, RMS_WINDOW, SkinSettings
 from skinsource_gui.panels.skin.time.pace import PACES
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.tooltips import tooltip
@@ -66,10 +66,6 @@ class QuantityRow(QWidget):
         self.rms_window.set_value(settings.rms_window_s)
         self.pace.setVisible(settings.quantity not in STILL)
         self.pace.set_value(f"{slow_motion:g}")
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.rms_window.show_theme(theme)
 
     def _fit(self) -> None:
         metrics = self.fontMetrics()

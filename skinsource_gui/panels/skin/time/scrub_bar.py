@@ -1,10 +1,11 @@
 """Play, pause and scrub, below the map."""
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSlider, QToolButton, QWidget
 
 from skinsource_gui.panels.skin.map_quantity import time_text
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
+from skinsource_gui.theme import UNIT_PX, tabular
+from skinsource_gui.widgets.keys import shortcut_text
 from skinsource_gui.widgets.tooltips import tooltip
 from skinsource_gui.widgets.transport_icons import play_icon
 
@@ -28,8 +29,12 @@ class ScrubBar(QWidget):
         self.play.setObjectName("skin_play")
         self.play.setIconSize(QSize(14, 14))
         self.play.setAccessibleName("Play or stop")
-        words = "Play or stop (Space)", "Shift+Space stops where the playhead is, and goes on."
-        self.play.setToolTip(tooltip(*words))
+        self.play.setToolTip(
+            tooltip(
+                f"Play or stop ({shortcut_text('play')})",
+                f"{shortcut_text('pause')} stops where the playhead is, and goes on.",
+            )
+        )
         self.play.clicked.connect(self.play_wanted)
         self.slider = QSlider(Qt.Orientation.Horizontal, self)
         self.slider.setObjectName("skin_time")
@@ -47,7 +52,7 @@ class ScrubBar(QWidget):
         row.addWidget(self.play)
         row.addWidget(self.slider, 1)
         row.addWidget(self.words)
-        self.show_theme(LIGHT)
+        self.play.setIcon(play_icon())
 
     def show_time(self, time_s: float, end_s: float) -> None:
         """Show where the playhead is, in a response that ends there; tell nobody."""
@@ -61,10 +66,10 @@ class ScrubBar(QWidget):
         if self.words.minimumWidth() != widest:
             self.words.setMinimumWidth(widest)
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.play.setIcon(play_icon(theme))
-        self.words.setStyleSheet(f"color: {theme.text};")
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self.play.setIcon(play_icon())
 
     def _tell(self, tenths_ms: int) -> None:
         if self._telling:

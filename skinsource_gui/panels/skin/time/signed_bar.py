@@ -10,7 +10,7 @@ from skinsource_gui.panels.skin.map_quantity import MapQuantity, Z
 from skinsource_gui.panels.skin.scale.auto_button import AutoButton
 from skinsource_gui.panels.skin.scale.colour_scale import paint_colour_scale
 from skinsource_gui.panels.skin.scale.level_range import Range
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
+from skinsource_gui.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.map.colour_maps import DIVERGING, colour_table
@@ -31,7 +31,6 @@ class SignedStrip(QWidget):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self._theme = LIGHT
         self._range: Range = (-1.0, 1.0)
         self._matched = ""
         self._kept = KeptPicture()
@@ -50,16 +49,11 @@ class SignedStrip(QWidget):
             self._matched = matched
             self.update()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
-
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setFont(tabular(small_font(self.font())))
         ground = self.palette().window().color()
-        key = (self._range, self._theme, self._matched)
+        key = (self._range, current_theme(), self._matched)
         self._kept.paint(painter, QRectF(self.rect()), key, self._paint, ground)
         painter.end()
 
@@ -69,7 +63,7 @@ class SignedStrip(QWidget):
         ramp = QRectF(_RAMP_LEFT, end, _RAMP_WIDTH, self.height() - 2 * end)
         limits, table = self._range, colour_table(DIVERGING)
         quantity = MapQuantity(name=Z, matched=self._matched)
-        paint_colour_scale(painter, ramp, limits, limits, table, self._theme, quantity)
+        paint_colour_scale(painter, ramp, limits, limits, table, current_theme(), quantity)
 
 
 class SignedBar(QWidget):
@@ -114,11 +108,6 @@ class SignedBar(QWidget):
         self.limit.set_value(limits[1])
         self.strip.show_range(limits)
         self.auto_button.setChecked(automatic)
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.limit.show_theme(theme)
-        self.strip.show_theme(theme)
 
     def _choose(self, limit: float, _gesture: object) -> None:
         self.limits_chosen.emit((-limit, limit))

@@ -17,7 +17,6 @@ from skinsource_gui.panels.skin.time.frames import NEEDS, Frames
 from skinsource_gui.panels.skin.time.quantity_row import QuantityRow
 from skinsource_gui.panels.skin.time.scrub_bar import ScrubBar
 from skinsource_gui.panels.skin.time.signed_bar import SignedBar
-from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.map.colour_maps import DIVERGING
 
 
@@ -107,8 +106,3 @@ class TimeView(QObject):
 
     def _leave_lists(self) -> None:
         self._parent.setFocus(Qt.FocusReason.OtherFocusReason)
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        for part in (self.row, self.scrub, self.bar):
-            part.show_theme(theme)

@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygon
 
 from skinsource_gui.panels.timeline.content import Content
 from skinsource_gui.panels.timeline.gain.gain_strip import GainStrip, gain_words
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import current_theme
 
 _DOT_PX, _CHOSEN_PX = 3.5, 5.0
 _HALO_ALPHA, _HINT_ALPHA = 190, 110
@@ -29,7 +29,7 @@ class GainItem(pyqtgraph.GraphicsObject):
         self.setCacheMode(self.CacheMode.DeviceCoordinateCache)
         self.setZValue(0.5)
         self._content: Content | None = None
-        self._theme, self._font = LIGHT, QFont()
+        self._font = QFont()
         self._rect = QRectF(0, 0, 1, 1)
 
     def show_content(self, content: Content, rect: QRectF) -> None:
@@ -43,9 +43,9 @@ class GainItem(pyqtgraph.GraphicsObject):
         if had or content.strips:
             self.update()
 
-    def show_look(self, theme: Theme, font: QFont) -> None:
-        """Take over colours and font."""
-        self._theme, self._font = theme, font
+    def show_font(self, font: QFont) -> None:
+        """Take over a font."""
+        self._font = font
         self.update()
 
     def boundingRect(self) -> QRectF:
@@ -72,7 +72,7 @@ class GainItem(pyqtgraph.GraphicsObject):
             painter.restore()
 
     def _paint_curve(self, painter: QPainter, strip: GainStrip, room: QRectF) -> None:
-        line, words = QColor(self._theme.text), QColor(self._theme.dim)
+        line, words = QColor(current_theme().text), QColor(current_theme().dim)
         if strip.shown:
             unity = strip.y(1.0)
             painter.setPen(QPen(words, 1, Qt.PenStyle.DotLine))
@@ -87,7 +87,7 @@ class GainItem(pyqtgraph.GraphicsObject):
         curve = QPolygonF(places)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if strip.shown:
-            halo = QColor(self._theme.base)
+            halo = QColor(current_theme().base)
             halo.setAlpha(_HALO_ALPHA)
             painter.setPen(QPen(halo, 4))
             painter.drawPolyline(curve)
@@ -100,7 +100,7 @@ class GainItem(pyqtgraph.GraphicsObject):
     def _paint_points(
         self, painter: QPainter, strip: GainStrip, room: QRectF, chosen: int | None
     ) -> None:
-        theme = self._theme
+        theme = current_theme()
         for k, (x, y, _) in enumerate(strip.points):
             radius = _CHOSEN_PX if k == chosen else _DOT_PX
             painter.setPen(QPen(QColor(theme.text), 1.5))

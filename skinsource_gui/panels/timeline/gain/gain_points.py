@@ -13,7 +13,7 @@ from skinsource_gui.panels.timeline.gestures.gesture import Gesture, Held, Stage
 from skinsource_gui.panels.timeline.gestures.move_gain import MoveGain
 from skinsource_gui.panels.timeline.settings import show_gain_curves, toggle_gain_curves
 from skinsource_gui.widgets.fields.burst import Burst
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import meaning_of
 
 _PLACE = "timeline"
 _Key = Qt.Key
@@ -91,7 +91,7 @@ class GainPoints(QObject):
 
     def key(self, event: QKeyEvent) -> bool:
         """Do what a key means to a curve; whether it means anything to one."""
-        wanted, key = meant(_PLACE, event), Qt.Key(event.key())
+        wanted, key = meaning_of(_PLACE, event), Qt.Key(event.key())
         if wanted == "gain_curve":
             content = self._content()
             ids = content.view.selected_inputs

@@ -21,8 +21,7 @@ from skinsource_gui.panels.timeline.heads.list_mouse import ListMouse
 from skinsource_gui.panels.timeline.heads.row_gap import RowGap
 from skinsource_gui.panels.timeline.heads.row_signals import RowSignals
 from skinsource_gui.panels.timeline.heads.row_state import RowState
-from skinsource_gui.theme import Theme
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
+from skinsource_gui.widgets.keys import claims_shortcut
 
 
 class InputRows(QWidget):
@@ -72,13 +71,8 @@ class InputRows(QWidget):
             if self._kept.remove(row):
                 self.setFocus(Qt.FocusReason.OtherFocusReason)
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._gap.show_theme(theme)
-        self._kept.show_theme(theme)
-
     def event(self, event: QEvent) -> bool:
-        return kept_from_shortcuts(event, self._claims) or super().event(event)
+        return claims_shortcut(event, self._claims) or super().event(event)
 
     def _claims(self, event: QKeyEvent) -> bool:
         return self.keys.claims(event)

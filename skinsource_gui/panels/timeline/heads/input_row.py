@@ -10,7 +10,7 @@ from skinsource_gui.panels.timeline.heads.row_picture import paint_row
 from skinsource_gui.panels.timeline.heads.row_places import ROW_PX, row_places
 from skinsource_gui.panels.timeline.heads.row_signals import RowSignals
 from skinsource_gui.panels.timeline.heads.row_state import RowState
-from skinsource_gui.theme import LIGHT, Theme
+from skinsource_gui.theme import current_theme
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.inputs.letter_button import (
     LetterButton,
@@ -27,7 +27,6 @@ class InputRow(QWidget):
     def __init__(self, signals: RowSignals, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._signals = signals
-        self._theme = LIGHT
         self._state: RowState | None = None
         self.setObjectName("input_row")
         self._places = row_places(self.width())
@@ -91,13 +90,6 @@ class InputRow(QWidget):
             # These alone: the controls beside them look after themselves.
             self.update(self._places.words)
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        for part in self.controls:
-            part.show_theme(theme)
-        self.update()
-
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.amplitude and event.type() == QEvent.Type.FocusIn:
             self._signals.entered.emit(self.id)
@@ -124,7 +116,7 @@ class InputRow(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         if self._state is not None:
             painter = QPainter(self)
-            paint_row(painter, self._state, self._places, self._theme)
+            paint_row(painter, self._state, self._places, current_theme())
 
     def _let_keyboard_in(self, selected: bool) -> None:
         # One row at a time: twenty rows of four stops each would be a long way.

@@ -6,7 +6,6 @@ from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
 
 from skinsource_gui.panels.timeline.heads.input_row import InputRow
 from skinsource_gui.panels.timeline.heads.row_signals import RowSignals
-from skinsource_gui.theme import LIGHT, Theme
 
 
 class KeptRows:
@@ -20,7 +19,6 @@ class KeptRows:
 
     def __init__(self, column: QWidget, signals: RowSignals) -> None:
         self._column, self._signals = column, signals
-        self._theme = LIGHT
         self._rows: dict[int, InputRow] = {}
         self._layout = QVBoxLayout(column)
         self._layout.setContentsMargins(0, 0, 0, 0)
@@ -69,13 +67,5 @@ class KeptRows:
         row.deleteLater()
         return had_focus
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        for row in self.rows:
-            row.show_theme(theme)
-
     def _new_row(self) -> InputRow:
-        row = InputRow(self._signals, self._column)
-        row.show_theme(self._theme)
-        return row
+        return InputRow(self._signals, self._column)

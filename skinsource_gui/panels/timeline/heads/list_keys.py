@@ -3,7 +3,7 @@
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 
-from skinsource_gui.widgets.key_tables.key_table import meant
+from skinsource_gui.widgets.keys import meaning_of
 
 _PLACE = "inputs"
 _Key = Qt.Key
@@ -28,11 +28,11 @@ class ListKeys(QObject):
 
     def claims(self, event: QKeyEvent) -> bool:
         """Whether the list wants this key for itself, before any shortcut of the window."""
-        return bool(meant(_PLACE, event))
+        return bool(meaning_of(_PLACE, event))
 
     def press(self, event: QKeyEvent, here: int | None, count: int) -> bool:
         """Tell what a key means at row ``here`` of ``count``; whether it means anything."""
-        wanted = meant(_PLACE, event)
+        wanted = meaning_of(_PLACE, event)
         if not wanted or not count:
             return False
         if wanted == "go":

@@ -3,9 +3,8 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QFrame, QWidget
-
-from skinsource_gui.theme import Theme
 
 _HIGH_PX = 3
 
@@ -17,12 +16,10 @@ class RowGap(QFrame):
         super().__init__(parent)
         self._column = parent
         self.setObjectName("input_gap")
+        self.setBackgroundRole(QPalette.ColorRole.Highlight)
+        self.setAutoFillBackground(True)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.hide()
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self.setStyleSheet(f"background: {theme.accent};")
 
     def show_behind(self, above: Sequence[QWidget] | None) -> None:
         """Show it below the last of these, at the top where there is none; None: nowhere."""

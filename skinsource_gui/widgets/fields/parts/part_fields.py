@@ -13,7 +13,6 @@ from skinsource.errors import InvalidInputError
 from skinsource.fields import ListSpec, RecipeSpec, Spec, specs_of
 from skinsource.own_limbs import facts_of
 from skinsource.quoting import sentence
-from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.edited_cell import EditedCell
 from skinsource_gui.widgets.fields.editor import NewEditor
 
@@ -32,7 +31,6 @@ class PartFields(QObject):
     def __init__(self, spec: RecipeSpec, new_editor: NewEditor, parent: QObject) -> None:
         super().__init__(parent)
         self._spec, self._new_editor = spec, new_editor
-        self._theme = LIGHT
         self._recipe: Any = None
         self._built_for: type | None = None
         self._own: dict[str, EditedCell] = {}
@@ -87,12 +85,6 @@ class PartFields(QObject):
         for cell in self.cells:
             cell.forget_typing()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        for cell in self.cells:
-            cell.show_theme(theme)
-
     def _build(self, recipe: Any) -> None:
         old = self._held.values()
         own: dict[str, EditedCell] = {}
@@ -101,7 +93,6 @@ class PartFields(QObject):
         for name, spec in specs_of(recipe).items():
             if isinstance(spec, RecipeSpec):
                 held[name] = PartFields(self._at_rate(spec), self._new_editor, self)
-                held[name].show_theme(self._theme)
                 held[name].edited.connect(partial(self._change, name))
                 held[name].rebuilt.connect(self.rebuilt)
             elif spec.asked:
@@ -125,7 +116,6 @@ class PartFields(QObject):
         cell = EditedCell(name, spec, self._new_editor)
         # The clip itself has fields of these names, too.
         cell.field.setObjectName(f"part_{name}_field")
-        cell.show_theme(self._theme)
         return cell
 
     def _at_rate(self, spec: Any) -> Any:

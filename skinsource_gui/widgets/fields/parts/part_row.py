@@ -7,13 +7,13 @@ from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from skinsource.edits.parts import part_words
 from skinsource.fields import RecipeSpec
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.fields.editor import NewEditor
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
 from skinsource_gui.widgets.fields.parts.part_fields import PartFields
 from skinsource_gui.widgets.fields.parts.row_title import RowTitle
 from skinsource_gui.widgets.inputs.letter_button import LetterButton, remove_button
-from skinsource_gui.widgets.key_tables.key_table import key_text
+from skinsource_gui.widgets.keys import key_text
 from skinsource_gui.widgets.tooltips import tooltip
 
 PLACE = "parts"
@@ -40,11 +40,9 @@ class PartRow(QWidget):
     #: The Tab key has other stops.
     restopped = Signal()
 
-    def __init__(
-        self, spec: RecipeSpec, new_editor: NewEditor, theme: Theme, parent: QWidget
-    ) -> None:
+    def __init__(self, spec: RecipeSpec, new_editor: NewEditor, parent: QWidget) -> None:
         super().__init__(parent)
-        self._spec, self._new_editor, self._theme = spec, new_editor, theme
+        self._spec, self._new_editor = spec, new_editor
         self.part: Any = None
         self._fields: PartFields | None = None
         self.title = RowTitle("", PLACE, "in the list")
@@ -69,7 +67,6 @@ class PartRow(QWidget):
         self._up.clicked.connect(lambda: self.stepped.emit("shift_up"))
         self._down.clicked.connect(lambda: self.stepped.emit("shift_down"))
         self._remove.clicked.connect(self.removed)
-        self.show_theme(theme)
 
     @property
     def stops(self) -> tuple[QWidget, ...]:
@@ -118,19 +115,9 @@ class PartRow(QWidget):
         if self._fields is not None:
             self._fields.forget_typing()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.title.set_colour(theme.text)
-        for button in (self._up, self._down, self._remove):
-            button.show_theme(theme)
-        if self._fields is not None:
-            self._fields.show_theme(theme)
-
     def _open(self, open_: bool) -> None:
         if open_ and self._fields is None:
             self._fields = PartFields(self._spec, self._new_editor, self)
-            self._fields.show_theme(self._theme)
             self._fields.edited.connect(self.edited)
             self._fields.rebuilt.connect(self._show_cells)
             self._fields.show_recipe(self.part)

@@ -14,7 +14,7 @@ from skinsource.edits.parts import (
     without_part,
 )
 from skinsource.fields import ListSpec, RecipeSpec
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.fields.editor import NewEditor
 from skinsource_gui.widgets.fields.parts.add_button import AddButton
 from skinsource_gui.widgets.fields.parts.part_row import PartRow, stays_words
@@ -39,7 +39,7 @@ class PartsEditor(QObject):
     ) -> None:
         super().__init__(parent)
         self._spec, self._of = spec, of
-        self._new_editor, self._theme = new_editor, LIGHT
+        self._new_editor = new_editor
         self._value: Parts = ()
         self.holder: Callable[[], Any] = lambda: None
         self.field = QWidget(parent)
@@ -94,13 +94,6 @@ class PartsEditor(QObject):
         for row in self.rows:
             row.forget_typing()
 
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self._column.show_theme(theme)
-        for row in self.rows:
-            row.show_theme(theme)
-
     def _show(self) -> None:
         count, found = len(self._value), _rows_of(self._value, self.rows, self._new_row)
         for index, part in enumerate(self._value):
@@ -109,7 +102,7 @@ class PartsEditor(QObject):
         self._add.show_count(count)
 
     def _new_row(self) -> PartRow:
-        row = PartRow(self._of, self._new_editor, self._theme, self._column)
+        row = PartRow(self._of, self._new_editor, self._column)
         row.edited.connect(lambda part, gesture: self._change(row, part, gesture))
         row.removed.connect(lambda: self._remove(row))
         row.stepped.connect(lambda name: self._column.step(row, name))

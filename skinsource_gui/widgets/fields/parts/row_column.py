@@ -4,9 +4,10 @@ from functools import partial
 from typing import Any, Protocol
 
 from PySide6.QtCore import QPoint, Qt, Signal
+from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QFrame, QVBoxLayout, QWidget
 
-from skinsource_gui.theme import UNIT_PX, Theme
+from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.fields.parts.row_title import RowTitle
 
 _LINE_PX = 2
@@ -51,6 +52,8 @@ class RowColumn(QWidget):
         self._column.setSpacing(UNIT_PX // 4)
         # Where a dragged row would go.
         self._line = QFrame(self)
+        self._line.setBackgroundRole(QPalette.ColorRole.Highlight)
+        self._line.setAutoFillBackground(True)
         self._line.hide()
 
     @property
@@ -103,10 +106,6 @@ class RowColumn(QWidget):
             return
         to = {"up": index - 1, "down": index + 1, "first": 0}.get(name, last)
         self._rows[min(max(to, 0), last)].title.setFocus(Qt.FocusReason.OtherFocusReason)
-
-    def show_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._line.setStyleSheet(f"background: {theme.accent};")
 
     def _gap(self, y: int) -> int:
         """Before which row, or after the last one, something goes that is dropped at ``y``."""

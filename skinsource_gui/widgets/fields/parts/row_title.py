@@ -4,8 +4,7 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QApplication, QSizePolicy, QToolButton, QWidget
 
-from skinsource_gui.widgets.key_tables.kept_from_shortcuts import kept_from_shortcuts
-from skinsource_gui.widgets.key_tables.key_table import key_text, meant
+from skinsource_gui.widgets.keys import claims_shortcut, key_text, meaning_of
 from skinsource_gui.widgets.tooltips import tooltip
 
 # The arrow and the edges.
@@ -47,6 +46,7 @@ class RowTitle(QToolButton):
         self._dragging = False
         self.open = False
         self.setObjectName(f"{place}_title")
+        self.setStyleSheet("QToolButton { text-align: left; }")
         self.setAutoRaise(True)
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
@@ -65,13 +65,6 @@ class RowTitle(QToolButton):
             self.setToolTip(tooltip(words, self._hint))
             self._fit()
 
-    def set_colour(self, colour: str) -> None:
-        """Write the name in another colour."""
-        sheet = f"QToolButton {{ color: {colour}; text-align: left; }}"
-        # A sheet is read anew each time, and all around it laid out.
-        if sheet != self.styleSheet():
-            self.setStyleSheet(sheet)
-
     def set_open(self, open_: bool) -> None:
         """Point down, to fields that are shown, or not."""
         if open_ != self.open:
@@ -80,7 +73,7 @@ class RowTitle(QToolButton):
             self.opened.emit(open_)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        name = meant(self._place, event)
+        name = meaning_of(self._place, event)
         if self._dragging and event.key() == Qt.Key.Key_Escape:
             self._let_go()
             self.given_up.emit()
@@ -90,11 +83,11 @@ class RowTitle(QToolButton):
             event.ignore()
 
     def event(self, event: QEvent) -> bool:
-        return kept_from_shortcuts(event, self._wants) or super().event(event)
+        return claims_shortcut(event, self._wants) or super().event(event)
 
     def _wants(self, event: QKeyEvent) -> bool:
         gives_up = self._dragging and event.key() == Qt.Key.Key_Escape
-        return gives_up or bool(meant(self._place, event))
+        return gives_up or bool(meaning_of(self._place, event))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

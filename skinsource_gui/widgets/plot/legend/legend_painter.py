@@ -3,7 +3,7 @@
 from PySide6.QtCore import QPointF, QRect, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from skinsource_gui.theme import Theme
+from skinsource_gui.theme import current_theme
 from skinsource_gui.widgets.plot.legend.legend_layout import (
     GAP_PX,
     SWATCH_PX,
@@ -23,17 +23,14 @@ class LegendPainter:
         What is said, and how wide it is.
     row_px
         Height of a line.
-    theme
-        Its colours.
     """
 
-    def __init__(self, painter: QPainter, layout: LegendLayout, row_px: int, theme: Theme) -> None:
+    def __init__(self, painter: QPainter, layout: LegendLayout, row_px: int) -> None:
         self._painter, self._layout, self._row_px = painter, layout, row_px
-        self._theme = theme
 
     def paint_entry(self, x: int, rank: int, detail: Detail) -> int:
         """Write what is said of a curve; return where the next one begins."""
-        text, theme, metrics = self._layout.text, self._theme, self._layout.metrics
+        text, theme, metrics = self._layout.text, current_theme(), self._layout.metrics
         name, end = text.names[rank], x + self._layout.entry_px(rank, detail)
         by_axis = text.by_axis
         pen = QPen(theme.axis_colour(rank), 2.0) if by_axis else theme.output_pen(rank, 2.0)
@@ -67,7 +64,7 @@ class LegendPainter:
     def write_where(self, line: QRect, detail: Detail) -> None:
         """Write at the right end of a line where curves are read, if they are."""
         if self._layout.text.where:
-            self._painter.setPen(QColor(self._theme.text))
+            self._painter.setPen(QColor(current_theme().text))
             at_right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
             words = self._layout.where(self._layout.text.where, detail)
             self._painter.drawText(line, at_right, words)

@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QRect, QSize
 from PySide6.QtGui import QFont, QFontMetrics, QHelpEvent, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, scaled, tabular
+from skinsource_gui.theme import UNIT_PX, current_theme, scaled, tabular
 from skinsource_gui.widgets.plot.legend.legend_layout import Detail, LegendLayout
 from skinsource_gui.widgets.plot.legend.legend_painter import LegendPainter
 from skinsource_gui.widgets.plot.legend.legend_text import LegendText
@@ -28,7 +28,6 @@ class LegendStrip(QWidget):
         self.setObjectName("legend")
         self.setAccessibleName("Curves and readings")
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self._theme = LIGHT
         self._text = LegendText()
         self._n_lines, self._may_fold = 1, True
 
@@ -36,11 +35,6 @@ class LegendStrip(QWidget):
     def text(self) -> LegendText:
         """What is said."""
         return self._text
-
-    def set_theme(self, theme: Theme) -> None:
-        """Take over colours."""
-        self._theme = theme
-        self.update()
 
     def say(self, text: LegendText) -> None:
         """Show ``text``."""
@@ -112,19 +106,19 @@ class LegendStrip(QWidget):
 
     def _paint_line(self, painter: QPainter) -> None:
         layout = self.layout_of_words
-        writer = LegendPainter(painter, layout, self._row_px, self._theme)
+        writer = LegendPainter(painter, layout, self._row_px)
         detail, fitting = layout.fitting()
         x = UNIT_PX // 2
         for rank in range(fitting):
             x = writer.paint_entry(x, rank, detail)
         hidden = len(self._text.names) - fitting
         if hidden:
-            writer.write(x, f"+{hidden}", self._theme.dim)
+            writer.write(x, f"+{hidden}", current_theme().dim)
         writer.write_where(self.rect().adjusted(0, 0, -UNIT_PX // 2, 0), detail)
 
     def _paint_lines(self, painter: QPainter, detail: Detail) -> None:
         layout, advance = self.layout_of_words, self._line_px - _AROUND_PX // 2
-        writer = LegendPainter(painter, layout, self._row_px, self._theme)
+        writer = LegendPainter(painter, layout, self._row_px)
         *entries, (_, last) = layout.lines(detail)
         reading = replace(detail, reading=bool(self._text.readings))
         for rank, (x, line) in enumerate(entries):

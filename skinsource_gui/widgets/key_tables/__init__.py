@@ -1,1 +1,0 @@
-"""Which keys and gestures there are; what they do stands where they act."""

@@ -1,0 +1,127 @@
+"""Keys do what their page says, each one thing, and texts name them rightly."""
+
+from functools import partial
+
+import pytest
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QKeyEvent, QKeySequence
+from PySide6.QtWidgets import QAbstractButton, QTextBrowser, QWidget
+
+from skinsource_gui.panels.hand.site_keys import SiteKeys
+from skinsource_gui.panels.skin.scale.range_handle import key_step_db
+from skinsource_gui.panels.skin.time.scrub_bar import ScrubBar
+from skinsource_gui.panels.timeline.heads.list_keys import ListKeys
+from skinsource_gui.shell.actions import ACTIONS
+from skinsource_gui.shell.playing.transport import Transport
+from skinsource_gui.status.preparing_note import PreparingNote
+from skinsource_gui.widgets.fields.number_gestures import NumberGestures
+from skinsource_gui.widgets.fields.number_typing import begins_typing
+from skinsource_gui.widgets.keys import KEYS, MOUSE, SHORTCUTS, key_text, meaning_of
+from skinsource_gui.widgets.outputs.keys import OutputKeys
+
+_Key, _Held = Qt.Key, Qt.KeyboardModifier
+SIGNS = [Qt.Key(ord(sign)) for sign in "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ+-=. "]
+NAMED = [
+    *(_Key.Key_Left, _Key.Key_Right, _Key.Key_Up, _Key.Key_Down, _Key.Key_Home, _Key.Key_End),
+    *(_Key.Key_PageUp, _Key.Key_PageDown, _Key.Key_Return, _Key.Key_Enter, _Key.Key_Delete),
+    *(_Key.Key_Backspace, _Key.Key_Insert, _Key.Key_Escape, _Key.Key_F2),
+]
+#: What stands on keys that Qt calls otherwise.
+ON_KEYS = {
+    **{"PgUp": "Page Up", "PgDown": "Page Down", "Ins": "Insert", "Del": "Delete"},
+    **{"Return": "Enter", "-": "−"},
+}
+HELD = [
+    _Held.NoModifier,
+    _Held.ShiftModifier,
+    _Held.ControlModifier,
+    _Held.AltModifier,
+    _Held.ControlModifier | _Held.ShiftModifier,
+    _Held.AltModifier | _Held.ShiftModifier,
+]
+
+
+def claims(place, parent):
+    """What says of an event whether the widget takes it."""
+    if place == "hand":
+        return SiteKeys(20, parent).claims
+    if place == "inputs":
+        parent.kept = ListKeys(parent)
+        return parent.kept.claims
+    if place == "skin":
+        return OutputKeys(parent).claims
+    if place == "number":
+        return lambda event: NumberGestures.knows(event) or begins_typing(event)
+    if place == "colour_bar":
+        return lambda event: bool(key_step_db(event))
+    return partial(meaning_of, place)
+
+
+def keys_at(place):
+    return [key for gesture in KEYS[place].gestures.values() for key in gesture.keys]
+
+
+@pytest.mark.parametrize("place", KEYS)
+def test_a_widget_takes_the_keys_that_are_listed(qapp, place):
+    parent = QObject()
+    takes = claims(place, parent)
+    taken = {
+        QKeySequence(held.value | key.value).toString()
+        for held in HELD
+        for key in (*SIGNS, *NAMED)
+        if takes(QKeyEvent(QEvent.Type.KeyPress, key, held))
+    }
+    assert taken == set(keys_at(place))
+
+
+@pytest.mark.parametrize("place", KEYS)
+def test_a_key_means_one_thing_at_a_place(place):
+    assert len(keys_at(place)) == len(set(keys_at(place)))
+
+
+def test_no_shortcut_is_given_twice():
+    keys = [key for spec in ACTIONS for key in spec.keys]
+    assert len(keys) == len(set(keys))
+
+
+def test_the_number_pad_means_what_the_other_keys_mean(qapp):
+    held = _Held.KeypadModifier
+    assert meaning_of("plot", QKeyEvent(QEvent.Type.KeyPress, _Key.Key_Plus, held)) == "zoom_in"
+    assert meaning_of("plot", QKeyEvent(QEvent.Type.KeyPress, _Key.Key_B, held)) == ""
+
+
+@pytest.mark.parametrize("place", KEYS)
+def test_a_single_key_is_called_what_stands_on_it(place):
+    for gesture in KEYS[place].gestures.values():
+        if len(gesture.keys) == 1:
+            *held, key = gesture.keys[0].split("+")
+            assert gesture.shown == "+".join((*held, ON_KEYS.get(key, key)))
+
+
+def test_tooltips_name_the_keys_of_panels(window):
+    hint = window.findChild(QWidget, "mute_button").toolTip()
+    assert hint.endswith(f"({key_text('inputs', 'mute')})")
+    assert key_text("inputs", "shift_up") in window.actions_by_name["shift_input_up"].toolTip()
+
+
+@pytest.mark.parametrize("part", [Transport, ScrubBar, PreparingNote])
+def test_tooltips_name_the_shortcut_that_an_action_has(qtbot, monkeypatch, part):
+    monkeypatch.setitem(SHORTCUTS, "play", ("Ctrl+P",))
+    widget = part()
+    qtbot.addWidget(widget)
+    tips = [button.toolTip() for button in widget.findChildren(QAbstractButton)]
+    assert any("(Ctrl+P)" in tip for tip in tips)
+    assert not any("(Space)" in tip for tip in tips)
+
+
+def test_the_keys_page_lists_each_gesture_and_the_key_of_each_action(window):
+    window.do("show_keys")
+    text = window.findChild(QTextBrowser, "page_text").toPlainText()
+    for place in (*MOUSE.values(), *KEYS.values()):
+        assert place.heading in text
+        for gesture in place.gestures.values():
+            assert gesture.shown in text
+            assert gesture.effect in text
+    for name, action in window.actions_by_name.items():
+        keys = ", ".join(key.toString() for key in action.shortcuts())
+        assert not keys or f"\n{keys}" in text, name

@@ -1,0 +1,49 @@
+"""Colours change while the studio is open, in all that is seen."""
+
+import pytest
+from PySide6.QtWidgets import QApplication
+
+from skinsource_gui.shell.panels import PANELS
+from skinsource_gui.theme import DARK, LIGHT, current_theme, drawn_in
+
+#: What is known of the sound card comes at any time.
+NAMES = [spec.panel.name for spec in PANELS if spec.panel.name != "playback"]
+
+
+def pictures(window):
+    """Of each panel, and of the buttons that play, without the frame of the keyboard."""
+    seen = {"bar": window.playback.bar.grab().toImage()}
+    for name in NAMES:
+        window.docks[name].show()
+        window.docks[name].raise_()
+        QApplication.processEvents()
+        window.catch_up()
+        window.setFocus()
+        QApplication.processEvents()
+        seen[name] = window.panel(name).grab().toImage()
+    return seen
+
+
+@pytest.mark.parametrize("theme", ["dark", "contrast"])
+def test_colours_that_are_chosen_later_are_those_of_a_window_that_opens_in_them(
+    make_window, preferences, theme
+):
+    preferences.theme_name = theme
+    window = make_window()
+    pictures(window)  # each panel that comes changes the room of the others
+    opened = pictures(window)
+    preferences.theme_name = "light"
+    window = make_window()
+    pictures(window)
+    window.do(f"use_{theme}_theme")
+    chosen = pictures(window)
+    assert [name for name in opened if opened[name] != chosen[name]] == []
+    window.do("use_light_theme")
+    light = pictures(window)
+    assert [name for name in opened if opened[name] == light[name]] == []
+
+
+def test_a_page_has_colours_of_its_own_while_it_is_drawn():
+    with drawn_in(DARK):
+        assert current_theme() is DARK
+    assert current_theme() is LIGHT
