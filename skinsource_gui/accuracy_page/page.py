@@ -3,8 +3,9 @@
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
+from typing import Protocol
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, SignalInstance
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -41,8 +42,6 @@ from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
 from skinsource_gui.state.page_job import PageJob
 from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.status.error_label import error_words
-from skinsource_gui.status.status_line import StatusLine
 from skinsource_gui.theme import UNIT_PX, tabular
 from skinsource_gui.widgets.fields.drop_down import DropDown
 from skinsource_gui.widgets.page_button import page_button
@@ -57,6 +56,16 @@ def measured(limb: str, digest: str, *, progress: Progress, stop: Stop) -> tuple
     on = load_limb(limb, digest) if limb else None
     cases = cases_of(on, quick=True, progress=progress, stop=stop)
     return tuple(measure(cases, repeats=QUICK_REPEATS, progress=progress, stop=stop))
+
+
+class Status(Protocol):
+    """What tells how fast and how exact the studio is now."""
+
+    changed: SignalInstance
+
+    def times_and_error(self) -> str:
+        """Times of the latest edits, and the error of the traces, as a sentence or two."""
+        ...
 
 
 class AccuracyPage(QDialog):
@@ -77,7 +86,7 @@ class AccuracyPage(QDialog):
     def __init__(
         self,
         runner: JobRunner,
-        status: StatusLine,
+        status: Status,
         preferences: Preferences,
         document: Document,
         parent: QWidget,
@@ -154,10 +163,7 @@ class AccuracyPage(QDialog):
 
     def _refresh(self) -> None:
         if self.isVisible():
-            times = self._status.timing.about_times() or "Nothing was edited yet."
-            error = self._status.error.error
-            known = "" if error is None else f" Traces that are shown: {error_words(error)}."
-            self.now.setText(f"{times}{known}")
+            self.now.setText(self._status.times_and_error())
 
     def _name_limb(self) -> None:
         self._limb.setItemText(1, facts_of(self._document.design.limb).title)

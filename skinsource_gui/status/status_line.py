@@ -9,7 +9,7 @@ from skinsource.rendering.check import TraceError
 from skinsource_gui.state.engine import Engine, Outcome
 from skinsource_gui.status import computation_words
 from skinsource_gui.status.computation_words import Scope, felt_words, scope_of
-from skinsource_gui.status.error_label import ErrorLabel
+from skinsource_gui.status.error_label import ErrorLabel, error_words
 from skinsource_gui.status.pause import PAUSE_MS
 from skinsource_gui.status.sparkline import FRAME_S, Sparkline
 from skinsource_gui.status.timing_label import TimingLabel
@@ -102,6 +102,13 @@ class StatusLine(QWidget):
         if error is not self.error.error:
             self.error.show_error(error)
             self._say_soon()
+
+    def times_and_error(self) -> str:
+        """Times of the latest edits, and the error of the traces, as a sentence or two."""
+        times = self.timing.about_times() or "Nothing was edited yet."
+        error = self.error.error
+        known = "" if error is None else f" Traces that are shown: {error_words(error)}."
+        return f"{times}{known}"
 
     def _note_times(self) -> None:
         self._times.setVisible(not self._lateness.late)

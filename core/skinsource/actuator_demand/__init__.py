@@ -1,22 +1,8 @@
 """What a design asks of an actuator that is looked at: its volts, current, motion and warmth."""
 
-from typing import TYPE_CHECKING
-
-from skinsource.late import late_names
-
-if TYPE_CHECKING:
-    from skinsource.actuator_demand.demand import LONGEST_S, Demand, demand_of, drive_at, strongest
-    from skinsource.actuator_demand.settings import MEASURED, ActuatorSettings, actuator_spec
-    from skinsource.actuator_demand.settings_of_actuation import actuation_of, settings_through
-else:
-    __getattr__, __dir__ = late_names(
-        __name__,
-        {
-            "demand": "LONGEST_S Demand demand_of drive_at strongest",
-            "settings": "MEASURED ActuatorSettings actuator_spec",
-            "settings_of_actuation": "actuation_of settings_through",
-        },
-    )
+from skinsource.actuator_demand.demand import LONGEST_S, Demand, demand_of, drive_at, strongest
+from skinsource.actuator_demand.settings import MEASURED, ActuatorSettings, actuator_spec
+from skinsource.actuator_demand.settings_of_actuation import actuation_of, settings_through
 
 __all__ = [
     "LONGEST_S",

@@ -9,41 +9,18 @@
 To add a kind: write a file beside these, and name its class in `actuator_profile.KINDS`.
 """
 
-from typing import TYPE_CHECKING
-
-from skinsource.late import late_names
-
-if TYPE_CHECKING:
-    from skinsource.actuators.actuator import Actuator
-    from skinsource.actuators.actuator_profile import KINDS, MODEL, ActuatorProfile, Model
-    from skinsource.actuators.fitting import fit, misfit_db
-    from skinsource.actuators.limits import Limits, Thermal
-    from skinsource.actuators.measured_response import MeasuredResponse
-    from skinsource.actuators.motion import ActuatorMotion
-    from skinsource.actuators.piezo import Piezo
-    from skinsource.actuators.prediction import Breach, Prediction, breaches, predicted
-    from skinsource.actuators.recoil_voice_coil import RecoilVoiceCoil
-    from skinsource.actuators.response_shape import ResponseShape
-    from skinsource.actuators.shelf import load, load_shape, names, profile, shape_names
-    from skinsource.actuators.voice_coil import VoiceCoil
-else:
-    __getattr__, __dir__ = late_names(
-        __name__,
-        {
-            "actuator": "Actuator",
-            "fitting": "fit misfit_db",
-            "limits": "Limits Thermal",
-            "measured_response": "MeasuredResponse",
-            "motion": "ActuatorMotion",
-            "piezo": "Piezo",
-            "prediction": "Breach Prediction breaches predicted",
-            "actuator_profile": "KINDS MODEL ActuatorProfile Model",
-            "recoil_voice_coil": "RecoilVoiceCoil",
-            "response_shape": "ResponseShape",
-            "shelf": "load load_shape names profile shape_names",
-            "voice_coil": "VoiceCoil",
-        },
-    )
+from skinsource.actuators.actuator import Actuator
+from skinsource.actuators.actuator_profile import KINDS, MODEL, ActuatorProfile, Model
+from skinsource.actuators.fitting import fit, misfit_db
+from skinsource.actuators.limits import Limits, Thermal
+from skinsource.actuators.measured_response import MeasuredResponse
+from skinsource.actuators.motion import ActuatorMotion
+from skinsource.actuators.piezo import Piezo
+from skinsource.actuators.prediction import Breach, Prediction, breaches, predicted
+from skinsource.actuators.recoil_voice_coil import RecoilVoiceCoil
+from skinsource.actuators.response_shape import ResponseShape
+from skinsource.actuators.shelf import load, load_shape, names, profile, shape_names
+from skinsource.actuators.voice_coil import VoiceCoil
 
 __all__ = [
     "KINDS",

@@ -1,7 +1,8 @@
 """What an actuator will do under a voltage: the figures by which it is judged."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
+from dataclasses import fields as dataclass_fields
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -156,7 +157,7 @@ def breaches(prediction: Prediction, limits: Limits) -> tuple[Breach, ...]:
     """The limits that a prediction passes; what the model does not tell passes none."""
     found = {
         one.name: getattr(prediction, one.name)
-        for one in fields(Limits)
+        for one in dataclass_fields(Limits)
         if one.name != "displacement_m"
     }
     found["displacement_m"] = prediction.peak_displacement_m

@@ -1,42 +1,22 @@
 """From what is written down of a voice to the samples it plays: the one place drives come from."""
 
-from typing import TYPE_CHECKING
-
-from skinsource.late import late_names
-
-if TYPE_CHECKING:
-    from skinsource.chain.actuation import Actuation, ActuatorAt
-    from skinsource.chain.amplitudes import (
-        ARBITRARY_UNIT,
-        amplitude_meaning,
-        amplitude_note,
-        amplitude_text,
-        amplitude_unit,
-        drive_unit,
-        is_gain,
-        peak_text,
-    )
-    from skinsource.chain.chain import Chain, Curve, Part
-    from skinsource.chain.drive import LARGEST, Drive, drive_of, drive_played, first_unusable
-    from skinsource.chain.followed import refuse_unfollowed
-    from skinsource.chain.of_rig import actuation_of_rig
-    from skinsource.chain.placing import drive_of_clips, placed_chain
-    from skinsource.chain.transfer import Transfer, transfers_of
-else:
-    __getattr__, __dir__ = late_names(
-        __name__,
-        {
-            "actuation": "Actuation ActuatorAt",
-            "amplitudes": "ARBITRARY_UNIT amplitude_meaning amplitude_note amplitude_text "
-            "amplitude_unit drive_unit is_gain peak_text",
-            "chain": "Chain Curve Part",
-            "drive": "LARGEST Drive drive_of drive_played first_unusable",
-            "followed": "refuse_unfollowed",
-            "of_rig": "actuation_of_rig",
-            "placing": "drive_of_clips placed_chain",
-            "transfer": "Transfer transfers_of",
-        },
-    )
+from skinsource.chain.actuation import Actuation, ActuatorAt
+from skinsource.chain.amplitudes import (
+    ARBITRARY_UNIT,
+    amplitude_meaning,
+    amplitude_note,
+    amplitude_text,
+    amplitude_unit,
+    drive_unit,
+    is_gain,
+    peak_text,
+)
+from skinsource.chain.chain import Chain, Curve, Part
+from skinsource.chain.drive import LARGEST, Drive, drive_of, drive_played, first_unusable
+from skinsource.chain.followed import refuse_unfollowed
+from skinsource.chain.of_rig import actuation_of_rig
+from skinsource.chain.placing import drive_of_clips, placed_chain
+from skinsource.chain.transfer import Transfer, transfers_of
 
 __all__ = [
     "ARBITRARY_UNIT",

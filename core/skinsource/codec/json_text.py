@@ -4,8 +4,8 @@ import json
 from typing import Any, NoReturn
 
 from skinsource.errors import FileFormatError
-from skinsource.fields import Tree
 from skinsource.quoting import quoted
+from skinsource.tree import Tree
 
 #: Without samples; far above any design.
 MAX_TEXT_BYTES = 8 * 2**20

@@ -1,50 +1,33 @@
 """Designs side by side: snapshots, alike in level, and how their levels differ."""
 
-from typing import TYPE_CHECKING
-
-from skinsource.late import late_names
-
-if TYPE_CHECKING:
-    from skinsource.comparing.difference import (
-        difference_db,
-        end_db,
-        gain_words,
-        loudest_db,
-        match_words,
-        matching_gain,
-    )
-    from skinsource.comparing.limbs import (
-        MOST_BESIDE,
-        limbs_beside,
-        mean_and_spread_over,
-        same_outputs,
-    )
-    from skinsource.comparing.snapshot import (
-        EDITED,
-        NUMBERS,
-        Snapshot,
-        alike,
-        brought_back,
-        louder,
-        name_of,
-        nothing_to_compare,
-        other_than,
-        reference,
-        shown,
-        together,
-    )
-else:
-    __getattr__, __dir__ = late_names(
-        __name__,
-        {
-            "difference": "difference_db end_db gain_words loudest_db match_words matching_gain",
-            "limbs": "MOST_BESIDE limbs_beside mean_and_spread_over same_outputs",
-            "snapshot": (
-                "EDITED NUMBERS Snapshot alike brought_back louder name_of nothing_to_compare "
-                "other_than reference shown together"
-            ),
-        },
-    )
+from skinsource.comparing.difference import (
+    difference_db,
+    end_db,
+    gain_words,
+    loudest_db,
+    match_words,
+    matching_gain,
+)
+from skinsource.comparing.limbs import (
+    MOST_BESIDE,
+    limbs_beside,
+    mean_and_spread_over,
+    same_outputs,
+)
+from skinsource.comparing.snapshot import (
+    EDITED,
+    NUMBERS,
+    Snapshot,
+    alike,
+    brought_back,
+    louder,
+    name_of,
+    nothing_to_compare,
+    other_than,
+    reference,
+    shown,
+    together,
+)
 
 __all__ = [
     "EDITED",

@@ -4,158 +4,104 @@ Whatever they are given, they raise nothing: what cannot be done is a `Refusal` 
 To add one, write a function in the module that it belongs to, and name it here.
 """
 
-from typing import TYPE_CHECKING
-
-from skinsource.late import late_names
-
-if TYPE_CHECKING:
-    from skinsource.edits.actuation import predict_through
-    from skinsource.edits.clip_selection import (
-        move_playhead,
-        select_all_clips,
-        select_clips,
-        toggle_clip,
-    )
-    from skinsource.edits.clips import (
-        add_clip,
-        copy_clips,
-        duplicate_clips,
-        move_clips,
-        remove_clips,
-        repeat_clips,
-        set_clips,
-        toggle_mute_clips,
-    )
-    from skinsource.edits.clips_to_places import move_clips_to_place
-    from skinsource.edits.cutting import fade_clip, join_clips, split_clips, stretch_clip, trim_clip
-    from skinsource.edits.drawing import bound_clip, draw_clip
-    from skinsource.edits.edit import Edit, Refusal
-    from skinsource.edits.effects import (
-        add_effect,
-        change_effect_field,
-        move_effect,
-        remove_effect,
-        set_envelope,
-        switch_effect,
-    )
-    from skinsource.edits.fragments import (
-        cut_clips,
-        fragment_from,
-        fragment_of,
-        fragment_text,
-        paste_fragment,
-        place_fragment,
-    )
-    from skinsource.edits.glides import set_glide_curve
-    from skinsource.edits.groups import group_clips, ungroup_clips
-    from skinsource.edits.inputs import (
-        add_input,
-        clear_inputs,
-        duplicate_inputs,
-        move_inputs,
-        mute_inputs,
-        place_input,
-        remove_inputs,
-        solo_inputs,
-        toggle_mute,
-        toggle_solo,
-    )
-    from skinsource.edits.mending import mend
-    from skinsource.edits.motions import add_motion
-    from skinsource.edits.order import put_inputs_before, shift_inputs
-    from skinsource.edits.outputs import select_outputs
-    from skinsource.edits.placing import place_waveform
-    from skinsource.edits.ruler import (
-        add_marker,
-        move_marker,
-        remove_marker,
-        rename_marker,
-        set_gain_curve,
-        set_loop,
-    )
-    from skinsource.edits.selection import (
-        kept_selection,
-        select_all_inputs,
-        select_inputs,
-        select_through,
-        toggle_selected,
-    )
-    from skinsource.edits.setup import (
-        change_limb,
-        change_scaling,
-        level_over,
-        look_along,
-        look_by_method,
-        play_slower,
-        remove_delay,
-    )
-    from skinsource.edits.snapshots import (
-        forget_snapshot,
-        keep_match_gain,
-        match_levels,
-        show_snapshot,
-        store_snapshot,
-        take_snapshot,
-    )
-    from skinsource.edits.times import insert_time, remove_time
-    from skinsource.edits.values import (
-        change_field,
-        change_kind,
-        change_waveform,
-        drag_field,
-        fields_of,
-        value_of,
-    )
-    from skinsource.edits.wavelets import equalise_on_skin
-else:
-    __getattr__, __dir__ = late_names(
-        __name__,
-        {
-            "actuation": "predict_through",
-            "clip_selection": "move_playhead select_all_clips select_clips toggle_clip",
-            "clips": (
-                "add_clip copy_clips duplicate_clips move_clips remove_clips repeat_clips "
-                "set_clips toggle_mute_clips"
-            ),
-            "clips_to_places": "move_clips_to_place",
-            "cutting": "fade_clip join_clips split_clips stretch_clip trim_clip",
-            "drawing": "bound_clip draw_clip",
-            "edit": "Edit Refusal",
-            "effects": (
-                "add_effect change_effect_field move_effect remove_effect set_envelope "
-                "switch_effect"
-            ),
-            "fragments": (
-                "cut_clips fragment_from fragment_of fragment_text paste_fragment place_fragment"
-            ),
-            "glides": "set_glide_curve",
-            "groups": "group_clips ungroup_clips",
-            "inputs": (
-                "add_input clear_inputs duplicate_inputs move_inputs mute_inputs place_input "
-                "remove_inputs solo_inputs toggle_mute toggle_solo"
-            ),
-            "mending": "mend",
-            "motions": "add_motion",
-            "order": "put_inputs_before shift_inputs",
-            "outputs": "select_outputs",
-            "placing": "place_waveform",
-            "ruler": "add_marker move_marker remove_marker rename_marker set_gain_curve set_loop",
-            "selection": (
-                "kept_selection select_all_inputs select_inputs select_through toggle_selected"
-            ),
-            "setup": (
-                "change_limb change_scaling level_over look_along look_by_method play_slower "
-                "remove_delay"
-            ),
-            "snapshots": (
-                "forget_snapshot keep_match_gain match_levels show_snapshot store_snapshot "
-                "take_snapshot"
-            ),
-            "times": "insert_time remove_time",
-            "values": "change_field change_kind change_waveform drag_field fields_of value_of",
-            "wavelets": "equalise_on_skin",
-        },
-    )
+from skinsource.edits.actuation import predict_through
+from skinsource.edits.clip_selection import (
+    move_playhead,
+    select_all_clips,
+    select_clips,
+    toggle_clip,
+)
+from skinsource.edits.clips import (
+    add_clip,
+    copy_clips,
+    duplicate_clips,
+    move_clips,
+    remove_clips,
+    repeat_clips,
+    set_clips,
+    toggle_mute_clips,
+)
+from skinsource.edits.clips_to_places import move_clips_to_place
+from skinsource.edits.cutting import fade_clip, join_clips, split_clips, stretch_clip, trim_clip
+from skinsource.edits.drawing import bound_clip, draw_clip
+from skinsource.edits.edit import Edit, Refusal
+from skinsource.edits.effects import (
+    add_effect,
+    change_effect_field,
+    move_effect,
+    remove_effect,
+    set_envelope,
+    switch_effect,
+)
+from skinsource.edits.fragments import (
+    cut_clips,
+    fragment_from,
+    fragment_of,
+    fragment_text,
+    paste_fragment,
+    place_fragment,
+)
+from skinsource.edits.glides import set_glide_curve
+from skinsource.edits.groups import group_clips, ungroup_clips
+from skinsource.edits.inputs import (
+    add_input,
+    clear_inputs,
+    duplicate_inputs,
+    move_inputs,
+    mute_inputs,
+    place_input,
+    remove_inputs,
+    solo_inputs,
+    toggle_mute,
+    toggle_solo,
+)
+from skinsource.edits.mending import mend
+from skinsource.edits.motions import add_motion
+from skinsource.edits.order import put_inputs_before, shift_inputs
+from skinsource.edits.outputs import select_outputs
+from skinsource.edits.placing import place_waveform
+from skinsource.edits.ruler import (
+    add_marker,
+    move_marker,
+    remove_marker,
+    rename_marker,
+    set_gain_curve,
+    set_loop,
+)
+from skinsource.edits.selection import (
+    kept_selection,
+    select_all_inputs,
+    select_inputs,
+    select_through,
+    toggle_selected,
+)
+from skinsource.edits.setup import (
+    change_limb,
+    change_scaling,
+    level_over,
+    look_along,
+    look_by_method,
+    play_slower,
+    remove_delay,
+)
+from skinsource.edits.snapshots import (
+    forget_snapshot,
+    keep_match_gain,
+    match_levels,
+    show_snapshot,
+    store_snapshot,
+    take_snapshot,
+)
+from skinsource.edits.times import insert_time, remove_time
+from skinsource.edits.values import (
+    change_field,
+    change_kind,
+    change_waveform,
+    drag_field,
+    fields_of,
+    value_of,
+)
+from skinsource.edits.wavelets import equalise_on_skin
 
 __all__ = [
     "Edit",

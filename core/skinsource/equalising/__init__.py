@@ -10,33 +10,14 @@ as a limited boost reaches.
 True
 """
 
-from typing import TYPE_CHECKING
-
-from skinsource.late import late_names
-
-if TYPE_CHECKING:
-    from skinsource.equalising.applying import equalised
-    from skinsource.equalising.band import followed_band
-    from skinsource.equalising.equaliser import Equaliser
-    from skinsource.equalising.every_kind import EQUALISERS
-    from skinsource.equalising.pole_pair import PolePairReplacement, resonance_of
-    from skinsource.equalising.regularised_inverse import RegularisedInverse
-    from skinsource.equalising.response_curves import EqualiserCurves, curves
-    from skinsource.equalising.velocity_of_drive import NetVelocity, net_velocity
-else:
-    __getattr__, __dir__ = late_names(
-        __name__,
-        {
-            "applying": "equalised",
-            "response_curves": "EqualiserCurves curves",
-            "equaliser": "Equaliser",
-            "band": "followed_band",
-            "velocity_of_drive": "NetVelocity net_velocity",
-            "every_kind": "EQUALISERS",
-            "pole_pair": "PolePairReplacement resonance_of",
-            "regularised_inverse": "RegularisedInverse",
-        },
-    )
+from skinsource.equalising.applying import equalised
+from skinsource.equalising.band import followed_band
+from skinsource.equalising.equaliser import Equaliser
+from skinsource.equalising.every_kind import EQUALISERS
+from skinsource.equalising.pole_pair import PolePairReplacement, resonance_of
+from skinsource.equalising.regularised_inverse import RegularisedInverse
+from skinsource.equalising.response_curves import EqualiserCurves, curves
+from skinsource.equalising.velocity_of_drive import NetVelocity, net_velocity
 
 __all__ = [
     "EQUALISERS",

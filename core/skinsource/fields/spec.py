@@ -12,8 +12,7 @@ from typing import Any, TypeVar
 from skinsource.errors import FileFormatError, InvalidInputError
 from skinsource.limb import BAND_HZ, Band
 from skinsource.quoting import quoted
-
-Tree = Any
+from skinsource.tree import Tree
 
 #: Recipes within recipes; whoever nests deeper has made a mistake, or means harm.
 MAX_DEPTH = 32

@@ -9,27 +9,11 @@ The text becomes a `Program`: the tree in postfix order, so that neither reading
 goes deeper the more it is nested.  `played` is the signal at the samples.
 """
 
-from typing import TYPE_CHECKING
-
-from skinsource.late import late_names
-
-if TYPE_CHECKING:
-    from skinsource.formula.functions import FUNCTIONS, Function
-    from skinsource.formula.mistake import column_of
-    from skinsource.formula.playing import played
-    from skinsource.formula.program import Program
-    from skinsource.formula.reading import LONGEST, MAX_DEPTH, MAX_STEPS, read
-else:
-    __getattr__, __dir__ = late_names(
-        __name__,
-        {
-            "functions": "FUNCTIONS Function",
-            "mistake": "column_of",
-            "playing": "played",
-            "program": "Program",
-            "reading": "LONGEST MAX_DEPTH MAX_STEPS read",
-        },
-    )
+from skinsource.formula.functions import FUNCTIONS, Function
+from skinsource.formula.mistake import column_of
+from skinsource.formula.playing import played
+from skinsource.formula.program import Program
+from skinsource.formula.reading import LONGEST, MAX_DEPTH, MAX_STEPS, read
 
 __all__ = [
     "FUNCTIONS",

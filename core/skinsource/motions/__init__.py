@@ -4,33 +4,14 @@ A motion is a frozen dataclass with fields from `skinsource.fields`, and everyth
 names.  To add one: write a file beside these, and name its class in `every_kind.MOTIONS`.
 """
 
-from typing import TYPE_CHECKING
-
-from skinsource.late import late_names
-
-if TYPE_CHECKING:
-    from skinsource.motions.alternation import Alternation
-    from skinsource.motions.apparent_motion import ApparentMotion
-    from skinsource.motions.every_kind import MOTIONS
-    from skinsource.motions.motion import Motion
-    from skinsource.motions.phantom import Phantom
-    from skinsource.motions.sweep import Sweep
-    from skinsource.motions.tap_sequence import TapSequence
-    from skinsource.motions.travelling_phase import TravellingPhase
-else:
-    __getattr__, __dir__ = late_names(
-        __name__,
-        {
-            "alternation": "Alternation",
-            "apparent_motion": "ApparentMotion",
-            "every_kind": "MOTIONS",
-            "motion": "Motion",
-            "phantom": "Phantom",
-            "sweep": "Sweep",
-            "tap_sequence": "TapSequence",
-            "travelling_phase": "TravellingPhase",
-        },
-    )
+from skinsource.motions.alternation import Alternation
+from skinsource.motions.apparent_motion import ApparentMotion
+from skinsource.motions.every_kind import MOTIONS
+from skinsource.motions.motion import Motion
+from skinsource.motions.phantom import Phantom
+from skinsource.motions.sweep import Sweep
+from skinsource.motions.tap_sequence import TapSequence
+from skinsource.motions.travelling_phase import TravellingPhase
 
 __all__ = [
     "MOTIONS",

@@ -5,29 +5,14 @@ accelerometers, temperature, age and force are not in the model, people differ b
 what lies below 25 Hz is not measured: only differences between designs on one limb are safe.
 """
 
-from typing import TYPE_CHECKING
-
-from skinsource.late import late_names
-
-if TYPE_CHECKING:
-    from skinsource.perception.sensation import (
-        LIMITS,
-        LIMITS_IN_SHORT,
-        sensation_levels_db,
-        sensation_magnitude,
-        site_offsets_db,
-    )
-    from skinsource.perception.thresholds import CHANNELS, Channel, threshold_rms
-else:
-    __getattr__, __dir__ = late_names(
-        __name__,
-        {
-            "sensation": (
-                "LIMITS LIMITS_IN_SHORT sensation_levels_db sensation_magnitude site_offsets_db"
-            ),
-            "thresholds": "CHANNELS Channel threshold_rms",
-        },
-    )
+from skinsource.perception.sensation import (
+    LIMITS,
+    LIMITS_IN_SHORT,
+    sensation_levels_db,
+    sensation_magnitude,
+    site_offsets_db,
+)
+from skinsource.perception.thresholds import CHANNELS, Channel, threshold_rms
 
 __all__ = [
     "CHANNELS",

@@ -5,41 +5,18 @@ from it, and is all that happens between a `Mix` and the device, so that it is t
 A `Stream` lets a device call it.  Nothing of sounddevice is imported before somebody asks.
 """
 
-from typing import TYPE_CHECKING
-
-from skinsource.late import late_names
-
-if TYPE_CHECKING:
-    from skinsource.playing.block import next_block
-    from skinsource.playing.deck import Deck
-    from skinsource.playing.devices import Device, device_of, rates_of
-    from skinsource.playing.ending import Ending
-    from skinsource.playing.gain import HIGHEST_DB, LOWEST_DB, START_DB
-    from skinsource.playing.meters import Levels
-    from skinsource.playing.mix import Mix, mix_of
-    from skinsource.playing.output import Output, output_from_text
-    from skinsource.playing.output_of_place import outputs_by_place
-    from skinsource.playing.session import Playing, Session
-    from skinsource.playing.stream import Stream
-    from skinsource.playing.timing import Delay
-else:
-    __getattr__, __dir__ = late_names(
-        __name__,
-        {
-            "block": "next_block",
-            "deck": "Deck",
-            "devices": "Device device_of rates_of",
-            "ending": "Ending",
-            "gain": "HIGHEST_DB LOWEST_DB START_DB",
-            "meters": "Levels",
-            "mix": "Mix mix_of",
-            "output": "Output output_from_text",
-            "session": "Playing Session",
-            "stream": "Stream",
-            "timing": "Delay",
-            "output_of_place": "outputs_by_place",
-        },
-    )
+from skinsource.playing.block import next_block
+from skinsource.playing.deck import Deck
+from skinsource.playing.devices import Device, device_of, rates_of
+from skinsource.playing.ending import Ending
+from skinsource.playing.gain import HIGHEST_DB, LOWEST_DB, START_DB
+from skinsource.playing.meters import Levels
+from skinsource.playing.mix import Mix, mix_of
+from skinsource.playing.output import Output, output_from_text
+from skinsource.playing.output_of_place import outputs_by_place
+from skinsource.playing.session import Playing, Session
+from skinsource.playing.stream import Stream
+from skinsource.playing.timing import Delay
 
 __all__ = [
     "HIGHEST_DB",

@@ -5,38 +5,20 @@ file of its own, see `skinsource.presets.preset_file`: those that the library sh
 folder, and are made by ``python -m skinsource.presets.shipped``; those of the user in the user's.
 """
 
-from typing import TYPE_CHECKING
-
-from skinsource.late import late_names
-
-if TYPE_CHECKING:
-    from skinsource.presets.fragment_mix import mixed
-    from skinsource.presets.preset import Preset, tags_of
-    from skinsource.presets.preset_file import SUFFIX, preset_from, preset_text, read_preset
-    from skinsource.presets.searching import matching
-    from skinsource.presets.shelf import (
-        Entry,
-        Fault,
-        Shelf,
-        read_shelf,
-        shipped_folder,
-        users_folder,
-    )
-    from skinsource.presets.storing import delete_preset, rename_preset, save_preset
-    from skinsource.presets.taking import whole_design
-else:
-    __getattr__, __dir__ = late_names(
-        __name__,
-        {
-            "fragment_mix": "mixed",
-            "preset": "Preset tags_of",
-            "preset_file": "SUFFIX preset_from preset_text read_preset",
-            "searching": "matching",
-            "shelf": "Entry Fault Shelf read_shelf shipped_folder users_folder",
-            "storing": "delete_preset rename_preset save_preset",
-            "taking": "whole_design",
-        },
-    )
+from skinsource.presets.fragment_mix import mixed
+from skinsource.presets.preset import Preset, tags_of
+from skinsource.presets.preset_file import SUFFIX, preset_from, preset_text, read_preset
+from skinsource.presets.searching import matching
+from skinsource.presets.shelf import (
+    Entry,
+    Fault,
+    Shelf,
+    read_shelf,
+    shipped_folder,
+    users_folder,
+)
+from skinsource.presets.storing import delete_preset, rename_preset, save_preset
+from skinsource.presets.taking import whole_design
 
 __all__ = [
     "SUFFIX",

@@ -5,27 +5,11 @@
 ['full scale', 'm/s²', 'g', 'mm/s', 'µm', 'N', 'V']
 """
 
-from typing import TYPE_CHECKING
-
-from skinsource.late import late_names
-
-if TYPE_CHECKING:
-    from skinsource.recordings.choice import ImportChoice, suggested
-    from skinsource.recordings.found import Found, Series
-    from skinsource.recordings.importing import look, take
-    from skinsource.recordings.taking import Taken, taken
-    from skinsource.recordings.units import UNITS
-else:
-    __getattr__, __dir__ = late_names(
-        __name__,
-        {
-            "choice": "ImportChoice suggested",
-            "found": "Found Series",
-            "importing": "look take",
-            "taking": "Taken taken",
-            "units": "UNITS",
-        },
-    )
+from skinsource.recordings.choice import ImportChoice, suggested
+from skinsource.recordings.found import Found, Series
+from skinsource.recordings.importing import look, take
+from skinsource.recordings.taking import Taken, taken
+from skinsource.recordings.units import UNITS
 
 __all__ = [
     "UNITS",

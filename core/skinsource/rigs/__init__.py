@@ -4,29 +4,12 @@ A file of its own beside designs, made by hand or from measurements.  Limits sta
 nothing that a design holds: no design can loosen them.
 """
 
-from typing import TYPE_CHECKING
-
-from skinsource.late import late_names
-
-if TYPE_CHECKING:
-    from skinsource.rigs.channel import RigChannel
-    from skinsource.rigs.checking import RigBreach, rig_breaches, strictest
-    from skinsource.rigs.margins import Margin, highest_gain
-    from skinsource.rigs.rig import Rig
-    from skinsource.rigs.rig_file import SUFFIX, open_rig, save_rig
-    from skinsource.rigs.sending import calibration_words, samples_for, volts_of
-else:
-    __getattr__, __dir__ = late_names(
-        __name__,
-        {
-            "channel": "RigChannel",
-            "checking": "RigBreach rig_breaches strictest",
-            "margins": "Margin highest_gain",
-            "rig": "Rig",
-            "rig_file": "SUFFIX open_rig save_rig",
-            "sending": "calibration_words samples_for volts_of",
-        },
-    )
+from skinsource.rigs.channel import RigChannel
+from skinsource.rigs.checking import RigBreach, rig_breaches, strictest
+from skinsource.rigs.margins import Margin, highest_gain
+from skinsource.rigs.rig import Rig
+from skinsource.rigs.rig_file import SUFFIX, open_rig, save_rig
+from skinsource.rigs.sending import calibration_words, samples_for, volts_of
 
 __all__ = [
     "SUFFIX",

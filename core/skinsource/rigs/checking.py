@@ -1,7 +1,8 @@
 """Whether what is sent to a rig stays within its limits."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
+from dataclasses import fields as dataclass_fields
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -49,7 +50,7 @@ class RigBreach:
 def strictest(*several: Limits) -> Limits:
     """For each limit the least of those that are known."""
     found = {}
-    for one in fields(Limits):
+    for one in dataclass_fields(Limits):
         known = [value for limits in several if (value := getattr(limits, one.name)) is not None]
         found[one.name] = min(known, default=None)
     return Limits(**found)
@@ -118,7 +119,9 @@ def _of_channel(channel: RigChannel, row: np.ndarray, sample_rate_hz: int) -> tu
         passed.pop("displacement_m", None)
         passed |= {one.name: one for one in breaches(moved, limits) if one.name == "displacement_m"}
     unknown = (
-        set() if known_volts else {one.name for one in fields(Limits)} - {"duration_s", "duty"}
+        set()
+        if known_volts
+        else {one.name for one in dataclass_fields(Limits)} - {"duration_s", "duty"}
     )
     unknown |= set() if model is not None else {"displacement_m"}
     return tuple(one for name, one in passed.items() if name not in unknown)

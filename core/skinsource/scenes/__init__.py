@@ -13,30 +13,16 @@ skinsource.scenes.shipped``.
 True
 """
 
-from typing import TYPE_CHECKING
-
-from skinsource.late import late_names
-
-if TYPE_CHECKING:
-    from skinsource.scenes.paper_scene import Condition, OpenedScene, Scene
-    from skinsource.scenes.shelf import (
-        all_scenes,
-        names,
-        open_scene,
-        scene,
-        scenes_folder,
-        why_not_on,
-    )
-    from skinsource.scenes.title_now import title_of
-else:
-    __getattr__, __dir__ = late_names(
-        __name__,
-        {
-            "paper_scene": "Condition OpenedScene Scene",
-            "shelf": "all_scenes names open_scene scene scenes_folder why_not_on",
-            "title_now": "title_of",
-        },
-    )
+from skinsource.scenes.paper_scene import Condition, OpenedScene, Scene
+from skinsource.scenes.shelf import (
+    all_scenes,
+    names,
+    open_scene,
+    scene,
+    scenes_folder,
+    why_not_on,
+)
+from skinsource.scenes.title_now import title_of
 
 __all__ = [
     "Condition",

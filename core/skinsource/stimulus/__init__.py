@@ -4,33 +4,14 @@
 is done to it on the way out is a function from stimulus to stimulus each.
 """
 
-from typing import TYPE_CHECKING
-
-from skinsource.late import late_names
-
-if TYPE_CHECKING:
-    from skinsource.stimulus.channel import Channel
-    from skinsource.stimulus.channel_order import in_order
-    from skinsource.stimulus.fades import faded
-    from skinsource.stimulus.full_scale import full_scale_factor, scaled
-    from skinsource.stimulus.of_design import Stage, stimulus_of
-    from skinsource.stimulus.stimulus import Stimulus
-    from skinsource.stimulus.sync import with_sync
-    from skinsource.stimulus.times import part_of_time, with_lead_in
-else:
-    __getattr__, __dir__ = late_names(
-        __name__,
-        {
-            "channel": "Channel",
-            "channel_order": "in_order",
-            "fades": "faded",
-            "full_scale": "full_scale_factor scaled",
-            "of_design": "Stage stimulus_of",
-            "stimulus": "Stimulus",
-            "sync": "with_sync",
-            "times": "part_of_time with_lead_in",
-        },
-    )
+from skinsource.stimulus.channel import Channel
+from skinsource.stimulus.channel_order import in_order
+from skinsource.stimulus.fades import faded
+from skinsource.stimulus.full_scale import full_scale_factor, scaled
+from skinsource.stimulus.of_design import Stage, stimulus_of
+from skinsource.stimulus.stimulus import Stimulus
+from skinsource.stimulus.sync import with_sync
+from skinsource.stimulus.times import part_of_time, with_lead_in
 
 __all__ = [
     "Channel",

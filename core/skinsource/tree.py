@@ -1,0 +1,5 @@
+"""Trees that JSON can hold."""
+
+from typing import Any
+
+Tree = Any
