@@ -29,7 +29,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource.catalogue import available_limbs
+from skinsource.limbs.catalogue import available_limbs
 from skinsource_gui.shell.app import make_application
 from skinsource_gui.shell.garbage import take_over_collection
 from skinsource_gui.shell.window import MainWindow

@@ -10,10 +10,10 @@ import soundfile
 from composer import Composer
 from PySide6.QtWidgets import QCheckBox, QDialogButtonBox, QFileDialog, QWidget
 
-from skinsource import resample
-from skinsource.actuators import load
-from skinsource.chain import Actuation
-from skinsource.stimulus import stimulus_of
+from skinsource.actuators.actuation import Actuation
+from skinsource.actuators.catalog import load
+from skinsource.engine.stimulus import stimulus_of
+from skinsource.signals.resampling import resample
 
 #: The tips of four fingers.
 PLACES = (7, 8, 9, 10)

@@ -17,12 +17,12 @@ from time import perf_counter
 
 import numpy as np
 
-from skinsource.design import Design, track
-from skinsource.limb import Limb, LimbMap
-from skinsource.quantities import new_graph, sources
-from skinsource.response import predict
-from skinsource.view import View
-from skinsource.waveforms import Impulse
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Impulse
+from skinsource.engine.prediction import predict
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.limbs.limb import Limb, LimbMap
 
 PROMISED = 2.0
 N_TIMES, PLACES = 1300, (3, 7, 12, 18)

@@ -19,14 +19,14 @@ from time import perf_counter
 import numpy as np
 from scipy.signal import fftconvolve
 
-from skinsource.allocation import keep_freed_memory
-from skinsource.catalogue import default_limb, load_limb
-from skinsource.clips import Clip
-from skinsource.design import Design, Input, track
-from skinsource.quantities import new_graph, sources
-from skinsource.response import predict
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.base.allocation import keep_freed_memory
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.engine.prediction import predict
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.limbs.catalogue import default_limb, load_limb
 
 #: Edits come as drags: so many different ones after each plain pass, of which the mean counts.
 DRAG_STEPS = 10

@@ -31,10 +31,10 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 from yardstick import Beside, computing_and_painting, judge
 
-from skinsource.catalogue import available_limbs, default_limb
-from skinsource.design import Design, track
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
+from skinsource.limbs.catalogue import available_limbs, default_limb
 from skinsource_gui.shell.app import make_application
 from skinsource_gui.shell.garbage import take_over_collection
 from skinsource_gui.shell.window import MainWindow

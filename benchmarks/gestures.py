@@ -27,13 +27,13 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication, QWidget
 from yardstick import Beside, computing_and_painting
 
-from skinsource.catalogue import available_limbs, default_limb
-from skinsource.clips import Clip
-from skinsource.design import Design, Input
-from skinsource.effects import Envelope
-from skinsource.samples import Samples
-from skinsource.view import View
-from skinsource.waveforms import Drawn, Tone
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.effects import Envelope
+from skinsource.design.view import View
+from skinsource.design.waveforms import Drawn, Tone
+from skinsource.limbs.catalogue import available_limbs, default_limb
+from skinsource.specs.samples import Samples
 from skinsource_gui.panels.clip_editor.editor_view import EditorView
 from skinsource_gui.panels.timeline.lanes_view import LanesView
 from skinsource_gui.shell.app import make_application

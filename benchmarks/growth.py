@@ -30,14 +30,14 @@ import scipy
 from growth_limit import Machine, least_work, this_machine
 from growth_plot import EDITS, Point, write
 
-from skinsource.allocation import keep_freed_memory
-from skinsource.catalogue import default_limb, load_limb
-from skinsource.design import Design, Input, track
-from skinsource.graph import Graph
-from skinsource.limb import Limb
-from skinsource.quantities import new_graph, sources
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.base.allocation import keep_freed_memory
+from skinsource.design.design import Design, Input, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.engine.graph import Graph
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.limbs.catalogue import default_limb, load_limb
+from skinsource.limbs.limb import Limb
 
 WANTED = frozenset({"output_rms", "axis_traces", "axis_spectra"})
 LENGTHS_S = (0.1, 0.3, 1.0, 2.0, 4.0, 5.0, 10.0, 30.0, 100.0, 300.0, 600.0)

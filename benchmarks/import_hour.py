@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 import soundfile
 
-from skinsource.recordings import ImportChoice, take
-from skinsource.recordings.reading_process import ReadingProcess
+from skinsource.design.recordings import ImportChoice, take
+from skinsource.readers.reading_process import ReadingProcess
 
 RATE_HZ, HOUR_S, PART_S = 48_000, 3600, 600.0
 MOST_MB = 500.0

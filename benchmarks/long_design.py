@@ -26,15 +26,15 @@ import numpy as np
 import scipy.fft
 from resident import resident_mb
 
-from skinsource.allocation import keep_freed_memory
-from skinsource.catalogue import default_limb
-from skinsource.design import Design, Input, track
-from skinsource.errors import Stopped
-from skinsource.graph import Graph
-from skinsource.quantities import new_graph, sources
-from skinsource.rendering.budgets import TOTAL_BYTES
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.base.allocation import keep_freed_memory
+from skinsource.base.errors import Stopped
+from skinsource.design.design import Design, Input, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.engine.graph import Graph
+from skinsource.engine.memory import TOTAL_BYTES
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.limbs.catalogue import default_limb
 
 #: Processor time of the whole in times that of the transforms beside it; memory in times what is
 #: played and what the engine may remember; the longest wait as a part of the whole: once 10 s,

@@ -28,11 +28,11 @@ from PySide6.QtWidgets import QApplication
 from random_edits import RandomEdits
 from resident import held_mb, resident_mb
 
-from skinsource.catalogue import available_limbs, default_limb
-from skinsource.design import Design, track
-from skinsource.quantities import new_graph, sources
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.limbs.catalogue import available_limbs, default_limb
 from skinsource_gui.shell.app import make_application
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.document import Document

@@ -16,10 +16,10 @@ import soundfile
 from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QApplication
 
-from skinsource.catalogue import available_limbs, default_limb
-from skinsource.design import Design, track
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.limbs.catalogue import available_limbs, default_limb
 from skinsource_gui.import_page.overview_strip import OverviewStrip
 from skinsource_gui.shell.app import make_application
 from skinsource_gui.shell.window import MainWindow

@@ -16,12 +16,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QListView, QPushButton
 
-from skinsource.catalogue import available_limbs, default_limb
-from skinsource.clips import Clip, Marker
-from skinsource.design import Design, Input
-from skinsource.effects import Envelope, Fade
-from skinsource.view import View
-from skinsource.waveforms import Gabor, Noise, Tap, Tone, WaveletTrain
+from skinsource.design.clips import Clip, Marker
+from skinsource.design.design import Design, Input
+from skinsource.design.effects import Envelope, Fade
+from skinsource.design.view import View
+from skinsource.design.waveforms import Gabor, Noise, Tap, Tone, WaveletTrain
+from skinsource.limbs.catalogue import available_limbs, default_limb
 from skinsource_gui.shell.app import make_application
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences

@@ -26,8 +26,10 @@ from time import perf_counter, sleep
 import numpy as np
 
 import skinsource as ss
-from skinsource.playing import Output, block, stream
-from skinsource.playing.session import Session
+from skinsource.lab.playing import stream
+from skinsource.lab.playing import stream as block
+from skinsource.lab.playing.devices import Output
+from skinsource.lab.playing.session import Session
 
 RATE_HZ = 48_000
 BLOCK = 240

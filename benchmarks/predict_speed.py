@@ -17,8 +17,8 @@ import numpy as np
 from scipy.signal import fftconvolve
 
 import skinsource as ss
-from skinsource import response
-from skinsource.allocation import keep_freed_memory
+from skinsource.base.allocation import keep_freed_memory
+from skinsource.engine import prediction
 
 RATE_HZ = 1300
 #: First calls are no slower than the plain way; later ones with twenty inputs so many times
@@ -63,8 +63,8 @@ def main() -> int:
                 # each of them.
                 if k % 2 == 0:
                     plain_s, expected = timed(plain, limb, drives)
-                response._remembered.cache_clear()
-                response._known_gains.cache_clear()
+                prediction._remembered.cache_clear()
+                prediction._known_gains.cache_clear()
                 first_s, _ = timed(ss.predict, limb, drives, places)
                 ss.predict(limb, drives, places)
                 later_s, found = timed(ss.predict, limb, drives, places)

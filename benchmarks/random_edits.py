@@ -5,13 +5,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from skinsource.catalogue import available_limbs
-from skinsource.design import Design, Input, track
-from skinsource.limb import N_INPUTS, N_OUTPUTS
-from skinsource.panel_settings import with_settings
-from skinsource.projection import AXES, METHODS
-from skinsource.scaling.response_scaling import SCALINGS
-from skinsource.waveforms import Impulse, Noise, Tap, Tone
+from skinsource.base.published import AXES, N_INPUTS, N_OUTPUTS
+from skinsource.design.design import Design, Input, track
+from skinsource.design.panel_settings import with_settings
+from skinsource.design.waveforms import Impulse, Noise, Tap, Tone
+from skinsource.limbs.catalogue import available_limbs
+from skinsource.limbs.scaling import SCALINGS
+from skinsource.signals.projection import METHODS
 from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.state.document import Document
 

@@ -13,12 +13,12 @@ from collections.abc import Callable
 from dataclasses import replace
 from time import perf_counter
 
-from skinsource.allocation import keep_freed_memory
-from skinsource.design import Design, track
-from skinsource.graph import Graph
-from skinsource.quantities import graphs_that_share, sources
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.base.allocation import keep_freed_memory
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
+from skinsource.engine.graph import Graph
+from skinsource.engine.quantities import graphs_that_share, sources
 
 PROMISED = 1.2
 ROUNDS, STEPS = 40, 10

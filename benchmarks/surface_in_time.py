@@ -22,11 +22,11 @@ import numpy as np
 import psutil
 from PySide6.QtWidgets import QApplication
 
-from skinsource.catalogue import available_limbs, default_limb
-from skinsource.design import Design, track
-from skinsource.own_limbs import OwnLimb, install_limb
-from skinsource.view import View
-from skinsource.waveforms import Noise
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise
+from skinsource.limbs.catalogue import available_limbs, default_limb
+from skinsource.limbs.own_limbs import OwnLimb, install_limb
 from skinsource_gui.shell.app import make_application
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences

@@ -18,10 +18,10 @@ import numpy as np
 from scipy.signal import fftconvolve
 
 import skinsource as ss
-from skinsource.allocation import keep_freed_memory
-from skinsource.sweeps import Measurer, Plan
-from skinsource.sweeps.plan import TOGETHER
-from skinsource.sweeps.workers import measured
+from skinsource.base.allocation import keep_freed_memory
+from skinsource.studies.sweeps import Measurer, Plan
+from skinsource.studies.sweeps.plan import TOGETHER
+from skinsource.studies.sweeps.workers import measured
 
 RATE_HZ = 1300
 PLACES = (3, 7, 12, 18)

@@ -18,11 +18,11 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtWidgets import QApplication
 
-from skinsource.catalogue import available_limbs, default_limb
-from skinsource.clips import Clip
-from skinsource.design import Design, Input
-from skinsource.view import View
-from skinsource.waveforms import Gabor, Tap, Tone
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.view import View
+from skinsource.design.waveforms import Gabor, Tap, Tone
+from skinsource.limbs.catalogue import available_limbs, default_limb
 from skinsource_gui.panels.timeline.lanes_view import LanesView
 from skinsource_gui.shell.app import make_application
 from skinsource_gui.shell.window import MainWindow

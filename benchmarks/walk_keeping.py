@@ -8,8 +8,8 @@ from driver import CONTROL, SHIFT, Driver
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDialog, QMessageBox
 
-from skinsource.design import track
-from skinsource.waveforms import Tone
+from skinsource.design.design import track
+from skinsource.design.waveforms import Tone
 from skinsource_gui.shell.palette import Palette
 
 KEY = Qt.Key

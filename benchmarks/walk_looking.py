@@ -7,8 +7,8 @@ from pathlib import Path
 from driver import CONTROL, SHIFT, Driver
 from PySide6.QtCore import QPoint, Qt
 
-from skinsource.catalogue import available_limbs
-from skinsource.panel_settings import settings_of
+from skinsource.design.panel_settings import settings_of
+from skinsource.limbs.catalogue import available_limbs
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.spectra.settings import SpectraSettings
 

@@ -13,9 +13,9 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from skinsource import __version__
-from skinsource.extras import extra_line
-from skinsource.quoting import escaped
+from skinsource.base.extras import extra_line
+from skinsource.base.quoting import escaped
+from skinsource.version import __version__
 from skinsource_gui.late_modules import leave_for_use
 from skinsource_gui.system_libraries import has_display, install_line, missing_packages
 from skinsource_gui.unread_sources import leave_sources_unread

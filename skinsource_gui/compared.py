@@ -6,11 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.comparing import EDITED, Snapshot, gain_words, match_words
-from skinsource.decibels import FLOOR_DB
-from skinsource.design import Design
-from skinsource.view import View
-from skinsource.voices import unplayable_words
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.design.comparing import EDITED, Snapshot, gain_words, match_words
+from skinsource.design.design import Design
+from skinsource.design.signal_path import unplayable_words
+from skinsource.design.view import View
 
 #: What is said where designs are shown as loud as each other.
 LEVELS_MATCHED = "levels matched"

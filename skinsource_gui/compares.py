@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from skinsource.comparing import Snapshot
+from skinsource.design.comparing import Snapshot
 from skinsource_gui.compared import Compared
 from skinsource_gui.tells_lateness import TellsLateness
 

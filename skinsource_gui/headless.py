@@ -8,10 +8,10 @@ from typing import Any
 from PySide6.QtCore import QMessageLogContext, QtMsgType, qInstallMessageHandler
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design_file import open_design
-from skinsource.errors import SkinSourceError
-from skinsource.export import export_levels, export_traces
-from skinsource.files import make_folder, write_bytes
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.files import make_folder, write_bytes
+from skinsource.design.design_file import open_design
+from skinsource.export.tables import export_levels, export_traces
 from skinsource_gui.shell.app import make_application, make_window
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences

@@ -9,9 +9,9 @@ from PySide6.QtCore import QPoint, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QWidget
 
-from skinsource.design import Design
-from skinsource.view import View
-from skinsource.voices import UnplayableInput
+from skinsource.design.design import Design
+from skinsource.design.signal_path import UnplayableInput
+from skinsource.design.view import View
 from skinsource_gui.compares import ComparesDesigns
 from skinsource_gui.history import History
 from skinsource_gui.widgets.drop_place import DropPlace

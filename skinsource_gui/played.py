@@ -3,10 +3,12 @@
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from skinsource.playing import START_DB, Output
+from skinsource.lab.playing.devices import Output
+from skinsource.lab.playing.mix import START_DB
 
 if TYPE_CHECKING:
-    from skinsource.playing import Delay, Device, Levels
+    from skinsource.lab.playing.devices import Device
+    from skinsource.lab.playing.mix import Delay, Levels
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -105,7 +105,7 @@ def dataset_folder() -> Path:
 def installed_dataset(dataset_folder, tmp_path_factory) -> Iterator[Path]:
     """Install the measured dataset once; give the user-data folder it is in.  Read only."""
     pytest.importorskip("matio", reason="mat-io is not installed")
-    from skinsource.dataset.install import install
+    from skinsource.limbs.dataset.install import install
 
     folder = tmp_path_factory.mktemp("installed")
     install(dataset_folder, folder=folder)
@@ -202,7 +202,7 @@ def made_up_download(tmp_path_factory, write_table, complete_rows) -> Path:
 @pytest.fixture(scope="session")
 def made_up_store(made_up_download, tmp_path_factory) -> Iterator[Path]:
     """Store made from the made-up download.  Read only."""
-    from skinsource.dataset.install import install
+    from skinsource.limbs.dataset.install import install
 
     folder = tmp_path_factory.mktemp("made-up-store")
     yield install(made_up_download, unpublished=True, folder=folder).path

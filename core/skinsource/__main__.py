@@ -2,7 +2,7 @@
 
 import sys
 
-from skinsource.commands.command_line import main
+from skinsource.cli.command_line import main
 
 __all__ = ["main"]
 

@@ -21,8 +21,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.accuracy.exact import cases_of
-from skinsource.accuracy.measuring import (
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.files import write_bytes
+from skinsource.base.job import Job, Progress, Stop, left_in_words
+from skinsource.base.quoting import sentence
+from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.studies.accuracy.cases import cases_of
+from skinsource.studies.accuracy.measuring import (
     COLUMNS,
     MEANING,
     QUICK_REPEATS,
@@ -31,12 +37,6 @@ from skinsource.accuracy.measuring import (
     measure,
     table_csv,
 )
-from skinsource.catalogue import load_limb
-from skinsource.errors import SkinSourceError
-from skinsource.files import write_bytes
-from skinsource.job import Job, Progress, Stop, left_in_words
-from skinsource.own_limbs import facts_of
-from skinsource.quoting import sentence
 from skinsource_gui.accuracy_page.plot import AccuracyPlot
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobProgress, JobRunner

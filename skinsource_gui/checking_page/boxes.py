@@ -7,8 +7,8 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
-from skinsource.arrays import Floats
-from skinsource.checking.report import quartiles
+from skinsource.base.arrays import Floats
+from skinsource.studies.checking import quartiles
 from skinsource_gui.theme import Theme, current_theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.figure.axes import Axes, Axis, fitted_axes

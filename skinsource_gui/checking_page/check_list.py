@@ -7,10 +7,10 @@ from pathlib import Path
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QVBoxLayout, QWidget
 
-from skinsource.checking.report import Condition
-from skinsource.design_file import open_design
-from skinsource.errors import SkinSourceError
-from skinsource.quoting import printable
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.quoting import printable
+from skinsource.design.design_file import open_design
+from skinsource.studies.checking import Condition
 from skinsource_gui.checking_page.checking import Row
 from skinsource_gui.checking_page.table import CheckTable
 from skinsource_gui.state.preferences import Preferences

@@ -5,13 +5,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import cast
 
-from skinsource.checking import Recorded, condition_of
-from skinsource.checking.report import Condition
-from skinsource.design import Design
-from skinsource.errors import SkinSourceError, Stopped
-from skinsource.job import Progress, Stop
-from skinsource.projection import Axes
-from skinsource.recordings.reading_process import ReadingProcess
+from skinsource.base.errors import SkinSourceError, Stopped
+from skinsource.base.job import Progress, Stop
+from skinsource.base.published import Axes
+from skinsource.design.design import Design
+from skinsource.readers.reading_process import ReadingProcess
+from skinsource.studies.checking import Condition, Recorded, condition_of
 
 TITLE = "Check against a recording"
 CHECKING = "Checking against recordings"

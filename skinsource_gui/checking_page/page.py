@@ -7,13 +7,12 @@ from pathlib import Path
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog, QFileDialog, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from skinsource.checking import write_report
-from skinsource.checking.report import FIGURES, Condition, by_frequency
-from skinsource.errors import SkinSourceError
-from skinsource.fields import ChoiceSpec, NumberSpec
-from skinsource.job import Job
-from skinsource.own_limbs import facts_of
-from skinsource.quoting import sentence
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.job import Job
+from skinsource.base.quoting import sentence
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.specs.fields import ChoiceSpec, NumberSpec
+from skinsource.studies.checking import FIGURES, Condition, by_frequency, write_report
 from skinsource_gui.checking_page.boxes import BoxFigure
 from skinsource_gui.checking_page.check_list import CheckList
 from skinsource_gui.checking_page.checking import CHECKING, TITLE, Row, check_rows

@@ -6,8 +6,8 @@ import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
-from skinsource.checking.report import Condition
-from skinsource.quoting import sentence
+from skinsource.base.quoting import sentence
+from skinsource.studies.checking import Condition
 from skinsource_gui.checking_page.checking import Row
 from skinsource_gui.theme import UNIT_PX, tabular
 from skinsource_gui.widgets.fields.level_text import minus

@@ -15,12 +15,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.dataset.fetch import fetch
-from skinsource.dataset.install import install
-from skinsource.dataset.published import published_files
-from skinsource.dataset.store import StoreInfo
-from skinsource.errors import SkinSourceError
-from skinsource.job import Job, left_in_words
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.job import Job, left_in_words
+from skinsource.limbs.dataset.download import fetch
+from skinsource.limbs.dataset.install import install
+from skinsource.limbs.dataset.published import published_files
+from skinsource.limbs.dataset.store import StoreInfo
 from skinsource_gui.dataset_page.title import TITLE
 from skinsource_gui.state.installed_limbs import INSTALLATIONS, InstalledLimbs
 from skinsource_gui.state.job_runner import JobProgress, JobRunner

@@ -9,11 +9,11 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QImage
 
-from skinsource.design import Design
-from skinsource.design_file import DesignFile
-from skinsource.errors import SkinSourceError
-from skinsource.keeping.session import Session
-from skinsource.view import View
+from skinsource.base.errors import SkinSourceError
+from skinsource.design.design import Design
+from skinsource.design.design_file import DesignFile
+from skinsource.design.recovery import Session
+from skinsource.design.view import View
 from skinsource_gui.files.work_picture import png_of
 from skinsource_gui.state.document import Document
 

@@ -11,11 +11,11 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QWidget
 
-from skinsource import packing
-from skinsource.design import Design
-from skinsource.errors import MissingExtraError, SkinSourceError, TooInaccurateError
-from skinsource.extras import package_of_extra
-from skinsource.view import View
+from skinsource.base.errors import MissingExtraError, SkinSourceError, TooInaccurateError
+from skinsource.base.extras import package_of_extra
+from skinsource.design.design import Design
+from skinsource.design.view import View
+from skinsource.export import packing
 from skinsource_gui.files.export_jobs import ExportJobs
 from skinsource_gui.files.exports import EXPORTS, SEEN, SIZED, WIRED, ExportSpec
 from skinsource_gui.files.file_actions import FileActions

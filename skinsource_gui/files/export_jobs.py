@@ -8,8 +8,8 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource.errors import SkinSourceError
-from skinsource.job import Job
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.job import Job
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.state.job_runner import JobRunner
 

@@ -5,17 +5,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from skinsource import packing, rigs
-from skinsource.design import Design
-from skinsource.export import (
-    export_field,
-    export_levels,
-    export_map,
-    export_traces,
-    export_windows,
-)
-from skinsource.job import Progress, Stop
-from skinsource.view import View
+from skinsource.actuators import rigs
+from skinsource.base.job import Progress, Stop
+from skinsource.design.design import Design
+from skinsource.design.view import View
+from skinsource.export import packing
+from skinsource.export.map_files import export_map
+from skinsource.export.tables import export_field, export_levels, export_traces, export_windows
 from skinsource_gui.panels.skin.time.animation import SIZE_PX, export_animation
 from skinsource_gui.panels.skin.time.film_options import KINDS, film_options
 from skinsource_gui.panels.skin.time.film_words import film_name, film_remark
@@ -27,8 +23,8 @@ from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT, IN_USE
 SIZED, SEEN, WIRED = "options", "seen", "rig_path"
 
 
-#: A function of `skinsource.export`: given path, design and view, and by name ``progress``,
-#: ``stop``, ``largest_error`` and what the export wants, it computes and writes.
+#: A function of `skinsource.export.exported_design`: given path, design and view, and by name
+#: ``progress``, ``stop``, ``largest_error`` and what the export wants, it computes and writes.
 Write = Callable[..., Any]
 
 

@@ -6,12 +6,12 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from skinsource.catalogue import available_limbs, default_limb
-from skinsource.design import Design
-from skinsource.design_file import SUFFIX, open_design, save_design
-from skinsource.errors import SkinSourceError
-from skinsource.files import is_there, named
-from skinsource.view import View
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.files import is_there, named
+from skinsource.design.design import Design
+from skinsource.design.design_file import SUFFIX, open_design, save_design
+from skinsource.design.view import View
+from skinsource.limbs.catalogue import available_limbs, default_limb
 from skinsource_gui.files.file_on_disk import FileOnDisk
 from skinsource_gui.files.held_file import HeldFile, may_have_ended, who_has
 from skinsource_gui.files.recent_files import RecentFiles

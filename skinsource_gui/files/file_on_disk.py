@@ -4,9 +4,9 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Literal
 
-from skinsource.codec.image import MAX_IMAGE_BYTES
-from skinsource.errors import SkinSourceError
-from skinsource.files import read_bytes
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.files import read_bytes
+from skinsource.specs.image import MAX_IMAGE_BYTES
 
 State = Literal["same", "changed", "gone"]
 

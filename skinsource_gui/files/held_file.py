@@ -2,9 +2,8 @@
 
 from pathlib import Path
 
-from skinsource.errors import StorageError
-from skinsource.keeping.lock import Lock
-from skinsource.keeping.owner import Owner, still_runs
+from skinsource.base.errors import StorageError
+from skinsource.base.lock import Lock, Owner, still_runs
 
 
 class HeldFile:

@@ -5,12 +5,12 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from skinsource.design_file import DesignFile, open_design
-from skinsource.errors import SkinSourceError
-from skinsource.files import named
-from skinsource.keeping import left_over
-from skinsource.keeping.left_over import Found, LeftOver
-from skinsource.quoting import sentence
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.files import named
+from skinsource.base.quoting import sentence
+from skinsource.design import recovery
+from skinsource.design.design_file import DesignFile, open_design
+from skinsource.design.recovery import Found, LeftOver
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Engine
 
@@ -66,7 +66,7 @@ class Recovery(QObject):
 
     def look(self) -> Found:
         """What there is to be opened now; nothing of it is."""
-        return left_over.find(self._folder)
+        return recovery.find(self._folder)
 
     def open(self, left: LeftOver) -> None:
         """Open the newest copy that can be; those that cannot be are set aside, and named."""
@@ -75,7 +75,7 @@ class Recovery(QObject):
         self._adopt()
         bad = []
         for copy in left.copies:
-            left_over.mark_opening(copy)
+            recovery.mark_opening(copy)
             try:
                 content = open_design(copy)
             except Exception as error:  # noqa: BLE001  whatever it is, an older copy may be good
@@ -97,12 +97,12 @@ class Recovery(QObject):
 
     def discard(self, left: LeftOver) -> None:
         """Delete it; where that is not possible, it is offered again."""
-        left_over.discard(left)
+        recovery.discard(left)
 
     def end(self) -> None:
         """The studio ends, and has survived what it opened."""
         if self._opening is not None:
-            left_over.mark_opened(self._opening[1])
+            recovery.mark_opened(self._opening[1])
 
     def _take_over(self, content: DesignFile, file: Path | None) -> None:
         document = self._document
@@ -121,14 +121,14 @@ class Recovery(QObject):
         opening, self._opening = self._opening, None
         if opening is not None:
             left, copy = opening
-            left_over.mark_opened(copy)
+            recovery.mark_opened(copy)
             # Taken back, given up or saved by now: then it is not needed any more either.
             if self._keep_now():
-                left_over.discard(left)
+                recovery.discard(left)
 
 
 def _words_of(copy: Path, error: Exception) -> str:
     why = str(error) if isinstance(error, SkinSourceError) else f"{copy.name}: {error!r}"
-    where = left_over.set_aside(copy)
+    where = recovery.set_aside(copy)
     kept = f"It was set aside: {named(where)}." if where else "It stays where it is."
     return f"{sentence(why)} {kept}"

@@ -6,11 +6,11 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from skinsource import edits
-from skinsource.design_file import open_design
-from skinsource.edits import Refusal
-from skinsource.errors import SkinSourceError
-from skinsource.quoting import printable
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.quoting import printable
+from skinsource.design import edits
+from skinsource.design.design_file import open_design
+from skinsource.design.edits import Refusal
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
 

@@ -6,7 +6,7 @@ from typing import Any
 from PySide6.QtCore import QBuffer, QByteArray, QRectF, QSize
 from PySide6.QtGui import QColor, QImage, QPainter
 
-from skinsource.design import Design
+from skinsource.design.design import Design
 from skinsource_gui.theme import LIGHT
 from skinsource_gui.widgets.map.small_map import SmallMap, SmallMaps, paint_small_map
 

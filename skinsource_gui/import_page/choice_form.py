@@ -5,12 +5,11 @@ from dataclasses import replace
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QWidget
 
-from skinsource.fields import ChoiceSpec, NumberSpec
-from skinsource.limb import SAMPLE_RATE_HZ
-from skinsource.recordings import UNITS, Found, ImportChoice, Series, suggested
-from skinsource.recordings.choice import usual_scale
-from skinsource.recordings.limits import LEAST_RATE_HZ, MOST_PART_S, MOST_RATE_HZ
-from skinsource.recordings.three_axes import other_axes
+from skinsource.base.published import SAMPLE_RATE_HZ
+from skinsource.design.recordings import UNITS, Found, ImportChoice, Series, suggested, usual_scale
+from skinsource.readers.limits import LEAST_RATE_HZ, MOST_PART_S, MOST_RATE_HZ
+from skinsource.readers.reader import other_axes
+from skinsource.specs.fields import ChoiceSpec, NumberSpec
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
 

@@ -7,8 +7,8 @@ from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 from PySide6.QtGui import QDragMoveEvent, QDropEvent
 from PySide6.QtWidgets import QWidget
 
-from skinsource import presets
-from skinsource.design_file import SUFFIX
+from skinsource.design.design_file import SUFFIX
+from skinsource.design.presets import presets
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.widgets.drop_place import DropPlace

@@ -7,8 +7,8 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from skinsource.edits import Edit
-from skinsource.own_limbs import facts_of
+from skinsource.design.edits import Edit
+from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.widgets.drop_place import DropPlace
@@ -48,7 +48,7 @@ class ImportActions(QObject):
 
     def ask_and_import(self) -> None:
         """Ask for a file, and open the page on it."""
-        readers = importlib.import_module("skinsource.recordings.readers")
+        readers = importlib.import_module("skinsource.readers.readers")
         kinds = " ".join(f"*{ending}" for ending in readers.endings())
         name, _ = QFileDialog.getOpenFileName(
             self._window,

@@ -4,10 +4,10 @@ import numpy as np
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
-from skinsource.limb import Band
-from skinsource.recordings import UNITS, ImportChoice, Taken
-from skinsource.samples import Samples
-from skinsource.spectra import share_outside_band
+from skinsource.base.published import Band
+from skinsource.design.recordings import UNITS, ImportChoice, Taken
+from skinsource.signals.spectra import share_outside_band
+from skinsource.specs.samples import Samples
 from skinsource_gui.theme import UNIT_PX, set_tone, tabular
 from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
 from skinsource_gui.widgets.plot.spectrum_preview import SpectrumPreview

@@ -5,7 +5,7 @@ from PySide6.QtCore import QLineF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from skinsource.arrays import Floats
+from skinsource.base.arrays import Floats
 from skinsource_gui.import_page.taken_part import TakenPart
 from skinsource_gui.theme import current_theme
 

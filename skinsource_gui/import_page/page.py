@@ -13,14 +13,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.arrays import Floats
-from skinsource.counting import counted
-from skinsource.fields import ChoiceSpec
-from skinsource.files import named
-from skinsource.limb import LimbFacts
-from skinsource.recordings import Found, ImportChoice, Taken
-from skinsource.recordings.importing import RawPart
-from skinsource.recordings.limits import MOST_PART_S
+from skinsource.base.arrays import Floats
+from skinsource.base.files import named
+from skinsource.base.work import counted
+from skinsource.design.recordings import Found, ImportChoice, RawPart, Taken
+from skinsource.limbs.limb import LimbFacts
+from skinsource.readers.limits import MOST_PART_S
+from skinsource.specs.fields import ChoiceSpec
 from skinsource_gui.import_page.choice_form import ASSUMED_RATE_HZ, ChoiceForm
 from skinsource_gui.import_page.import_preview import ImportPreview
 from skinsource_gui.import_page.overview_strip import OverviewStrip
@@ -46,7 +45,7 @@ class ImportPage(QDialog):
         Name and words of each place it can go to, the likeliest one first.
     """
 
-    #: `skinsource.waveforms.Recording`; the name of its place.
+    #: `skinsource.design.waveforms.Recording`; the name of its place.
     chosen = Signal(object, str)
 
     def __init__(

@@ -2,15 +2,14 @@
 
 from dataclasses import replace
 
-from skinsource import edits
-from skinsource.design import Design, Input
-from skinsource.edits import Edit, Refusal
-from skinsource.edits.edit import place_words
-from skinsource.edits.inputs import usual_location
-from skinsource.edits.selection import clip_of
-from skinsource.own_limbs import facts_of
-from skinsource.view import View
-from skinsource.waveforms import Recording
+from skinsource.design import edits
+from skinsource.design.design import Design, Input
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.edits.edit import clip_of, place_words
+from skinsource.design.edits.inputs import usual_location
+from skinsource.design.view import View
+from skinsource.design.waveforms import Recording
+from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.widgets.drop_place import DropPlace
 
 # The page stays open while its design is edited.

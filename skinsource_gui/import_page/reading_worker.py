@@ -6,11 +6,18 @@ from time import monotonic
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource.errors import SkinSourceError, Stopped
-from skinsource.job import Job, Progress, Stop, stop_if
-from skinsource.recordings import Found, ImportChoice, Series, Taken
-from skinsource.recordings.importing import RawPart, read_for, read_part
-from skinsource.recordings.reading_process import ReadingProcess
+from skinsource.base.errors import SkinSourceError, Stopped
+from skinsource.base.job import Job, Progress, Stop, stop_if
+from skinsource.design.recordings import (
+    Found,
+    ImportChoice,
+    RawPart,
+    Series,
+    Taken,
+    read_for,
+    read_part,
+)
+from skinsource.readers.reading_process import ReadingProcess
 from skinsource_gui.state.latest_wins import LatestWins
 
 # What takes longer is given up for what is wanted meanwhile.

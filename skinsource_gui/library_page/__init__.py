@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from skinsource.late import late_names
+from skinsource.base.lazy import late_names
 
 if TYPE_CHECKING:
     from skinsource_gui.library_page.preset_choices import choices

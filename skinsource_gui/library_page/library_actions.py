@@ -6,15 +6,16 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
-from skinsource import edits, presets
-from skinsource.errors import SkinSourceError
+from skinsource.base.errors import SkinSourceError
+from skinsource.design import edits
+from skinsource.design.presets import presets
 from skinsource_gui import library_page
 from skinsource_gui.state.document import Document
 from skinsource_gui.widgets.drop_place import DropPlace
 
 if TYPE_CHECKING:
-    from skinsource.presets import Preset
-    from skinsource_gui.library_page import SavePage
+    from skinsource.design.presets.presets import Preset
+    from skinsource_gui.library_page.save_page import SavePage
 
 
 class LibraryActions(QObject):

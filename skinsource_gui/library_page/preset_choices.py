@@ -2,12 +2,12 @@
 
 from dataclasses import dataclass
 
-from skinsource import edits
-from skinsource.clips import Fragment
-from skinsource.counting import counted
-from skinsource.design import Design
-from skinsource.presets import whole_design
-from skinsource.view import View
+from skinsource.base.work import counted
+from skinsource.design import edits
+from skinsource.design.clips import Fragment
+from skinsource.design.design import Design
+from skinsource.design.presets.presets import whole_design
+from skinsource.design.view import View
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -11,9 +11,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.errors import InvalidInputError
-from skinsource.presets import Preset, tags_of
-from skinsource.quoting import sentence
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.quoting import sentence
+from skinsource.design.presets.presets import Preset, tags_of
 from skinsource_gui.library_page.preset_choices import Choice
 from skinsource_gui.theme import set_tone
 from skinsource_gui.widgets.fields.drop_down import DropDown

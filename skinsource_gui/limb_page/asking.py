@@ -2,7 +2,7 @@
 
 from PySide6.QtWidgets import QMessageBox, QWidget
 
-from skinsource.own_limbs import facts_of
+from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.widgets.asking import agreed
 
 _NO = QMessageBox.StandardButton.No

@@ -14,8 +14,8 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QWidget
 
-from skinsource.arrays import Floats
-from skinsource.counting import counted
+from skinsource.base.arrays import Floats
+from skinsource.base.work import counted
 from skinsource_gui.limb_page.draft import Draft
 from skinsource_gui.theme import UNIT_PX, current_theme
 

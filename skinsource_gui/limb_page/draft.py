@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.arrays import Floats
-from skinsource.limb_import import LimbSource
+from skinsource.base.arrays import Floats
+from skinsource.limbs.limb_import import LimbSource
 
 _NO_POINTS, _TURN = np.empty((0, 2)), np.array((1.0, -1.0))
 
@@ -36,7 +36,7 @@ class Draft:
     input_names, output_names
         From tables.
     values
-        What is typed: fields of `skinsource.own_limbs.OwnLimb`.
+        What is typed: fields of `skinsource.limbs.own_limbs.OwnLimb`.
     """
 
     responses: Path | None = None

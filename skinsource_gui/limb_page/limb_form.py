@@ -14,9 +14,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.choice_words import AXES
-from skinsource.fields import ChoiceSpec, NumberSpec
-from skinsource.own_limbs import NAME_RULE
+from skinsource.design.labels import AXES
+from skinsource.limbs.own_limbs import NAME_RULE
+from skinsource.specs.fields import ChoiceSpec, NumberSpec
 from skinsource_gui.theme import set_tone
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
@@ -165,7 +165,7 @@ class LimbForm(QObject):
         self._said = {}
 
     def values(self) -> dict[str, Any]:
-        """Fields of `skinsource.own_limbs.OwnLimb` as they are typed."""
+        """Fields of `skinsource.limbs.own_limbs.OwnLimb` as they are typed."""
         numbers = {name: field.value_si for name, field in self.numbers.items()}
         numbers["hand_length_mm"] /= _METRES
         lowest_hz, highest_hz = (numbers.pop(name) for name in _BAND)

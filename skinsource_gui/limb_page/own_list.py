@@ -14,10 +14,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.errors import SkinSourceError
-from skinsource.job import Job
-from skinsource.limb_import import export_limb
-from skinsource.own_limbs import facts_of, mirror_limb, own_limb_names, remove_limb
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.job import Job
+from skinsource.limbs.limb_layout import export_limb
+from skinsource.limbs.own_limbs import facts_of, mirror_limb, own_limb_names, remove_limb
 from skinsource_gui.limb_page.asking import may_remove
 from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.page_button import page_button

@@ -17,13 +17,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.fields import ChoiceSpec
-from skinsource.job import Job
-from skinsource.limb import LimbFacts
-from skinsource.limb_import import import_limb
-from skinsource.limb_import.importing import Points
-from skinsource.own_limbs import own_limb_names
-from skinsource.quoting import sentence
+from skinsource.base.job import Job
+from skinsource.base.quoting import sentence
+from skinsource.limbs.limb import LimbFacts
+from skinsource.limbs.limb_import import Points, import_limb
+from skinsource.limbs.own_limbs import own_limb_names
+from skinsource.specs.fields import ChoiceSpec
 from skinsource_gui.limb_page.asking import may_replace
 from skinsource_gui.limb_page.canvas import PlacesCanvas
 from skinsource_gui.limb_page.draft import Draft

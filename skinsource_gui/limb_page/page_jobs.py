@@ -4,7 +4,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource.job import Job
+from skinsource.base.job import Job
 from skinsource_gui.limb_page.title import IMPORTING
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
 

@@ -1,8 +1,8 @@
 """A photograph, read in a process of its own: a picture may be damaged, or made to do harm.
 
 ``python -m skinsource_gui.limb_page.photograph`` is that process; it answers requests as
-`skinsource.recordings.child` does.  Pixels come in blocks, (rows, width), each a number 0xrrggbb,
-which float32 holds exactly.
+`skinsource.limbs.reading_child` does.  Pixels come in blocks, (rows, width), each a number
+0xrrggbb, which float32 holds exactly.
 """
 
 import json
@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QImage, QImageReader
 
-from skinsource.errors import RecordingError
-from skinsource.files import named
-from skinsource.files.child_limits import child_command, limit_memory, limit_time, own_output
-from skinsource.recordings.reading_process import ReadingProcess
+from skinsource.base.child_process import child_command, limit_memory, limit_time, own_output
+from skinsource.base.errors import RecordingError
+from skinsource.base.files import named
+from skinsource.readers.reading_process import ReadingProcess
 
 #: Formats that are read: others, such as drawings, can do more than hold pixels.
 FORMATS = ("png", "jpeg", "bmp", "webp")

@@ -7,9 +7,9 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
 
-from skinsource.errors import SkinSourceError
-from skinsource.limb_import import read_points
-from skinsource.recordings.reading_process import ReadingProcess
+from skinsource.base.errors import SkinSourceError
+from skinsource.limbs.limb_import import read_points
+from skinsource.readers.reading_process import ReadingProcess
 from skinsource_gui.limb_page import photograph
 
 

@@ -15,16 +15,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.chain import amplitude_unit
-from skinsource.design import Design
-from skinsource.errors import SkinSourceError
-from skinsource.locations import input_words
-from skinsource.matching import MatchingRun
-from skinsource.matching.run import STEP_DB
-from skinsource.playing import Output
-from skinsource.playing.session import Playing
-from skinsource.quoting import sentence
-from skinsource.rigs import Rig
+from skinsource.actuators.rigs import Rig
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.quoting import sentence
+from skinsource.design.amplitudes import amplitude_unit
+from skinsource.design.design import Design
+from skinsource.lab.matching import STEP_DB, MatchingRun
+from skinsource.lab.playing.devices import Output
+from skinsource.lab.playing.session import Playing
+from skinsource.limbs.locations import input_words
 from skinsource_gui.matching_page.run_view import RunView
 from skinsource_gui.matching_page.setup_form import SetupForm
 from skinsource_gui.matching_page.sounding import Sounding

@@ -5,13 +5,12 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QFormLayout, QHBoxLayout, QLineEdit, QWidget
 
-from skinsource.errors import InvalidInputError
-from skinsource.fields import NumberSpec
-from skinsource.limb import MOST_PLACES
-from skinsource.matching import Procedure
-from skinsource.matching.procedure import MOST_AMPLITUDE
-from skinsource.playing import HIGHEST_DB, LOWEST_DB
-from skinsource.quoting import quoted
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import MOST_PLACES
+from skinsource.base.quoting import quoted
+from skinsource.lab.matching import MOST_AMPLITUDE, Procedure
+from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB
+from skinsource.specs.fields import NumberSpec
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.page_button import page_button
 from skinsource_gui.widgets.room.letter_width import LetterWidth

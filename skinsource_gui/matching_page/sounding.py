@@ -4,13 +4,13 @@ from functools import partial
 
 from PySide6.QtCore import QObject, Qt, Signal
 
-from skinsource.design import Design
-from skinsource.errors import SkinSourceError
-from skinsource.matching import Presenter
-from skinsource.playing import Output
-from skinsource.playing.session import Playing
-from skinsource.playing.stream import Stream
-from skinsource.rigs import Rig
+from skinsource.actuators.rigs import Rig
+from skinsource.base.errors import SkinSourceError
+from skinsource.design.design import Design
+from skinsource.lab.matching import Presenter
+from skinsource.lab.playing.devices import Output
+from skinsource.lab.playing.session import Playing
+from skinsource.lab.playing.stream import Stream
 from skinsource_gui.state.playing.sound_thread import SoundThread
 
 _GONE = (

@@ -7,16 +7,15 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource.counting import counted
-from skinsource.design import MAX_INPUTS, Design
-from skinsource.edits.kinds import as_kind
-from skinsource.errors import InvalidInputError
-from skinsource.fields import RecipeSpec, specs_of
-from skinsource.motions import MOTIONS, Motion
-from skinsource.motions.changes import following, with_field
-from skinsource.own_limbs import facts_of
-from skinsource.quoting import sentence
-from skinsource.waveforms import Waveform
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.quoting import sentence
+from skinsource.base.work import counted
+from skinsource.design.design import MAX_INPUTS, Design
+from skinsource.design.edits.edit import as_kind
+from skinsource.design.motions import MOTIONS, Motion, following, with_field
+from skinsource.design.waveforms import Waveform
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.specs.fields import RecipeSpec, specs_of
 from skinsource_gui.widgets.inputs.clip_strip import Lane, ShownClips
 
 

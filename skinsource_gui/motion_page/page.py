@@ -15,16 +15,16 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource import edits
-from skinsource.chain import amplitude_unit
-from skinsource.edits import Refusal
-from skinsource.edits.kinds import kind_spec
-from skinsource.errors import InvalidInputError
-from skinsource.fields import ChoiceSpec, NumberSpec, Spec
-from skinsource.motions import MOTIONS, Motion
-from skinsource.own_limbs import facts_of
-from skinsource.quoting import sentence
-from skinsource.waveforms import kinds
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.quoting import sentence
+from skinsource.design import edits
+from skinsource.design.amplitudes import amplitude_unit
+from skinsource.design.edits import Refusal
+from skinsource.design.edits.edit import kind_spec
+from skinsource.design.motions import MOTIONS, Motion
+from skinsource.design.waveforms import kinds
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.specs.fields import ChoiceSpec, NumberSpec, Spec
 from skinsource_gui.motion_page.draft import Draft
 from skinsource_gui.motion_page.path_layer import PathLayer
 from skinsource_gui.motion_page.path_row import PathRow

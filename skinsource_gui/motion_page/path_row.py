@@ -3,9 +3,9 @@
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QVBoxLayout, QWidget
 
-from skinsource.errors import InvalidInputError
-from skinsource.motions.changes import path_of
-from skinsource.quoting import sentence
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.quoting import sentence
+from skinsource.design.motions import path_of
 from skinsource_gui.widgets.page_button import page_button
 
 

@@ -6,7 +6,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QApplication
 
-from skinsource.fields import ChoiceSpec, Spec, specs_of
+from skinsource.specs.fields import ChoiceSpec, Spec, specs_of
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
 

@@ -6,11 +6,12 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
-from skinsource.actuators import Limits, names, profile, shape_names
-from skinsource.errors import InvalidInputError
-from skinsource.fields import ChoiceSpec, NumberSpec, OptionalSpec, Spec, specs_of
-from skinsource.locations import input_words
-from skinsource.rigs import RigChannel
+from skinsource.actuators.catalog import names, profile, shape_names
+from skinsource.actuators.prediction import Limits
+from skinsource.actuators.rigs import RigChannel
+from skinsource.base.errors import InvalidInputError
+from skinsource.limbs.locations import input_words
+from skinsource.specs.fields import ChoiceSpec, NumberSpec, OptionalSpec, Spec, specs_of
 from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.field_grid import FieldGrid

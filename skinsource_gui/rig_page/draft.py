@@ -6,11 +6,11 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource.actuators import MeasuredResponse
-from skinsource.design import Design
-from skinsource.errors import InvalidInputError, SkinSourceError
-from skinsource.own_limbs import facts_of
-from skinsource.rigs import Rig, RigChannel, open_rig, save_rig
+from skinsource.actuators.measured_response import MeasuredResponse
+from skinsource.actuators.rigs import Rig, RigChannel, open_rig, save_rig
+from skinsource.base.errors import InvalidInputError, SkinSourceError
+from skinsource.design.design import Design
+from skinsource.limbs.own_limbs import facts_of
 
 
 class RigDraft(QObject):

@@ -7,9 +7,9 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource.errors import InvalidInputError
-from skinsource.fields import ChoiceSpec, specs_of
-from skinsource.rig_measuring import InputDevice, MeasuringSetup
+from skinsource.base.errors import InvalidInputError
+from skinsource.lab.rig_measuring import InputDevice, MeasuringSetup
+from skinsource.specs.fields import ChoiceSpec, specs_of
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
 

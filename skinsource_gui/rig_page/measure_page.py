@@ -7,16 +7,16 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QProgressBar, QVBoxLayout, QWidget
 
-from skinsource.errors import InvalidInputError, SkinSourceError, Stopped
-from skinsource.quoting import sentence
-from skinsource.rig_measuring import (
+from skinsource.actuators.rigs import Rig, RigChannel
+from skinsource.base.errors import InvalidInputError, SkinSourceError, Stopped
+from skinsource.base.quoting import sentence
+from skinsource.lab.rig_measuring import (
     ChannelMeasurement,
     InputDevice,
     input_devices,
     measurable,
     measure,
 )
-from skinsource.rigs import Rig, RigChannel
 from skinsource_gui.rig_page.measure_fields import MeasureFields, setup_of, setup_text
 from skinsource_gui.rig_page.measured_curves import beside_the_model
 from skinsource_gui.rig_page.measured_view import MeasuredView

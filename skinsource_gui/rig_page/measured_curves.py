@@ -2,12 +2,13 @@
 
 import numpy as np
 
-from skinsource.actuators import Actuator, names, profile
-from skinsource.arrays import Floats
-from skinsource.decibels import decibels
-from skinsource.limb import BAND_HZ
-from skinsource.rig_measuring import ChannelMeasurement
-from skinsource.rigs import RigChannel
+from skinsource.actuators.actuator import Actuator
+from skinsource.actuators.catalog import names, profile
+from skinsource.actuators.rigs import RigChannel
+from skinsource.base.arrays import Floats
+from skinsource.base.decibels import decibels
+from skinsource.base.published import BAND_HZ
+from skinsource.lab.rig_measuring import ChannelMeasurement
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import CurveName, Curves

@@ -2,8 +2,8 @@
 
 from PySide6.QtWidgets import QWidget
 
-from skinsource.rig_measuring import ChannelMeasurement
-from skinsource.rigs import RigChannel
+from skinsource.actuators.rigs import RigChannel
+from skinsource.lab.rig_measuring import ChannelMeasurement
 from skinsource_gui.rig_page.measured_curves import axis_of, measured_curves
 from skinsource_gui.widgets.plot.signal_view import SignalView
 

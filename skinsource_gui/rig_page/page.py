@@ -19,16 +19,16 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource import edits
-from skinsource.actuators import MeasuredResponse
-from skinsource.chain import actuation_of_rig
-from skinsource.edits import Refusal
-from skinsource.equalising import RegularisedInverse
-from skinsource.errors import InvalidInputError, SkinSourceError
-from skinsource.files import named
-from skinsource.measuring import open_response
-from skinsource.quoting import sentence
-from skinsource.rigs import SUFFIX
+from skinsource.actuators.equalising import RegularisedInverse
+from skinsource.actuators.measured_response import MeasuredResponse
+from skinsource.actuators.measuring import open_response
+from skinsource.actuators.rigs import SUFFIX
+from skinsource.base.errors import InvalidInputError, SkinSourceError
+from skinsource.base.files import named
+from skinsource.base.quoting import sentence
+from skinsource.design import edits
+from skinsource.design.edits import Refusal
+from skinsource.design.signal_path import actuation_of_rig
 from skinsource_gui.rig_page.channel_fields import ChannelFields, title_of
 from skinsource_gui.rig_page.draft import RigDraft
 from skinsource_gui.rig_page.measure_page import MeasurePage

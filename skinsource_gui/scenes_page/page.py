@@ -18,10 +18,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.choice_words import limb_word
-from skinsource.fields import ChoiceSpec
-from skinsource.own_limbs import facts_of
-from skinsource.scenes import Scene, all_scenes, open_scene, why_not_on
+from skinsource.design.labels import limb_word
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.specs.fields import ChoiceSpec
+from skinsource.studies.scenes import Scene, all_scenes, open_scene, why_not_on
 from skinsource_gui.resources import resource_folder
 from skinsource_gui.scenes_page.picture import ScenePicture
 from skinsource_gui.state.predicting import too_large

@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
-from skinsource import scenes
-from skinsource.choice_words import limb_word
-from skinsource.design_file import SUFFIX
-from skinsource.errors import SkinSourceError
+from skinsource.base.errors import SkinSourceError
+from skinsource.design.design_file import SUFFIX
+from skinsource.design.labels import limb_word
+from skinsource.studies import scenes
 from skinsource_gui import scenes_page
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.state.document import Document
@@ -18,7 +18,7 @@ from skinsource_gui.state.preferences import Preferences
 from skinsource_gui.widgets.map.level_look import coloured_like
 
 if TYPE_CHECKING:
-    from skinsource_gui.scenes_page import ScenesPage
+    from skinsource_gui.scenes_page.page import ScenesPage
 
 
 class SceneActions(QObject):

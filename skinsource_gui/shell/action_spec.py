@@ -4,9 +4,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from skinsource.design import Design
-from skinsource.edits import Edit, Refusal
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.view import View
 
 #: Asked with what is open now.
 Condition = Callable[[Design, View], bool]

@@ -8,11 +8,11 @@ from pathlib import Path
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 
-from skinsource.allocation import keep_freed_memory
-from skinsource.catalogue import available_limbs, default_limb
-from skinsource.files import make_folder
-from skinsource.files.assets import user_folder
-from skinsource.keeping.crash_log import CrashLog
+from skinsource.base.allocation import keep_freed_memory
+from skinsource.base.assets import user_folder
+from skinsource.base.crash_log import CrashLog
+from skinsource.base.files import make_folder
+from skinsource.limbs.catalogue import available_limbs, default_limb
 from skinsource_gui.shell.ending import EndSignals, end_if_stuck
 from skinsource_gui.shell.garbage import take_over_collection
 from skinsource_gui.shell.window import MainWindow

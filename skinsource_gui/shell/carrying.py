@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from skinsource.choice_words import short_limb_title
-from skinsource.comparing import EDITED, Snapshot, shown, together
-from skinsource.validity.judged import Judged, in_full, in_short
+from skinsource.design.comparing import EDITED, Snapshot, shown, together
+from skinsource.design.labels import short_limb_title
+from skinsource.perception.validity import Judged, in_full, in_short
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.state.document import Document

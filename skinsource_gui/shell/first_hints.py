@@ -4,8 +4,8 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject
 
-from skinsource.design import Design
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.view import View
 from skinsource_gui.shell.notice import Notice
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences

@@ -7,7 +7,7 @@ from html import escape
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
 
-from skinsource import __version__
+from skinsource.version import __version__
 from skinsource_gui.shell.action_spec import ActionSpec
 from skinsource_gui.widgets.keys import KEYS, MOUSE, native_text
 

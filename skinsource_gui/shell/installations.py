@@ -4,10 +4,10 @@ from typing import Any
 
 from PySide6.QtCore import QObject
 
-from skinsource.choice_words import LIMBS
-from skinsource.dataset.store import StoreInfo
-from skinsource.errors import SkinSourceError
-from skinsource.job import Job
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.job import Job
+from skinsource.design.labels import LIMBS
+from skinsource.limbs.dataset.store import StoreInfo
 from skinsource_gui.shell.reports import Reports
 from skinsource_gui.state.installed_limbs import INSTALLATIONS, InstalledLimbs
 from skinsource_gui.state.job_runner import JobRunner

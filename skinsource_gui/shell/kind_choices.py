@@ -4,8 +4,8 @@ from functools import partial
 
 from PySide6.QtGui import QAction
 
-from skinsource import edits
-from skinsource.waveforms import kinds
+from skinsource.design import edits
+from skinsource.design.waveforms import kinds
 from skinsource_gui.state.document import Document
 
 

@@ -3,10 +3,10 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 
-from skinsource.actuator_demand import ActuatorSettings
-from skinsource.analysis.settings import SpectrogramSettings
-from skinsource.fields import specs_of
-from skinsource.perception.settings import PerceptionSettings
+from skinsource.design.panel_settings import SpectrogramSettings
+from skinsource.engine.actuator_demand import ActuatorSettings
+from skinsource.perception.thresholds import PerceptionSettings
+from skinsource.specs.fields import specs_of
 from skinsource_gui.late_panel import LatePanel
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.frequency_and_amplitude.settings import ControlSettings
@@ -30,7 +30,7 @@ class PanelSpec:
         What makes it: a `LatePanel`, so that its modules are imported when somebody looks at it, or
         its class.
     settings
-        Class of what only it looks at, a frozen dataclass made with `skinsource.fields`; None
+        Class of what only it looks at, a frozen dataclass made with `skinsource.specs.fields`; None
         where there is nothing.
     places
         Where it stands in each arrangement, by name; None: hidden, and once it is wanted a tab
@@ -49,7 +49,7 @@ class PanelSpec:
             if unsaved:
                 raise ValueError(
                     f"{self.settings.__name__} has fields that designs cannot hold: "
-                    f"{', '.join(sorted(unsaved))}. Make them with skinsource.fields."
+                    f"{', '.join(sorted(unsaved))}. Make them with skinsource.specs.fields."
                 )
 
 

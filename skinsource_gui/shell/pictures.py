@@ -13,7 +13,9 @@ from skinsource_gui.panel import Panel
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.shell.appearance import Appearance
 from skinsource_gui.shell.carrying import Carrying
-from skinsource_gui.shell.docks import Dock, PanelInUse, staged, usual_size
+from skinsource_gui.shell.docks.dock import Dock
+from skinsource_gui.shell.docks.in_use import PanelInUse
+from skinsource_gui.shell.docks.stage import staged, usual_size
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Engine
 from skinsource_gui.theme import LIGHT, Theme, apply_theme, current_theme

@@ -5,9 +5,9 @@ import logging
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QStatusBar
 
-from skinsource.design import Design
-from skinsource.errors import SkinSourceError
-from skinsource.voices import unplayable_words
+from skinsource.base.errors import SkinSourceError
+from skinsource.design.design import Design
+from skinsource.design.signal_path import unplayable_words
 from skinsource_gui.shell.notice import PASSING_MS, Notice
 from skinsource_gui.state.conductor import UNPLAYABLE
 from skinsource_gui.state.document import Document

@@ -7,14 +7,14 @@ from PySide6.QtCore import QObject, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QResizeEvent
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
-from skinsource import edits
-from skinsource.choice_words import CHOICES, LIMBS, Word, limb_word, scalings_on
-from skinsource.dataset.not_installed import NOT_INSTALLED
-from skinsource.design import Design
-from skinsource.edits import Edit, Refusal
-from skinsource.fields import ChoiceSpec
-from skinsource.own_limbs import drive_unit_known, facts_of, own_limb_names
-from skinsource.view import View
+from skinsource.design import edits
+from skinsource.design.design import Design
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.labels import CHOICES, LIMBS, Word, limb_word, scalings_on
+from skinsource.design.view import View
+from skinsource.limbs.dataset.store import NOT_INSTALLED
+from skinsource.limbs.own_limbs import drive_unit_known, facts_of, own_limb_names
+from skinsource.specs.fields import ChoiceSpec
 from skinsource_gui.dataset_page.title import TITLE
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.tooltips import show_tooltip, tooltip

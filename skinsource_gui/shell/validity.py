@@ -7,8 +7,8 @@ from typing import Any
 from PySide6.QtCore import QObject, QPoint, QTimer
 from PySide6.QtWidgets import QStatusBar
 
-from skinsource import edits
-from skinsource.validity import Finding
+from skinsource.design import edits
+from skinsource.perception.validity import Finding
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request

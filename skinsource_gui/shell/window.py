@@ -5,9 +5,9 @@ from collections.abc import Sequence
 from PySide6.QtCore import QEventLoop, QObject
 from PySide6.QtGui import QAction, QCloseEvent
 
-from skinsource.design import Design
-from skinsource.quantities import graphs_that_share
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.view import View
+from skinsource.engine.quantities import graphs_that_share
 from skinsource_gui.files.export_actions import ExportActions
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.import_page.file_drops import FileDrops

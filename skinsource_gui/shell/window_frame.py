@@ -3,10 +3,10 @@
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QWidget
 
-from skinsource import scenes
-from skinsource.design import Design
-from skinsource.own_limbs import missing_limb
-from skinsource.quoting import printable
+from skinsource.base.quoting import printable
+from skinsource.design.design import Design
+from skinsource.limbs.own_limbs import missing_limb
+from skinsource.studies import scenes
 from skinsource_gui.shell.windows_in_sight import WindowsInSight
 from skinsource_gui.state.document import Document
 

@@ -6,8 +6,8 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource import edits
-from skinsource.comparing import (
+from skinsource.design import edits
+from skinsource.design.comparing import (
     Snapshot,
     loudest_db,
     match_words,
@@ -18,7 +18,7 @@ from skinsource.comparing import (
     reference,
     together,
 )
-from skinsource.edits import Edit, Refusal
+from skinsource.design.edits import Edit, Refusal
 from skinsource_gui.compared import Compared
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel

@@ -10,10 +10,10 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
-from skinsource.design import Design
-from skinsource.edits import Edit, Refusal, kept_selection
-from skinsource.own_limbs import axes_on, missing_limb, outputs_on
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.edits import Edit, Refusal, kept_selection
+from skinsource.design.view import View
+from skinsource.limbs.own_limbs import axes_on, missing_limb, outputs_on
 from skinsource_gui.history import MOST_STEPS
 from skinsource_gui.state.step_end import StepEnd
 

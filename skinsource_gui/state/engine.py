@@ -11,9 +11,9 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
 
-from skinsource.errors import Stopped
-from skinsource.graph import Graph
-from skinsource.work import Work
+from skinsource.base.errors import Stopped
+from skinsource.base.work import Work
+from skinsource.engine.graph import Graph
 
 #: One that has taken longer gives way to a newer one: it is no part of a drag that wants to see
 #: each step.

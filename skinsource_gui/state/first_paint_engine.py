@@ -5,7 +5,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QEvent, QObject, QTimer
 from PySide6.QtWidgets import QWidget
 
-from skinsource.graph import Graph
+from skinsource.engine.graph import Graph
 from skinsource_gui.state.engine import Engine, Purpose, Request, Slot
 
 

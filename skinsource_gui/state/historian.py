@@ -4,7 +4,7 @@ from functools import partial
 
 from PySide6.QtCore import QObject
 
-from skinsource.quoting import printable
+from skinsource.base.quoting import printable
 from skinsource_gui.history import MOST_STEPS, History, Step
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel

@@ -3,8 +3,8 @@
 from PySide6.QtCore import QEvent, QObject, Signal
 from PySide6.QtWidgets import QWidget
 
-from skinsource.catalogue import available_limbs
-from skinsource.own_limbs import facts_of
+from skinsource.limbs.catalogue import available_limbs
+from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.state.document import Document
 
 #: Titles of the jobs that install limbs: from a folder, and by download.

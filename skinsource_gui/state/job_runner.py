@@ -9,8 +9,8 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
 
-from skinsource.errors import Stopped
-from skinsource.job import Job, Progress, Stop, seconds_left
+from skinsource.base.errors import Stopped
+from skinsource.base.job import Job, Progress, Stop, seconds_left
 
 # What changes faster cannot be seen.
 _BETWEEN_PROGRESS_S = 0.05

@@ -5,7 +5,7 @@ from typing import Any
 
 from PySide6.QtCore import QEventLoop
 
-from skinsource.validity.judged import Judged
+from skinsource.perception.validity import Judged
 from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request, Slot
 
 _WANTED = frozenset({"limb_data", "validity"})

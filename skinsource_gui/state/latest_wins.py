@@ -7,7 +7,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
 
-from skinsource.errors import SkinSourceError, Stopped
+from skinsource.base.errors import SkinSourceError, Stopped
 
 #: Does something in the worker thread; may raise `Stopped` once it is `LatestWins.outdated`.
 Work = Callable[[], None]

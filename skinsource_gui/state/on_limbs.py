@@ -5,9 +5,9 @@ from typing import Any
 
 from PySide6.QtCore import QObject
 
-from skinsource.comparing import Snapshot
-from skinsource.design import Design
-from skinsource.view import View
+from skinsource.design.comparing import Snapshot
+from skinsource.design.design import Design
+from skinsource.design.view import View
 from skinsource_gui.compared import Compared
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel

@@ -4,9 +4,9 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject
 
-from skinsource import edits
-from skinsource.edits import Edit, Refusal
-from skinsource.view import View
+from skinsource.design import edits
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.view import View
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.state.document import Document

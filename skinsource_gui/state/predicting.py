@@ -4,15 +4,15 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from skinsource import edits
-from skinsource.counting import counted
-from skinsource.design import Design
-from skinsource.edits import Refusal
-from skinsource.errors import SkinSourceError
-from skinsource.limb import LIVE_INPUTS, LIVE_OUTPUTS
-from skinsource.own_limbs import axes_on, facts_of
-from skinsource.quantities import sources
-from skinsource.view import View
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.work import counted
+from skinsource.design import edits
+from skinsource.design.design import Design
+from skinsource.design.edits import Refusal
+from skinsource.design.view import View
+from skinsource.engine.quantities import sources
+from skinsource.limbs.limb import LIVE_INPUTS, LIVE_OUTPUTS
+from skinsource.limbs.own_limbs import axes_on, facts_of
 
 #: Of these is made what takes long on a large limb; drives and clips are not.
 FROM_THE_LIMB = frozenset({"driven_limb", "surface"})
@@ -49,8 +49,8 @@ def sources_of_levels(
 
     The rest of it changes while one looks around.  A design on a limb that has not been measured
     along the axes of the view is looked at along those that it has.  ``match_gain``: see
-    `skinsource.quantities.sources`.  ``with_outputs``: what is wanted is also of the selected
-    outputs, as traces are.
+    `skinsource.engine.quantities.sources`.  ``with_outputs``: what is wanted is also of the
+    selected outputs, as traces are.
     """
     axes = axes_on(design.limb, view.axes)
     seen = View(axes=axes, method=view.method, span=view.span, selected_inputs=())

@@ -7,9 +7,9 @@ from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QSettings
 
-from skinsource.errors import SkinSourceError
-from skinsource.files import is_folder
-from skinsource.files.assets import config_folder
+from skinsource.base.assets import config_folder
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.files import is_folder
 
 #: Unsaved work is kept as often, unless something else is wanted.
 AUTOSAVE_S = 30.0
@@ -62,7 +62,7 @@ class Preferences:
     screen = _Text("screen")
     #: The arrangement that was taken up last; empty at first.
     arrangement = _Text("arrangement")
-    #: What this machine plays on, see `skinsource.playing.Output`; empty at first.
+    #: What this machine plays on, see `skinsource.lab.playing.devices.Output`; empty at first.
     output_text = _Text("output")
     #: Rig file of this machine; empty: none.
     rig_path = _Text("rig")

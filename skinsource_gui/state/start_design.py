@@ -1,7 +1,7 @@
 """What the first window shows."""
 
-from skinsource.design import Design, track
-from skinsource.waveforms import Tone
+from skinsource.design.design import Design, track
+from skinsource.design.waveforms import Tone
 
 
 def start_design(limb: str) -> Design:

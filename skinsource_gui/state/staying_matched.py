@@ -5,7 +5,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject
 
-from skinsource.comparing import shown
+from skinsource.design.comparing import shown
 from skinsource_gui.state.document import Document
 
 

@@ -2,9 +2,9 @@
 
 from dataclasses import replace
 
-from skinsource.comparing import brought_back
-from skinsource.design import Design
-from skinsource.view import View
+from skinsource.design.comparing import brought_back
+from skinsource.design.design import Design
+from skinsource.design.view import View
 
 
 class StepEnd:

@@ -6,14 +6,14 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource import edits
-from skinsource.clips import Clip
-from skinsource.design import Design
-from skinsource.edits.selection import clip_of
-from skinsource.job import Job
-from skinsource.levelling import MEASURE, wavelet_levels_db
-from skinsource.view import View
-from skinsource.waveforms import WaveletTrain
+from skinsource.base.job import Job
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design
+from skinsource.design.edits.edit import clip_of
+from skinsource.design.view import View
+from skinsource.design.waveforms import WaveletTrain
+from skinsource.engine.levelling import MEASURE, wavelet_levels_db
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
 

@@ -2,10 +2,10 @@
 
 from dataclasses import dataclass
 
-from skinsource.design import audible_inputs
-from skinsource.limb import Limb
-from skinsource.rendering.segments import BLOCK_FFT
-from skinsource.work import Work
+from skinsource.base.work import Work
+from skinsource.design.design import audible_inputs
+from skinsource.engine.transforms import BLOCK_FFT
+from skinsource.limbs.limb import Limb
 from skinsource_gui.state.engine import Outcome
 
 #: Quantities that it asks for beside those of the panels.

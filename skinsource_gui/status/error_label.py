@@ -5,7 +5,7 @@ import math
 import numpy as np
 from PySide6.QtWidgets import QWidget
 
-from skinsource.rendering.check import N_SAMPLES, TraceError
+from skinsource.engine.gains import N_SAMPLES, TraceError
 from skinsource_gui.theme import set_tone, tabular
 from skinsource_gui.widgets.fitting_label import FittingLabel
 

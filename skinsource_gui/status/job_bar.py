@@ -10,7 +10,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.job import left_in_words
+from skinsource.base.job import left_in_words
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
 from skinsource_gui.theme import UNIT_PX, tabular
 

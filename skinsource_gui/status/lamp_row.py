@@ -6,7 +6,7 @@ from itertools import islice
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPen
 
-from skinsource.validity import Finding, Findings
+from skinsource.perception.validity import Finding, Findings
 from skinsource_gui.theme import UNIT_PX, Theme
 
 #: What lamps are called; the limb has words of its own beside them.

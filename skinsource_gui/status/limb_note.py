@@ -4,8 +4,8 @@ from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QFont, QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import QLabel, QWidget
 
-from skinsource.dataset.not_installed import NOT_INSTALLED
-from skinsource.own_limbs import facts_of, missing_limb
+from skinsource.limbs.dataset.store import NOT_INSTALLED
+from skinsource.limbs.own_limbs import facts_of, missing_limb
 from skinsource_gui.state.engine import Outcome
 from skinsource_gui.theme import current_theme
 

@@ -6,9 +6,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
-from skinsource.comparing import match_words
-from skinsource.design import Design
-from skinsource.view import View
+from skinsource.design.comparing import match_words
+from skinsource.design.design import Design
+from skinsource.design.view import View
 
 _ABOUT = (
     "What is shown and played has this gain; the design, its file and all exports have the "

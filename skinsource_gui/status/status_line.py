@@ -4,8 +4,8 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QPalette, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QStatusBar, QWidget
 
-from skinsource.design import Design, audible_inputs
-from skinsource.rendering.check import TraceError
+from skinsource.design.design import Design, audible_inputs
+from skinsource.engine.gains import TraceError
 from skinsource_gui.state.engine import Engine, Outcome
 from skinsource_gui.status import computation_words
 from skinsource_gui.status.computation_words import Scope, felt_words, scope_of

@@ -5,7 +5,7 @@ from functools import partial
 from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QPushButton, QWidget
 
-from skinsource.validity import Finding, Findings
+from skinsource.perception.validity import Finding, Findings
 from skinsource_gui.status.validity_lamps import STATES
 from skinsource_gui.theme import UNIT_PX, set_tone
 

@@ -12,7 +12,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
-from skinsource.validity import Finding, Findings
+from skinsource.perception.validity import Finding, Findings
 from skinsource_gui.status.lamp_row import NAMES, LampRow, paint_lamp
 from skinsource_gui.theme import current_theme, scaled
 from skinsource_gui.widgets.focus_frame import paint_focus_frame

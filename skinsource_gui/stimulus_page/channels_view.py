@@ -7,8 +7,8 @@ from PySide6.QtCore import QLineF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from skinsource.arrays import Floats
-from skinsource.stimulus_export import ChannelOverview, Overview
+from skinsource.base.arrays import Floats
+from skinsource.export.stimulus_export.preparing import ChannelOverview, Overview
 from skinsource_gui.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.widgets.over.veil import PALE
 

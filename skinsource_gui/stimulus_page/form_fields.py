@@ -1,13 +1,13 @@
 """What each field of the page of stimuli can be."""
 
-from skinsource.actuators import names, profile
-from skinsource.chain import ARBITRARY_UNIT
-from skinsource.design import Design
-from skinsource.fields import ChoiceSpec, NumberSpec
-from skinsource.limb import SAMPLE_RATE_HZ
-from skinsource.stimulus.times import LONGEST_LEAD_IN_S
-from skinsource.stimulus_formats import FORMATS
-from skinsource.view import View
+from skinsource.actuators.catalog import names, profile
+from skinsource.base.published import SAMPLE_RATE_HZ
+from skinsource.design.amplitudes import ARBITRARY_UNIT
+from skinsource.design.design import Design
+from skinsource.design.view import View
+from skinsource.engine.stimulus import LONGEST_LEAD_IN_S
+from skinsource.export.formats.formats import FORMATS
+from skinsource.specs.fields import ChoiceSpec, NumberSpec
 
 #: Rates that devices know; any other can be typed.
 RATES_HZ = (round(SAMPLE_RATE_HZ), 2000, 8000, 44_100, 48_000, 96_000, 192_000)

@@ -2,11 +2,12 @@
 
 from dataclasses import dataclass, field
 
-from skinsource.chain import Actuation
-from skinsource.equalising import Equaliser
-from skinsource.rigs import Rig
-from skinsource.stimulus_export import StimulusOptions
-from skinsource.stimulus_formats import FORMATS, StimulusFormat
+from skinsource.actuators.actuation import Actuation
+from skinsource.actuators.equalising import Equaliser
+from skinsource.actuators.rigs import Rig
+from skinsource.export.formats.format import StimulusFormat
+from skinsource.export.formats.formats import FORMATS
+from skinsource.export.stimulus_export.options import StimulusOptions
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

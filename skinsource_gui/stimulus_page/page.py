@@ -14,12 +14,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.design import Design
-from skinsource.motions.fields_of_motions import in_ms
-from skinsource.quoting import sentence
-from skinsource.rigs.sending import UNCALIBRATED
-from skinsource.stimulus_export import Overview
-from skinsource.view import View
+from skinsource.actuators.rigs import UNCALIBRATED
+from skinsource.base.quoting import sentence
+from skinsource.design.design import Design
+from skinsource.design.motions import in_ms
+from skinsource.design.view import View
+from skinsource.export.stimulus_export.preparing import Overview
 from skinsource_gui.stimulus_page.channels_view import ChannelsView
 from skinsource_gui.stimulus_page.order import Order
 from skinsource_gui.stimulus_page.preparing_row import PreparingRow

@@ -5,8 +5,8 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource.design import Design
-from skinsource.stimulus_export import overview_of, prepared
+from skinsource.design.design import Design
+from skinsource.export.stimulus_export.preparing import overview_of, prepared
 from skinsource_gui.state.latest_wins import LatestWins
 from skinsource_gui.stimulus_page.order import Order
 
@@ -20,7 +20,7 @@ class PreparingWorker(LatestWins):
         What is exported.
     """
 
-    #: The `Order` and its `skinsource.stimulus_export.Overview`.
+    #: The `Order` and its `skinsource.export.stimulus_export.preparing.Overview`.
     ready = Signal(object, object)
     #: The `Order`, and how much of its work is done and how much there is.
     progressed = Signal(object, int, int)

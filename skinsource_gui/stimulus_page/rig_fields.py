@@ -5,20 +5,21 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
-from skinsource.actuator_demand import ActuatorSettings, actuation_of
-from skinsource.actuators import load, profile
-from skinsource.chain import Actuation, ActuatorAt, drive_unit
-from skinsource.design import Design
-from skinsource.equalising import (
+from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.actuators.catalog import load, profile
+from skinsource.actuators.equalising import (
     Equaliser,
     PolePairReplacement,
     RegularisedInverse,
     resonance_of,
 )
-from skinsource.errors import SkinSourceError
-from skinsource.panel_settings import settings_of
-from skinsource.rigs import Rig, open_rig
-from skinsource.view import View
+from skinsource.actuators.rigs import Rig, open_rig
+from skinsource.base.errors import SkinSourceError
+from skinsource.design.amplitudes import drive_unit
+from skinsource.design.design import Design
+from skinsource.design.panel_settings import settings_of
+from skinsource.design.view import View
+from skinsource.engine.actuator_demand import ActuatorSettings, actuation_of
 from skinsource_gui.stimulus_page import form_fields as specs
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.rig_field import RigField

@@ -10,8 +10,8 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
-from skinsource.design import Design
-from skinsource.files import is_there
+from skinsource.base.files import is_there
+from skinsource.design.design import Design
 from skinsource_gui.files.export_jobs import ExportJobs
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.state.document import Document
@@ -86,7 +86,7 @@ class StimulusActions(QObject):
         offered = f"{words} (*{kind.suffix})" if kind.suffix else "All files (*)"
         path = self._files.ask_where("Export stimulus", start, offered, ending=kind.suffix)
         # It was loaded with the page.
-        stimulus_export = importlib.import_module("skinsource.stimulus_export")
+        stimulus_export = importlib.import_module("skinsource.export.stimulus_export")
         if path is None or not self._may_write(
             path, stimulus_export.written_files(path, kind, overview.marks)
         ):

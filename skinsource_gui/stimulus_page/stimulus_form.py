@@ -7,13 +7,14 @@ from typing import Any, Literal
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QLineEdit, QWidget
 
-from skinsource.chain import drive_unit
-from skinsource.design import Design
-from skinsource.errors import InvalidInputError, SkinSourceError
-from skinsource.quoting import quoted
-from skinsource.stimulus_export import StimulusOptions
-from skinsource.stimulus_formats import StimulusFormat, format_named
-from skinsource.view import View
+from skinsource.base.errors import InvalidInputError, SkinSourceError
+from skinsource.base.quoting import quoted
+from skinsource.design.amplitudes import drive_unit
+from skinsource.design.design import Design
+from skinsource.design.view import View
+from skinsource.export.formats.format import StimulusFormat
+from skinsource.export.formats.formats import format_named
+from skinsource.export.stimulus_export.options import StimulusOptions
 from skinsource_gui.stimulus_page import form_fields as specs
 from skinsource_gui.stimulus_page.order import Order
 from skinsource_gui.stimulus_page.rig_fields import RigFields

@@ -2,7 +2,7 @@
 
 import math
 
-from skinsource.decibels import in_tables
+from skinsource.base.decibels import in_tables
 
 
 def copied(value: float) -> str:

@@ -6,7 +6,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPolygonF, QTransform
 
-from skinsource.arrays import Floats
+from skinsource.base.arrays import Floats
 
 # So far from the middle of the room the nearest of an outline may be, in smaller sides of it.
 _REACH = 0.2

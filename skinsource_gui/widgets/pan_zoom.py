@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from skinsource.arrays import Floats
+from skinsource.base.arrays import Floats
 from skinsource_gui.widgets.frame import Frame
 from skinsource_gui.widgets.wheel import NOTCH, ZOOM_PER_NOTCH, ScrollingOn
 

@@ -5,8 +5,8 @@ from pathlib import Path
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from skinsource import rigs
-from skinsource.fields import ChoiceSpec
+from skinsource.actuators import rigs
+from skinsource.specs.fields import ChoiceSpec
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 
 _SPEC = ChoiceSpec(

@@ -3,12 +3,12 @@
 import numpy as np
 from hypothesis import strategies as st
 
-from skinsource.chain import placed_chain
-from skinsource.clips import Clip, Marker
-from skinsource.design import Design, Input, track
-from skinsource.effects import played
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.design.clips import Clip, Marker
+from skinsource.design.design import Design, Input, track
+from skinsource.design.effects import played
+from skinsource.design.signal_path import placed_chain
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
 
 RATE_HZ = 1300.0
 TONE = Tone(frequency_hz=77.0, duration_s=0.2)

@@ -19,12 +19,12 @@ import numpy as np
 import pytest
 import scipy
 
-from skinsource.design import Design, track
-from skinsource.limb import Limb, LimbMap
-from skinsource.quantities import new_graph, sources
-from skinsource.response import predict
-from skinsource.view import View
-from skinsource.waveforms import Impulse
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Impulse
+from skinsource.engine.prediction import predict
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.limbs.limb import Limb, LimbMap
 
 NUMBERS = pytest.StashKey[dict[str, float]]()
 CELLS = re.compile(r"^\| (\w+ [^|]+) \| ([^|]+) \| ([^|]+) \| ([^|]+) \| ([^|]+) \|$", re.MULTILINE)

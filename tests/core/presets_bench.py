@@ -2,10 +2,10 @@
 
 from hypothesis import strategies as st
 
-from skinsource.clips import Clip, Fragment, Lane
-from skinsource.effects import Fade, Reverse
-from skinsource.presets import Preset
-from skinsource.waveforms import Drawn, Noise, Tap, Tone
+from skinsource.design.clips import Clip, Fragment, Lane
+from skinsource.design.effects import Fade, Reverse
+from skinsource.design.presets.presets import Preset
+from skinsource.design.waveforms import Drawn, Noise, Tap, Tone
 
 TONE = Fragment(lanes=(Lane(location=3, clips=(Clip(waveform=Tone()),)),))
 text = st.text(st.characters(exclude_categories=("Cs", "Cc", "Zl", "Zp")), max_size=30)

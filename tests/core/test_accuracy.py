@@ -8,21 +8,21 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.accuracy import cases as cases_module
-from skinsource.accuracy.cases import (
+from skinsource.base.errors import FileFormatError, InvalidInputError, Stopped
+from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.limb import Limb
+from skinsource.studies.accuracy import cases as cases_module
+from skinsource.studies.accuracy.cases import (
     Actuation,
     Convolution,
     Resampling,
+    cases_of,
     convolutions,
+    exact_samples,
     stored_cases,
     tone_burst,
 )
-from skinsource.accuracy.exact import cases_of, exact_samples
-from skinsource.accuracy.measuring import Row, best_of, measure, table_csv, table_text
-from skinsource.accuracy.ways import WAYS
-from skinsource.catalogue import load_limb
-from skinsource.errors import FileFormatError, InvalidInputError, Stopped
-from skinsource.limb import Limb
+from skinsource.studies.accuracy.measuring import WAYS, Row, best_of, measure, table_csv, table_text
 from tests.core.own_limbs.lab_bench import installed
 
 CASES = {case.name: case for case in stored_cases()}

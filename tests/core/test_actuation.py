@@ -9,14 +9,14 @@ import pytest
 import scipy
 
 import skinsource as ss
-from skinsource import edits
-from skinsource.chain import transfers_of
-from skinsource.edits import Edit, Refusal
-from skinsource.errors import InvalidInputError
-from skinsource.quantities import new_graph, sources
-from skinsource.rendering.response_spectra import scaled_taps
-from skinsource.shared import Shared
-from skinsource.view import View
+from skinsource.actuators.actuation import transfers_of
+from skinsource.base.errors import InvalidInputError
+from skinsource.design import edits
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.view import View
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.engine.shared import Shared
+from skinsource.engine.spectra import scaled_taps
 
 RATE_HZ = 48_000
 COIL = ss.actuators.load("example-voice-coil")

@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.actuators.limits import Limits
-from skinsource.actuators.prediction import Breach
-from skinsource.errors import InvalidInputError
+from skinsource.actuators.prediction import Breach, Limits
+from skinsource.base.errors import InvalidInputError
 from tests.core.actuators_bench import COIL, PIEZO, RECOIL
 
 PARAMETERS = {

@@ -1,7 +1,7 @@
 """What the panel of the actuator keeps in a design."""
 
 import skinsource as ss
-from skinsource.actuator_demand import ActuatorSettings
+from skinsource.engine.actuator_demand import ActuatorSettings
 
 
 def test_settings_of_another_studio_do_no_harm():

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError
 
 HZ = np.geomspace(20.0, 1000.0, 60)
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.actuators.simulating import OUTPUTS, one_step
+from skinsource.actuators.simulation import OUTPUTS, one_step
 from tests.core.actuators_bench import COIL, PIEZO, RECOIL
 
 

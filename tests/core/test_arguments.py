@@ -12,8 +12,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import skinsource as ss
-from skinsource.arguments import finite_array, real_array, real_number, whole_number
-from skinsource.errors import InvalidInputError
+from skinsource.base.arguments import finite_array, real_array, real_number, whole_number
+from skinsource.base.errors import InvalidInputError
 
 MASKED = np.ma.masked_array([1.0, 2.0, 3.0], [False, True, False])
 NASTY = (

@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.sampling import band_limited_delay
+from skinsource.base.errors import InvalidInputError
+from skinsource.signals.sampling import band_limited_delay
 
 RATE_HZ = 1300.0
 DELAYS = [1e-9, 0.1, 0.25, 0.5, 0.75, 0.999]

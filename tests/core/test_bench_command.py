@@ -6,10 +6,11 @@ import sys
 
 import pytest
 
-from skinsource.accuracy import commands, plot
-from skinsource.accuracy.cases import stored_cases
-from skinsource.commands.command_line import main
-from skinsource.errors import MissingExtraError
+from skinsource.base.errors import MissingExtraError
+from skinsource.cli import bench_command
+from skinsource.cli.command_line import main
+from skinsource.studies.accuracy import cases, measuring
+from skinsource.studies.accuracy.cases import stored_cases
 from tests.core.own_limbs.lab_bench import installed
 
 SHORT = "1300 to 48000 Hz"
@@ -18,7 +19,7 @@ SHORT = "1300 to 48000 Hz"
 @pytest.fixture(autouse=True)
 def one_case(monkeypatch):
     chosen = [case for case in stored_cases() if case.name == SHORT]
-    monkeypatch.setattr(commands, "cases_of", lambda limb, **_: chosen)
+    monkeypatch.setattr(bench_command, "cases_of", lambda limb, **_: chosen)
 
 
 def rows_in(folder):
@@ -48,14 +49,14 @@ def test_without_matplotlib_table_and_report_are_written(tmp_path, monkeypatch, 
     def refuse(name, extra):
         raise MissingExtraError(f'Install it with: pip install "skinsource[{extra}]"')
 
-    monkeypatch.setattr(plot, "package_of_extra", refuse)
+    monkeypatch.setattr(measuring, "package_of_extra", refuse)
     assert main(["bench", "--quick", "--out", str(tmp_path)]) == 1
     assert sorted(path.name for path in tmp_path.iterdir()) == ["report.md", "work_precision.csv"]
     assert 'pip install "skinsource[bench]"' in capsys.readouterr().err
 
 
 def test_other_programs_can_read_how_far_the_work_is(tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(commands, "write_plots", lambda rows, stem: None)
+    monkeypatch.setattr(bench_command, "write_plots", lambda rows, stem: None)
     assert main(["bench", "--progress", "lines", "--out", str(tmp_path)]) == 0
     assert capsys.readouterr().out.startswith(
         f"0/3 {SHORT}: SkinSource resample\n1/3 {SHORT}: SciPy resample_poly\n"
@@ -66,14 +67,16 @@ def test_other_programs_can_read_how_far_the_work_is(tmp_path, monkeypatch, caps
 def test_what_was_measured_until_it_is_stopped_stands_in_table_and_report(
     tmp_path, monkeypatch, capsys, n_rows
 ):
-    whole = commands.measure
+    whole = measuring.measure
 
     def stopped(*arguments, **more):
         yield from (row for _, row in zip(range(n_rows), whole(*arguments, **more), strict=False))
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(commands, "measure", stopped)
-    monkeypatch.setattr(commands, "write_plots", lambda *_: pytest.fail("who stops does not wait"))
+    monkeypatch.setattr(bench_command, "measure", stopped)
+    monkeypatch.setattr(
+        bench_command, "write_plots", lambda *_: pytest.fail("who stops does not wait")
+    )
     assert main(["bench", "--quick", "--out", str(tmp_path)]) == 130
     if not n_rows:
         assert list(tmp_path.iterdir()) == []
@@ -86,9 +89,11 @@ def test_what_was_measured_until_it_is_stopped_stands_in_table_and_report(
 def test_a_limb_is_named_in_the_report(tmp_path, monkeypatch, user_data):
     limb = installed()
     asked = []
-    whole = commands.cases_of
-    monkeypatch.setattr(commands, "cases_of", lambda limb, **_: asked.append(limb) or whole(limb))
-    monkeypatch.setattr(commands, "write_plots", lambda rows, stem: None)
+    whole = cases.cases_of
+    monkeypatch.setattr(
+        bench_command, "cases_of", lambda limb, **_: asked.append(limb) or whole(limb)
+    )
+    monkeypatch.setattr(bench_command, "write_plots", lambda rows, stem: None)
     assert main(["bench", "--limb", limb.name, "--quick", "--out", str(tmp_path)]) == 0
     assert [one.name for one in asked] == [limb.name]
     assert "limb lab-1, SHA-256 " in (tmp_path / "report.md").read_text(encoding="utf-8")
@@ -100,7 +105,9 @@ def test_a_limb_is_named_in_the_report(tmp_path, monkeypatch, user_data):
 )
 def test_what_cannot_be_done_is_told_before_the_work(tmp_path, monkeypatch, capsys, words, said):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(commands, "measure", lambda *_, **__: pytest.fail("measured for nothing"))
+    monkeypatch.setattr(
+        bench_command, "measure", lambda *_, **__: pytest.fail("measured for nothing")
+    )
     (tmp_path / "file").write_text("in the way")
     assert main(["bench", *words]) == 1
     assert said in capsys.readouterr().err
@@ -109,7 +116,7 @@ def test_what_cannot_be_done_is_told_before_the_work(tmp_path, monkeypatch, caps
 
 def test_the_command_line_starts_without_what_only_the_benchmark_needs():
     code = (
-        "import sys, skinsource.commands.command_line;"
+        "import sys, skinsource.cli.command_line;"
         "print(sorted({'scipy.signal', 'matplotlib', 'PySide6'} & set(sys.modules)))"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

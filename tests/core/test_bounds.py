@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from skinsource.limb import N_TAPS
-from skinsource.rendering.bounds import channel_bounds
-from skinsource.rendering.response_spectra import SECTIONS, ResponseSpectrum
-from skinsource.rendering.transforms import forward, transform_length
-from skinsource.signals import sinusoid, white_noise
-from skinsource.synthetic import load_synthetic_limb
+from skinsource.base.published import N_TAPS
+from skinsource.engine.gains import channel_bounds
+from skinsource.engine.spectra import SECTIONS, ResponseSpectrum
+from skinsource.engine.transforms import forward, transform_length
+from skinsource.limbs.synthetic import load_synthetic_limb
+from skinsource.signals.generators import sinusoid, white_noise
 
 RATE_HZ = 1300.0
 EDGES = (*SECTIONS, N_TAPS)

@@ -9,8 +9,9 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.interpolate import PchipInterpolator
 
-from skinsource.effects import Envelope
-from skinsource.effects.breakpoints import (
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.effects import Envelope
+from skinsource.design.effects.breakpoints import (
     curve_at,
     moved,
     place_of,
@@ -19,9 +20,8 @@ from skinsource.effects.breakpoints import (
     with_segment,
     without,
 )
-from skinsource.effects.envelope import POINTS
-from skinsource.errors import InvalidInputError
-from skinsource.fields import SEGMENTS, Address, SlopedPoint, slope_of
+from skinsource.design.effects.level import POINTS
+from skinsource.specs.fields import SEGMENTS, Address, SlopedPoint, slope_of
 
 LEVELS = st.floats(0.0, 5.0).map(lambda value: round(value, 6))
 KINDS = st.sampled_from(SEGMENTS)

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.fields import BreakpointsSpec, NumberSpec
-from skinsource.fields.spec import Misfit
+from skinsource.base.errors import InvalidInputError
+from skinsource.specs.fields import BreakpointsSpec, NumberSpec
+from skinsource.specs.spec import Misfit
 
 UNIT = NumberSpec(label="Part", minimum=0.0, maximum=1.0)
 

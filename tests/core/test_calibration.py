@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from skinsource.scaling.calibration import per_probe_acceleration
+from skinsource.limbs.scaling import per_probe_acceleration
 
 RATE_HZ = 1300.0
 PEAK_M_PER_S2, WIDTH_S = 22.9, 1e-3

@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.clips import Clip
-from skinsource.design import Design, Input, track
-from skinsource.quantities import new_graph, sources
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.engine.quantities import new_graph, sources
 
 RATE_HZ = 1300.0
 #: Onsets on samples and between them.

@@ -1,9 +1,9 @@
 """Edits of clips where they lie: added, removed, changed by name, and selected."""
 
-from skinsource import edits
-from skinsource.clips import Clip
-from skinsource.view import View
-from skinsource.waveforms import Tap
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tap
 from tests.core.clips_bench import DESIGN, VIEW, onsets, tracks
 
 

@@ -6,11 +6,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from skinsource import edits
-from skinsource.clips import Fragment
-from skinsource.design import Design
-from skinsource.errors import FileFormatError
-from skinsource.view import View
+from skinsource.base.errors import FileFormatError
+from skinsource.design import edits
+from skinsource.design.clips import Fragment
+from skinsource.design.design import Design
+from skinsource.design.view import View
 from tests.core.clips_bench import DESIGN, VIEW, onsets, some_ids, times, tracks
 
 

@@ -5,10 +5,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from skinsource import edits
-from skinsource.edits import Refusal
-from skinsource.effects import Trim
-from skinsource.waveforms import Tap
+from skinsource.design import edits
+from skinsource.design.edits import Refusal
+from skinsource.design.effects import Trim
+from skinsource.design.waveforms import Tap
 from tests.core.clips_bench import DESIGN, RATE_HZ, VIEW, times, total
 
 

@@ -2,12 +2,12 @@
 
 import pytest
 
-from skinsource import edits
-from skinsource.clips import Clip
-from skinsource.design import MAX_CLIPS, MAX_INPUTS, Design, Input
-from skinsource.edits import Edit, Refusal
-from skinsource.view import View
-from skinsource.waveforms import Tap, Tone
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.design import MAX_CLIPS, MAX_INPUTS, Design, Input
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tap, Tone
 from tests.core.clips_bench import DESIGN, VIEW
 
 FULL = Design(limb="synthetic-1", inputs=(Input(location=1, clips=(Clip(),) * MAX_CLIPS),))

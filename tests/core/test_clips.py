@@ -8,14 +8,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import skinsource as ss
-from skinsource import edits
-from skinsource.clips import Clip
-from skinsource.design import Design, Input, track
-from skinsource.errors import InvalidInputError
-from skinsource.quantities import new_graph, sources
-from skinsource.sampling import on_grid
-from skinsource.view import View
-from skinsource.waveforms import Gabor, Noise, Tap, Tone
+from skinsource.base.errors import InvalidInputError
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Gabor, Noise, Tap, Tone
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.signals.sampling import on_grid
 
 RATE_HZ = 1300.0
 TONE = Tone(frequency_hz=90.0, duration_s=0.1, window="none")

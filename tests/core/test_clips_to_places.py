@@ -2,12 +2,12 @@
 
 from dataclasses import replace
 
-from skinsource import edits
-from skinsource.clips import Clip
-from skinsource.design import MAX_CLIPS, MAX_INPUTS, Design, Input
-from skinsource.edits import Refusal
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.design import MAX_CLIPS, MAX_INPUTS, Design, Input
+from skinsource.design.edits import Refusal
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
 
 TONE = Tone(100.0, 0.0, 0.2)
 DESIGN = Design(

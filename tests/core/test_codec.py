@@ -13,11 +13,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from skinsource import fields
-from skinsource.codec import decode, encode, image, json_text, text
-from skinsource.errors import FileFormatError, InvalidInputError
-from skinsource.fields import Address, OptionalSpec, SamplesSpec, TextSpec
-from skinsource.samples import Samples
+from skinsource.base import json_text
+from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.specs import codec, fields, image
+from skinsource.specs.fields import Address, OptionalSpec, SamplesSpec, TextSpec
+from skinsource.specs.models import decode, encode
+from skinsource.specs.samples import Samples
 
 VERSION = 2
 to_image, from_image = (partial(one, version=VERSION) for one in (image.to_image, image.from_image))
@@ -54,16 +55,16 @@ def test_what_was_put_in_comes_out_and_gives_the_same_bytes_again(tree):
     stored = to_image(tree)
     assert repr(from_image(stored)) == repr(tree)
     assert to_image(from_image(stored)) == stored
-    written = text.to_text(tree, "a tree")
-    assert repr(text.from_text(written, "a tree")) == repr(tree)
-    assert text.to_text(text.from_text(written, "a tree"), "a tree") == written
+    written = codec.to_text(tree, "a tree")
+    assert repr(codec.from_text(written, "a tree")) == repr(tree)
+    assert codec.to_text(codec.from_text(written, "a tree"), "a tree") == written
 
 
 def test_a_recipe_with_samples_comes_back_from_both():
     recipe = Recording(title="Größe", sound=SOUND)
     for carried in (
         from_image(to_image(encode(recipe))),
-        text.from_text(text.to_text(encode(recipe), "a recording"), "a recording"),
+        codec.from_text(codec.to_text(encode(recipe), "a recording"), "a recording"),
     ):
         assert decode(carried, (Recording,), Address()) == recipe
 
@@ -89,11 +90,11 @@ def test_every_flipped_bit_of_an_image_is_refused():
 
 
 def test_every_changed_character_of_a_text_is_refused():
-    written = text.to_text({"a": 1, "sound": OTHER}, "a tree")
+    written = codec.to_text({"a": 1, "sound": OTHER}, "a tree")
     for place in range(len(written)):
         changed = chr(ord(written[place]) ^ 1)
         with pytest.raises(FileFormatError):
-            text.from_text(written[:place] + changed + written[place + 1 :], "a tree")
+            codec.from_text(written[:place] + changed + written[place + 1 :], "a tree")
 
 
 def test_an_image_cut_off_or_lengthened_is_refused():
@@ -112,17 +113,17 @@ def test_an_image_cut_off_or_lengthened_is_refused():
     ],
 )
 def test_a_text_of_another_version_says_which_studio_opens_it(version, studio):
-    other = text.to_text([1], "a tree").replace('"version":2', f'"version":{version}')
+    other = codec.to_text([1], "a tree").replace('"version":2', f'"version":{version}')
     with pytest.raises(FileFormatError, match=f"of its format, expected 2; open it with {studio}"):
-        text.from_text(other, "a tree")
+        codec.from_text(other, "a tree")
 
 
 def test_a_text_that_holds_something_else_says_so():
     for other in ("", "hello", "[]", "{}", '{"format":"a design"}', "\ud800", "[" * 10**5):
         with pytest.raises(FileFormatError):
-            text.from_text(other, "a tree")
+            codec.from_text(other, "a tree")
     with pytest.raises(FileFormatError, match="does not hold inputs"):
-        text.from_text(text.to_text([1], "waveforms"), "inputs")
+        codec.from_text(codec.to_text([1], "waveforms"), "inputs")
 
 
 def signed(change, padding: bytes = b"") -> bytes:
@@ -247,7 +248,7 @@ def test_what_could_not_be_read_again_is_not_written(monkeypatch):
     monkeypatch.setattr(image, "MAX_IMAGE_BYTES", 100_000)
     with pytest.raises(InvalidInputError, match="too large for a file"):
         to_image([Samples(values=np.zeros(10_000), sample_rate_hz=1.0)])
-    for carrier in (to_image, lambda tree: text.to_text(tree, "a tree")):
+    for carrier in (to_image, lambda tree: codec.to_text(tree, "a tree")):
         with pytest.raises(InvalidInputError, match="expected at most"):
             carrier(["x" * json_text.MAX_TEXT_BYTES])
 

@@ -11,10 +11,10 @@ from pathlib import Path
 import h5py
 import pytest
 
-from skinsource.commands.command_line import main
-from skinsource.dataset import commands
-from skinsource.dataset.progress_bar import ProgressBar
-from skinsource.errors import Stopped
+from skinsource.base.errors import Stopped
+from skinsource.cli.command_line import main
+from skinsource.limbs.dataset import commands
+from skinsource.limbs.dataset.commands import ProgressBar
 from skinsource.version import __version__
 
 

@@ -8,8 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import skinsource as ss
-from skinsource import edits
-from skinsource.comparing import (
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.base.errors import InvalidInputError
+from skinsource.design import edits
+from skinsource.design.comparing import (
     EDITED,
     Snapshot,
     alike,
@@ -24,13 +26,11 @@ from skinsource.comparing import (
     reference,
     shown,
 )
-from skinsource.decibels import FLOOR_DB
-from skinsource.design import Design, track
-from skinsource.design_file import open_design, save_design
-from skinsource.edits import Edit, Refusal
-from skinsource.errors import InvalidInputError
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tone
+from skinsource.design.design import Design, track
+from skinsource.design.design_file import open_design, save_design
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tone
 
 DESIGN = Design(
     limb="synthetic-1",

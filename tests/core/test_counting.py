@@ -2,7 +2,7 @@
 
 import pytest
 
-from skinsource.counting import counted
+from skinsource.base.work import counted
 
 
 @pytest.mark.parametrize(

@@ -7,9 +7,9 @@ import sys
 import numpy as np
 import pytest
 
-from skinsource.dataset.install import install
-from skinsource.errors import DatasetError, MissingExtraError, StorageError
-from skinsource.extras import extra_line
+from skinsource.base.errors import DatasetError, MissingExtraError, StorageError
+from skinsource.base.extras import extra_line
+from skinsource.limbs.dataset.install import install
 
 
 @pytest.fixture

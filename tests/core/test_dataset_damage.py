@@ -12,8 +12,9 @@ import h5py
 import numpy as np
 import pytest
 
-from skinsource.dataset import layout, store, upkeep
-from skinsource.errors import DatasetError
+from skinsource.base.errors import DatasetError
+from skinsource.limbs.dataset import published, store
+from skinsource.limbs.dataset import store as upkeep
 
 SEED = 20262
 ATTEMPTS = """
@@ -24,8 +25,8 @@ from pathlib import Path
 
 import numpy as np
 
-from skinsource.dataset.store import describe, load_mask, load_measured_limb
-from skinsource.errors import DatasetError
+from skinsource.limbs.dataset.store import describe, load_mask, load_measured_limb
+from skinsource.base.errors import DatasetError
 
 way, seed, count, gaps = sys.argv[1], int(sys.argv[2]), int(sys.argv[3]), json.loads(sys.argv[4])
 random = np.random.default_rng(seed)
@@ -80,11 +81,11 @@ def used_gaps(path: Path) -> list[tuple[int, int]]:
     """Give what is no array: first and last + 1 of each run of bytes that is not all zero."""
     arrays = []
     with h5py.File(path) as opened:
-        for name in layout.WHOLE_SHAPES:
+        for name in published.WHOLE_SHAPES:
             found = opened[name].id
             arrays.append((found.get_offset(), found.get_storage_size()))
-        for limb in layout.LIMBS:
-            found = opened[layout.responses_name(limb)].id
+        for limb in published.LIMBS:
+            found = opened[published.responses_name(limb)].id
             chunks = [found.get_chunk_info(k) for k in range(found.get_num_chunks())]
             arrays += [(chunk.byte_offset, chunk.size) for chunk in chunks]
     is_free = np.ones(path.stat().st_size, bool)
@@ -121,7 +122,7 @@ def test_a_store_cut_off_anywhere_is_refused(made_up_installed):
 
 def test_every_letter_of_every_text_is_watched_over(made_up_installed):
     info = store.describe()
-    texts = [layout.FORMAT, info.installed_at, info.source_name, info.source_sha256]
+    texts = [published.FORMAT, info.installed_at, info.source_name, info.source_sha256]
     with h5py.File(made_up_installed) as opened:
         texts.append(opened["map/outline"].attrs["sha256"].decode())
         texts += [digest.decode() for digest in opened["responses/limb-1"].attrs["sha256"][[0, 19]]]

@@ -12,11 +12,11 @@ from time import monotonic
 
 import pytest
 
-from skinsource.dataset import download, published, upkeep
-from skinsource.dataset.fetch import fetch
-from skinsource.dataset.store import is_installed, load_measured_limb
-from skinsource.errors import DownloadError, MissingExtraError, Stopped, StorageError
-from skinsource.extras import extra_line
+from skinsource.base.errors import DownloadError, MissingExtraError, Stopped, StorageError
+from skinsource.base.extras import extra_line
+from skinsource.limbs.dataset import download, published, store
+from skinsource.limbs.dataset.download import fetch
+from skinsource.limbs.dataset.store import is_installed, load_measured_limb
 from tests.core.misbehaving_server import RESPONSES, Handler, Served
 
 for _package in ("pooch", "requests", "matio"):
@@ -276,5 +276,5 @@ def test_old_leftovers_of_downloads_are_swept_and_young_ones_stay(served, files,
     os.utime(other, (0, 0))
     fetch(files=files)
     assert [path.exists() for path in (old, young, other)] == [False, True, True]
-    upkeep.remove()
+    store.remove()
     assert [path.exists() for path in (young, other)] == [False, True]

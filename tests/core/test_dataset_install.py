@@ -9,9 +9,9 @@ import h5py
 import numpy as np
 import pytest
 
-from skinsource.dataset.install import install
-from skinsource.dataset.store import describe, is_installed, load_mask, load_measured_limb
-from skinsource.errors import DatasetError, Stopped, StorageError
+from skinsource.base.errors import DatasetError, Stopped, StorageError
+from skinsource.limbs.dataset.install import install
+from skinsource.limbs.dataset.store import describe, is_installed, load_mask, load_measured_limb
 
 
 def _everything(path):

@@ -14,9 +14,9 @@ import h5py
 import numpy as np
 import pytest
 
-from skinsource.dataset.install import install
-from skinsource.dataset.pieces import refuse_scattered
-from skinsource.errors import DatasetError
+from skinsource.base.errors import DatasetError
+from skinsource.limbs.dataset.install import install
+from skinsource.limbs.dataset.matlab_files import refuse_scattered
 
 SEED = 20263
 #: A node of an index, and that it is one of pieces, not of names.
@@ -30,7 +30,7 @@ from pathlib import Path
 
 import h5py
 
-from skinsource.dataset.pieces import refuse_scattered
+from skinsource.limbs.dataset.matlab_files import refuse_scattered
 
 path, flips = Path(sys.argv[1]), json.loads(sys.stdin.read())
 

@@ -4,8 +4,8 @@ import h5py
 import numpy as np
 import pytest
 
-from skinsource.dataset import store
-from skinsource.errors import DatasetError
+from skinsource.base.errors import DatasetError
+from skinsource.limbs.dataset import store
 
 
 def _set_attribute(path, name, value):

@@ -8,8 +8,7 @@ import h5py
 import numpy as np
 import pytest
 
-from skinsource.dataset import store, upkeep
-from skinsource.errors import (
+from skinsource.base.errors import (
     DatasetError,
     DatasetMissingError,
     InvalidInputError,
@@ -17,6 +16,8 @@ from skinsource.errors import (
     StorageError,
     UnknownLimbError,
 )
+from skinsource.limbs.dataset import store
+from skinsource.limbs.dataset import store as upkeep
 
 CHUNK_BYTES = 72 * 3 * 522 * 8
 

@@ -6,8 +6,9 @@ import h5py
 import numpy as np
 import pytest
 
-from skinsource.dataset import store, upkeep
-from skinsource.errors import DatasetError
+from skinsource.base.errors import DatasetError
+from skinsource.limbs.dataset import store
+from skinsource.limbs.dataset import store as upkeep
 
 
 def put_text_of_free_length(opened):

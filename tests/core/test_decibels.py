@@ -3,8 +3,8 @@ import math
 import numpy as np
 import pytest
 
-from skinsource.decibels import FLOOR_DB, decibels, in_tables
-from skinsource.errors import InvalidInputError
+from skinsource.base.decibels import FLOOR_DB, decibels, in_tables
+from skinsource.base.errors import InvalidInputError
 
 
 @pytest.mark.parametrize(

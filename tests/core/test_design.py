@@ -2,9 +2,10 @@ from dataclasses import FrozenInstanceError, replace
 
 import pytest
 
-from skinsource.chain import amplitude_unit
-from skinsource.clips import Clip, Marker
-from skinsource.design import (
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.amplitudes import amplitude_unit
+from skinsource.design.clips import Clip, Marker
+from skinsource.design.design import (
     MAX_INPUTS,
     Design,
     Input,
@@ -12,9 +13,8 @@ from skinsource.design import (
     audible_inputs,
     track,
 )
-from skinsource.errors import InvalidInputError
-from skinsource.scaling.response_scaling import SCALINGS
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.limbs.scaling import SCALINGS
 
 THREE = Design(limb="synthetic-1", inputs=tuple(track(location=k, colour=k) for k in (1, 2, 3)))
 

@@ -10,10 +10,9 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.commands.command_line import main
-from skinsource.export.map_files import picture_of
-from skinsource.export.png import write_png
-from skinsource.samples import Samples
+from skinsource.cli.command_line import main
+from skinsource.export.map_files import picture_of, write_png
+from skinsource.specs.samples import Samples
 
 
 @pytest.fixture
@@ -144,7 +143,7 @@ def test_both_commands_need_no_qt(saved, tmp_path):
     script = (
         "import sys\n"
         "sys.modules.update(dict.fromkeys(['PySide6', 'pyqtgraph', 'matplotlib']))\n"
-        "from skinsource.commands.command_line import main\n"
+        "from skinsource.cli.command_line import main\n"
         "sys.exit(main(sys.argv[1:]))\n"
     )
     for words in (["show", saved], ["render", saved, "--out", tmp_path / "out"]):

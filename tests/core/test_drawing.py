@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skinsource.drawing import Stroke, bounded_to_band, drawn_over, zeroed
-from skinsource.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError
+from skinsource.signals.drawing import Stroke, bounded_to_band, drawn_over, zeroed
 
 RATE_HZ = 1300.0
 PLACES = st.tuples(st.floats(0, 2), st.floats(-1, 1))

@@ -4,13 +4,13 @@ from dataclasses import replace
 
 import pytest
 
-from skinsource import edits
-from skinsource.clips import Clip
-from skinsource.design import MAX_INPUTS, Design, Input, track
-from skinsource.edits import Edit, Refusal
-from skinsource.fields import specs_of
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.design import MAX_INPUTS, Design, Input, track
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.specs.fields import specs_of
 
 THREE = Design(
     limb="synthetic-1",

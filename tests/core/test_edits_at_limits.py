@@ -6,15 +6,14 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource import edits
-from skinsource.clips import Clip
-from skinsource.clips.clip import MAX_EFFECTS
-from skinsource.design import Design, Input
-from skinsource.edits import Edit, Refusal
-from skinsource.effects import Rectify, Repeat, Stretch, Trim
-from skinsource.errors import InvalidInputError
-from skinsource.view import View
-from skinsource.waveforms import Layers, Tone, WaveletTrain
+from skinsource.base.errors import InvalidInputError
+from skinsource.design import edits
+from skinsource.design.clips import MAX_EFFECTS, Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.effects import Rectify, Repeat, Stretch, Trim
+from skinsource.design.view import View
+from skinsource.design.waveforms import Layers, Tone, WaveletTrain
 
 VIEW = View()
 

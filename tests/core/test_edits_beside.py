@@ -2,13 +2,13 @@
 
 import pytest
 
-from skinsource import edits
-from skinsource.clips import Clip
-from skinsource.design import Design, Input
-from skinsource.edits import Refusal
-from skinsource.effects import Fade, Trim
-from skinsource.view import View
-from skinsource.waveforms import Layers, Tone
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.edits import Refusal
+from skinsource.design.effects import Fade, Trim
+from skinsource.design.view import View
+from skinsource.design.waveforms import Layers, Tone
 
 VIEW = View()
 

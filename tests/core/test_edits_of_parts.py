@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import pytest
 
-from skinsource import edits
-from skinsource.clips import Clip
-from skinsource.clips.clip import EFFECT_LIST
-from skinsource.design import Design, track
-from skinsource.edits.kinds import KindSpec
-from skinsource.edits.parts import (
+from skinsource.base.errors import InvalidInputError
+from skinsource.design import edits
+from skinsource.design.clips import EFFECT_LIST, Clip
+from skinsource.design.design import Design, track
+from skinsource.design.edits.edit import KindSpec
+from skinsource.design.edits.effects import (
     choices_of,
     moved_part,
     new_part,
@@ -17,11 +17,10 @@ from skinsource.edits.parts import (
     with_part,
     without_part,
 )
-from skinsource.effects import EFFECTS, Fade, Reverse
-from skinsource.errors import InvalidInputError
-from skinsource.fields import specs_of
-from skinsource.view import View
-from skinsource.waveforms import KINDS, Layers, Noise, Tone
+from skinsource.design.effects import EFFECTS, Fade, Reverse
+from skinsource.design.view import View
+from skinsource.design.waveforms import KINDS, Layers, Noise, Tone
+from skinsource.specs.fields import specs_of
 
 PARTS = specs_of(Layers)["parts"]
 A, B, C = Clip(waveform=Tone(50.0)), Clip(waveform=Noise(seed=3)), Clip(onset_s=0.25)

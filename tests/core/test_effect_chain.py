@@ -6,10 +6,10 @@ from typing import ClassVar
 import numpy as np
 import pytest
 
-from skinsource import fields
-from skinsource.effects import ON, Effect, KeepsTime, own_duration_s, played, played_s
-from skinsource.fields import NumberSpec
-from skinsource.waveforms import Tone
+from skinsource.design.effects import ON, Effect, KeepsTime, own_duration_s, played, played_s
+from skinsource.design.waveforms import Tone
+from skinsource.specs import fields
+from skinsource.specs.fields import NumberSpec
 
 RATE_HZ = 1300.0
 TONE = Tone(frequency_hz=100.0, duration_s=0.1, window="none")

@@ -4,14 +4,13 @@ from dataclasses import replace
 
 import pytest
 
-from skinsource import edits
-from skinsource.clips import Clip
-from skinsource.clips.clip import MAX_EFFECTS
-from skinsource.design import Design, Input
-from skinsource.edits import Refusal
-from skinsource.effects import EFFECTS, Envelope, Fade, Repeat, Reverse, Stretch, Trim
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.design import edits
+from skinsource.design.clips import MAX_EFFECTS, Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.edits import Refusal
+from skinsource.design.effects import EFFECTS, Envelope, Fade, Repeat, Reverse, Stretch, Trim
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
 
 CHAIN = (Reverse(), Fade(), Repeat())
 DESIGN = Design(

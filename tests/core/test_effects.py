@@ -5,7 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from skinsource.effects import (
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.effects import (
     BandLimit,
     Envelope,
     Fade,
@@ -18,9 +19,8 @@ from skinsource.effects import (
     played,
     played_s,
 )
-from skinsource.errors import InvalidInputError
-from skinsource.sampling import values_between
-from skinsource.waveforms import Formula, Noise, Tone
+from skinsource.design.waveforms import Formula, Noise, Tone
+from skinsource.signals.sampling import values_between
 
 RATE_HZ = 1300.0
 TONE = Tone(frequency_hz=100.0, duration_s=0.2, window="none")

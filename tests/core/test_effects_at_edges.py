@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from skinsource.effects import BandLimit, Reverse, Stretch
+from skinsource.design.effects import BandLimit, Reverse, Stretch
 
 RATE_HZ = 1000.0
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from skinsource.drawing import bounded_to_band
-from skinsource.motions import Sweep
-from skinsource.waveforms import Tone
+from skinsource.design.motions import Sweep
+from skinsource.design.waveforms import Tone
+from skinsource.signals.drawing import bounded_to_band
 
 
 @pytest.mark.parametrize(("frequency_hz", "stays"), [(20, 0), (25, 1), (600, 1), (605, 0)])

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.equalising import PolePairReplacement, RegularisedInverse
-from skinsource.errors import InvalidInputError
+from skinsource.actuators.equalising import PolePairReplacement, RegularisedInverse
+from skinsource.base.errors import InvalidInputError
 
 COIL = ss.actuators.load("example-voice-coil")
 AIR = ss.actuators.load("kastor-2023-air")

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.errors import InvalidInputError
-from skinsource.evaluation import MOST_GRAPHS, Evaluator
-from skinsource.quantities import new_graph, sources
-from skinsource.waveforms import Tap, Tone
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.waveforms import Tap, Tone
+from skinsource.engine.evaluation import MOST_GRAPHS, Evaluator
+from skinsource.engine.quantities import new_graph, sources
 
 VIEW = ss.View(outputs=(29, 52))
 QUANTITIES = ("output_levels_db", "selected_traces")
@@ -131,7 +131,9 @@ def test_after_a_failure_the_limb_is_opened_anew(monkeypatch):
     evaluator, design = Evaluator(), scene(1, "measured-1")
     with pytest.raises(ss.SkinSourceError, match="not installed"):
         evaluator.evaluate(design, QUANTITIES)
-    monkeypatch.setattr("skinsource.shared.load_limb", lambda *_: ss.load_limb("synthetic-3"))
+    monkeypatch.setattr(
+        "skinsource.limbs.catalogue.load_limb", lambda *_: ss.load_limb("synthetic-3")
+    )
     assert np.isfinite(evaluator.evaluate(design, QUANTITIES)["output_levels_db"]).all()
 
 

@@ -7,11 +7,11 @@ from itertools import product
 import numpy as np
 import pytest
 
-from skinsource import fields
-from skinsource.effects import EFFECTS, Effect, Reverse, played, played_s
-from skinsource.fields import ChoiceSpec, NumberSpec
-from skinsource.fields.recipes import decode, encode
-from skinsource.waveforms import Formula, Impulse, Tone
+from skinsource.design.effects import EFFECTS, Effect, Reverse, played, played_s
+from skinsource.design.waveforms import Formula, Impulse, Tone
+from skinsource.specs import fields
+from skinsource.specs.fields import ChoiceSpec, NumberSpec
+from skinsource.specs.models import decode, encode
 
 RATE_HZ = 1300.0
 #: A burst that begins and ends in silence, and is the same at any rate.

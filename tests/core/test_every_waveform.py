@@ -8,9 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from skinsource.codec import decode, encode, image
-from skinsource.errors import InvalidInputError
-from skinsource.fields import (
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.waveforms import KINDS, Waveform
+from skinsource.signals.generators import sample_count
+from skinsource.signals.sampling import band_limited_delay
+from skinsource.specs import image
+from skinsource.specs.fields import (
     Address,
     ChoiceSpec,
     ListSpec,
@@ -25,10 +28,8 @@ from skinsource.fields import (
     made_for,
     specs_of,
 )
-from skinsource.samples import Samples
-from skinsource.sampling import band_limited_delay
-from skinsource.signals import sample_count
-from skinsource.waveforms import KINDS, Waveform
+from skinsource.specs.models import decode, encode
+from skinsource.specs.samples import Samples
 
 RATES_HZ = (1300.0, 8000.0, 44100.0)
 #: Longer ones are made, and not played.

@@ -5,18 +5,19 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from skinsource import shared
-from skinsource.design import Design, track
-from skinsource.errors import StorageError
-from skinsource.export import export_field, export_levels, export_traces
-from skinsource.limb import VOLAR_OUTPUTS, Limb, LimbMap
-from skinsource.locations import OUTPUTS
-from skinsource.projection import project_axes
-from skinsource.quantities import new_graph, sources
-from skinsource.response import predict
-from skinsource.spectra import rms
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap
+from skinsource.base.errors import StorageError
+from skinsource.base.published import VOLAR_OUTPUTS
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap
+from skinsource.engine import shared
+from skinsource.engine.prediction import predict
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.export.tables import export_field, export_levels, export_traces
+from skinsource.limbs.limb import Limb, LimbMap
+from skinsource.limbs.locations import OUTPUTS
+from skinsource.signals.projection import project_axes
+from skinsource.signals.spectra import rms
 
 INPUTS = (
     track(location=7, waveform=Noise(seed=3, duration_s=0.1), amplitude=0.1),

@@ -7,14 +7,14 @@ from zipfile import ZIP_STORED, ZipFile
 import numpy as np
 import pytest
 
-from skinsource.catalogue import load_limb
-from skinsource.design import Design, track
-from skinsource.errors import StorageError
-from skinsource.export import export_field
-from skinsource.quantities import new_graph, sources
-from skinsource.response import predict
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.base.errors import StorageError
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.engine.prediction import predict
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.export.tables import export_field
+from skinsource.limbs.catalogue import load_limb
 
 SHORT = Design(
     scaling="upstream",

@@ -8,17 +8,17 @@ import numpy as np
 import pytest
 import scipy
 
-from skinsource import __version__
-from skinsource.catalogue import load_limb
-from skinsource.design import Design, track
-from skinsource.errors import TooInaccurateError
-from skinsource.export import export_field, export_levels, export_traces
-from skinsource.rendering import trace_rules
-from skinsource.rendering.check import TraceError
-from skinsource.rendering.segments import BLOCK_FFT
-from skinsource.rendering.streaming import StreamedVibration
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.base.errors import TooInaccurateError
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.engine import trace_rules
+from skinsource.engine.gains import TraceError
+from skinsource.engine.streaming import StreamedVibration
+from skinsource.engine.transforms import BLOCK_FFT
+from skinsource.export.tables import export_field, export_levels, export_traces
+from skinsource.limbs.catalogue import load_limb
+from skinsource.version import __version__
 
 EXPORTS = {"traces.csv": export_traces, "levels.csv": export_levels, "field.npz": export_field}
 VIEW = View(axes="xz", outputs=(29, 7))

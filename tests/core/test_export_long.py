@@ -6,12 +6,13 @@ from itertools import count
 import numpy as np
 import pytest
 
-from skinsource.design import Design, track
-from skinsource.errors import Stopped, StorageError
-from skinsource.export import export_field, export_levels, export_traces, exported_design
-from skinsource.quantities import new_graph, sources
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap
+from skinsource.base.errors import Stopped, StorageError
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.export import exported_design
+from skinsource.export.tables import export_field, export_levels, export_traces
 
 DESIGN = Design(
     limb="synthetic-1",

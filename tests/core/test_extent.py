@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError
 
 LIMB = ss.load_limb("synthetic-1")
 

@@ -4,9 +4,9 @@ import sys
 
 import pytest
 
-from skinsource import extras
-from skinsource.errors import MissingExtraError, NothingToPlayOnError
-from skinsource.playing.portaudio import sound_library
+from skinsource.base import extras
+from skinsource.base.errors import MissingExtraError, NothingToPlayOnError
+from skinsource.lab.playing.devices import sound_library
 
 
 @pytest.mark.parametrize("editable", [True, False])

@@ -5,12 +5,12 @@ import tracemalloc
 import numpy as np
 import pytest
 
-from skinsource.design import Design, track
-from skinsource.errors import Stopped
-from skinsource.evaluation import evaluate
-from skinsource.resampling import EXTREMES_ERROR, FINER, extremes_between, finer
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.base.errors import Stopped
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
+from skinsource.engine.evaluation import evaluate
+from skinsource.signals.resampling import EXTREMES_ERROR, FINER, extremes_between, finer
 
 RATE_HZ = 1300.0
 # The filter alone.

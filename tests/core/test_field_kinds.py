@@ -6,9 +6,9 @@ from typing import Any, ClassVar
 import numpy as np
 import pytest
 
-from skinsource import fields
-from skinsource.errors import FileFormatError, InvalidInputError
-from skinsource.fields import (
+from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.specs import fields
+from skinsource.specs.fields import (
     Address,
     BreakpointsSpec,
     BytesSpec,
@@ -26,9 +26,9 @@ from skinsource.fields import (
     SwitchSpec,
     TextSpec,
 )
-from skinsource.fields.recipes import decode, encode
-from skinsource.fields.spec import MAX_DEPTH
-from skinsource.samples import Samples
+from skinsource.specs.models import decode, encode
+from skinsource.specs.samples import Samples
+from skinsource.specs.spec import MAX_DEPTH
 
 UNIT = NumberSpec(label="Part", minimum=0.0, maximum=1.0)
 WHOLE = NumberSpec(label="Count", minimum=1, maximum=72, whole=True)

@@ -4,10 +4,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 
-from skinsource import fields
-from skinsource.errors import InvalidInputError
-from skinsource.fields import ChoiceSpec, NumberSpec
-from skinsource.waveforms import KINDS, Noise, Tone
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.waveforms import KINDS, Noise, Tone
+from skinsource.specs import fields
+from skinsource.specs.fields import ChoiceSpec, NumberSpec
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

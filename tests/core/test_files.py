@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from skinsource.errors import StorageError
-from skinsource.files import make_folder, replacing, write_bytes
+from skinsource.base.errors import StorageError
+from skinsource.base.files import make_folder, replacing, write_bytes
 
 OLD, NEW = b"what stood there", b"what is to stand there" * 1000
 posix_rights = pytest.mark.skipif(

@@ -9,8 +9,8 @@ from pathlib import Path
 import psutil
 import pytest
 
-from skinsource.errors import FileFormatError, StorageError
-from skinsource.files import is_there, make_folder, read_bytes, write_bytes
+from skinsource.base.errors import FileFormatError, StorageError
+from skinsource.base.files import is_there, make_folder, read_bytes, write_bytes
 
 ADVICE = {
     errno.ENOSPC: "Free some space",

@@ -2,8 +2,8 @@
 
 import pytest
 
-from skinsource.errors import StorageError
-from skinsource.files import replacing_folder
+from skinsource.base.errors import StorageError
+from skinsource.base.files import replacing_folder
 
 
 @pytest.fixture

@@ -10,18 +10,17 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import skinsource as ss
-from skinsource import formula
-from skinsource.errors import FormulaError, InvalidInputError
-from skinsource.formula.band_noise import band_noise
-from skinsource.formula.exact import Grid
-from skinsource.waveforms import Formula, Tone
+from skinsource.base.errors import FormulaError, InvalidInputError
+from skinsource.design.waveforms import Formula, Tone
+from skinsource.signals.formula import functions, playing, reading
+from skinsource.signals.formula.values import Grid, band_noise
 
 REFERENCES = Path(__file__).parents[1] / "references" / "formulas.json"
 ROWS = json.loads(REFERENCES.read_text(encoding="utf-8"))
 
 
 def played(text, count=1, duration_s=1.0, rate_hz=1300.0):
-    return formula.played(formula.read(text), count, rate_hz, 0.0, duration_s)
+    return playing.played(reading.read(text), count, rate_hz, 0.0, duration_s)
 
 
 def value_of(text):
@@ -34,10 +33,10 @@ def grid(first, count, rate_hz, shift_s=0.0):
 
 @pytest.mark.parametrize("row", ROWS, ids=[row["text"] for row in ROWS])
 def test_formulas_are_what_40_digits_say_up_to_an_hour(row):
-    program, numbers = formula.read(row["text"]), row["numbers"]
+    program, numbers = reading.read(row["text"]), row["numbers"]
     expected = np.array([float.fromhex(one) for one in row["values"]])
     at = (row["sample_rate_hz"], row["shift_s"], row["duration_s"])
-    found = formula.played(program, numbers[-1] + 1, *at)[numbers]
+    found = playing.played(program, numbers[-1] + 1, *at)[numbers]
     assert np.abs(found - expected).max() <= 1e-12 * max(1.0, np.abs(expected).max())
     assert len(numbers) >= 60
     assert np.ptp(expected) > 0.1
@@ -203,13 +202,13 @@ def test_a_mistake_is_refused_with_its_column(text, column, words):
     assert found.value.column == column
     assert words in str(found.value)
     assert f", column {column}: " in str(found.value) or text == ""
-    assert formula.column_of(str(found.value)) == column
+    assert reading.column_of(str(found.value)) == column
     assert len(str(found.value)) < 400
 
 
 def test_a_text_that_is_too_long_is_not_read():
     with pytest.raises(FormulaError, match="found 5000 characters, expected at most 1000") as found:
-        formula.read("(" * 5000)
+        reading.read("(" * 5000)
     assert found.value.column == 1001
     with pytest.raises(InvalidInputError, match=r"Formula\.text .* at most 1000 characters"):
         Formula(text="(" * 5000)
@@ -217,7 +216,7 @@ def test_a_text_that_is_too_long_is_not_read():
 
 def test_a_long_text_is_quoted_around_the_mistake():
     with pytest.raises(FormulaError, match=r'formula "…1\+1\+1.*\? \+ 2\+2.*…", column 203'):
-        formula.read("1+" * 100 + "1 ? " + "+ 2" + "+2" * 100)
+        reading.read("1+" * 100 + "1 ? " + "+ 2" + "+2" * 100)
 
 
 def test_what_is_not_finite_late_is_refused_when_it_is_played():
@@ -241,7 +240,7 @@ def test_numbers_that_overflow_on_the_way_do_no_harm():
 
 def test_the_page_about_formulas_names_every_function_and_limit():
     page = (Path(__file__).parents[2] / "docs" / "formulas.md").read_text(encoding="utf-8")
-    for name, function in formula.FUNCTIONS.items():
+    for name, function in functions.FUNCTIONS.items():
         assert f"`{function.usage}`" in page, name
-    for limit in (formula.LONGEST, formula.MAX_STEPS, formula.MAX_DEPTH):
+    for limit in (reading.LONGEST, reading.MAX_STEPS, reading.MAX_DEPTH):
         assert f" {limit} " in page

@@ -7,10 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from skinsource import formula
-from skinsource.errors import InvalidInputError
-from skinsource.formula import FUNCTIONS
-from skinsource.waveforms import Formula
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.waveforms import Formula
+from skinsource.signals import formula
+from skinsource.signals.formula import playing, reading
+from skinsource.signals.formula.functions import FUNCTIONS
 
 COUNT, SEED = 10_000, 20261122
 OPERATORS = ["+", "-", "*", "/", "^", "<", "<=", ">", ">=", "==", "!="]
@@ -108,7 +109,7 @@ def test_ten_thousand_texts_are_played_or_refused_with_a_column(capsys):
     for text in texts(rng):
         try:
             # A hundred samples say as much as a second.
-            found = formula.played(formula.read(text), 100, 1300.0, 0.0002, 0.1)
+            found = playing.played(reading.read(text), 100, 1300.0, 0.0002, 0.1)
         except InvalidInputError as error:
             n_refused += 1
             column = getattr(error, "column", None)

@@ -4,9 +4,9 @@ import numpy as np
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from skinsource import edits
-from skinsource.design import Design, Input
-from skinsource.view import View
+from skinsource.design import edits
+from skinsource.design.design import Design, Input
+from skinsource.design.view import View
 
 VIEW = View()
 # On a grid, so that points often lie at one time, and where time is cut.

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.chain import amplitude_text, is_gain, peak_text
-from skinsource.effects import Fade
-from skinsource.samples import Samples
+from skinsource.design.amplitudes import amplitude_text, is_gain, peak_text
+from skinsource.design.effects import Fade
+from skinsource.specs.samples import Samples
 
 RATE_HZ = 1300.0
 RECORDED = Samples(values=4.88 * np.hanning(301), sample_rate_hz=RATE_HZ, unit="m/s²")

@@ -7,14 +7,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skinsource import edits
-from skinsource.design import Design, track
-from skinsource.edits import Edit, Refusal
-from skinsource.edits.kinds import as_kind
-from skinsource.errors import InvalidInputError
-from skinsource.synthesis.glide_curves import curve_of, with_curve
-from skinsource.view import View
-from skinsource.waveforms import Chirp, Glide, Noise, Tap, Tone
+from skinsource.base.errors import InvalidInputError
+from skinsource.design import edits
+from skinsource.design.design import Design, track
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.edits.edit import as_kind
+from skinsource.design.view import View
+from skinsource.design.waveforms import Chirp, Glide, Noise, Tap, Tone
+from skinsource.signals.synthesis import curve_of, with_curve
 
 POINTS = ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0), (0.4, 240.0, 1.0), (0.5, 240.0, 0.0))
 #: Times on a grid, so that rounding moves none of them.

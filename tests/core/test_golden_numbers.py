@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from skinsource.catalogue import load_limb
-from skinsource.decibels import decibels
-from skinsource.projection import project_axes
-from skinsource.response import predict
-from skinsource.signals import sinusoid
-from skinsource.spectra import rms
+from skinsource.base.decibels import decibels
+from skinsource.engine.prediction import predict
+from skinsource.limbs.catalogue import load_limb
+from skinsource.signals.generators import sinusoid
+from skinsource.signals.projection import project_axes
+from skinsource.signals.spectra import rms
 
 WRIST = [43, 44, 45, 46, 52, 53, 54, 55]
 

@@ -3,8 +3,8 @@ import weakref
 import numpy as np
 import pytest
 
-from skinsource.errors import Stopped
-from skinsource.graph import Graph, UnknownQuantity
+from skinsource.base.errors import Stopped
+from skinsource.engine.graph import Graph, UnknownQuantity
 
 
 def doubled(number):

@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from skinsource.commands.graph_drawing import brought_up_to_date, drawing, rules_of, table
-from skinsource.graph import Graph
-from skinsource.quantities import new_graph, sources
+from skinsource.cli.graph_drawing import brought_up_to_date, drawing, rules_of, table
+from skinsource.engine.graph import Graph
+from skinsource.engine.quantities import new_graph, sources
 
 DOCUMENT = Path(__file__).parents[2] / "docs" / "rendering.md"
 
@@ -38,7 +38,7 @@ def test_a_drawing_shows_rules_what_they_need_and_what_comes_from_elsewhere():
 def test_the_document_shows_the_graph_as_it_is():
     text = DOCUMENT.read_text(encoding="utf-8")
     assert brought_up_to_date(text) == text, (
-        "docs/rendering.md shows another graph; run python -m skinsource.commands.graph_drawing "
+        "docs/rendering.md shows another graph; run python -m skinsource.cli.graph_drawing "
         "docs/rendering.md"
     )
 
@@ -51,8 +51,8 @@ def test_every_rule_that_leads_to_what_is_shown_is_drawn():
 
 @pytest.mark.parametrize("wanted", ["surface_levels_db", "selected_spectra", "trace_error"])
 def test_what_is_drawn_is_what_runs(wanted):
-    from skinsource.design import Design, track
-    from skinsource.view import View
+    from skinsource.design.design import Design, track
+    from skinsource.design.view import View
 
     graph = new_graph()
     design = Design(limb="synthetic-1", inputs=(track(7),))

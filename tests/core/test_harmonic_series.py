@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skinsource.synthesis.harmonics import harmonics_below, sum_of_harmonics
-from skinsource.waveforms import PulseTrain, Saw, Square, Triangle
+from skinsource.design.waveforms import PulseTrain, Saw, Square, Triangle
+from skinsource.signals.synthesis import harmonics_below, sum_of_harmonics
 from tests.core.lines_bench import spectrum
 
 RATES_HZ = (1300.0, 8000.0, 44100.0, 48000.0)

@@ -4,11 +4,11 @@ import json
 
 import pytest
 
-from skinsource import edits
-from skinsource.clips import Clip, Fragment, Lane
-from skinsource.comparing import Snapshot
-from skinsource.design import Design, track
-from skinsource.errors import FileFormatError, InvalidInputError
+from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.design import edits
+from skinsource.design.clips import Clip, Fragment, Lane
+from skinsource.design.comparing import Snapshot
+from skinsource.design.design import Design, track
 
 FRAGMENT = Fragment(lanes=(Lane(location=7, clips=(Clip(),)),))
 

@@ -6,14 +6,12 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.errors import InvalidInputError
-from skinsource.quantities import new_graph, sources
-from skinsource.rendering.in_time import BLOCK_S, Moving, SlidingEnergy, block_of
-from skinsource.rendering.in_time.rules import z_axis
-from skinsource.rendering.in_time.window import window_of
-from skinsource.sampling import values_at
-from skinsource.view import View
-from skinsource.work import counting
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.work import counting
+from skinsource.design.view import View
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.engine.time_rules import BLOCK_S, Moving, SlidingEnergy, block_of, window_of, z_axis
+from skinsource.signals.sampling import values_at
 
 RATE = 1300.0
 SHORT = ss.Design(

@@ -4,8 +4,8 @@ from functools import partial
 
 import pytest
 
-from skinsource.errors import SkinSourceError, Stopped
-from skinsource.job import Job, Progress, Stop, left_in_words, never, seconds_left, stop_if
+from skinsource.base.errors import SkinSourceError, Stopped
+from skinsource.base.job import Job, Progress, Stop, left_in_words, never, seconds_left, stop_if
 
 
 def count(limit: int, *, progress: Progress, stop: Stop) -> int:

@@ -6,12 +6,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.files.assets import cache_folder
-from skinsource.limb import Limb
-from skinsource.surface import kept, surface_operator
-from skinsource.surface.kept import decoded, encoded, kept_surface_operator
-from skinsource.synthetic import load_synthetic_limb
-from skinsource.work import counting
+from skinsource.base.assets import cache_folder
+from skinsource.base.work import counting
+from skinsource.limbs.limb import Limb
+from skinsource.limbs.surface import surface
+from skinsource.limbs.surface.surface import (
+    decoded,
+    encoded,
+    kept_surface_operator,
+    surface_operator,
+)
+from skinsource.limbs.synthetic import load_synthetic_limb
 
 SPACING_MM = 8.0
 
@@ -94,7 +99,7 @@ def test_another_map_hand_or_spacing_is_another_operator(limb):
 
 def test_other_code_builds_anew(limb, monkeypatch):
     fetched(limb)
-    monkeypatch.setattr(kept, "_code", lambda: b"changed")
+    monkeypatch.setattr(surface, "_code", lambda: b"changed")
     assert fetched(limb)[1] == 1
 
 
@@ -152,7 +157,7 @@ def test_what_was_used_last_is_kept_longest(limb, monkeypatch):
         os.utime(newest, (1000 + k, 1000 + k))
     assert fetched(limb, 8.0)[1] == 0  # used now
     largest = max(path.stat().st_size for path in files())
-    monkeypatch.setattr(kept, "MOST_ON_DISK_BYTES", 3 * largest)
+    monkeypatch.setattr(surface, "MOST_ON_DISK_BYTES", 3 * largest)
     fetched(limb, 10.0)
     assert sum(path.stat().st_size for path in files()) <= 3 * largest
     assert [fetched(limb, spacing)[1] for spacing in (8.0, 10.0)] == [0, 0]
@@ -160,7 +165,7 @@ def test_what_was_used_last_is_kept_longest(limb, monkeypatch):
 
 
 def test_too_large_an_operator_is_not_kept(limb, monkeypatch):
-    monkeypatch.setattr(kept, "LARGEST_BYTES", 1000)
+    monkeypatch.setattr(surface, "LARGEST_BYTES", 1000)
     assert [fetched(limb)[1] for _ in range(2)] == [1, 1]
     assert not cache_folder().exists()
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import skinsource
-from skinsource import motions
+from skinsource.design import motions
 
 TOP = Path(__file__).parents[2]
 LATE = [
@@ -66,16 +66,18 @@ def test_all_that_the_library_offers_is_there():
 
 
 def test_what_there_is_not_is_said_as_python_says_it():
-    with pytest.raises(AttributeError, match=r"module 'skinsource.motions' has no attribute 'Hop'"):
+    with pytest.raises(
+        AttributeError, match=r"module 'skinsource.design.motions' has no attribute 'Hop'"
+    ):
         motions.Hop  # noqa: B018
 
 
 def test_a_name_brings_its_own_module_and_no_other():
     probe = (
         "import sys; from skinsource import recordings; recordings.UNITS;"
-        "print([m for m in sys.modules if m.startswith('skinsource.recordings.')])"
+        "print([m for m in sys.modules if m.startswith('skinsource.design.recordings.')])"
     )
     done = subprocess.run(
         [sys.executable, "-c", probe], capture_output=True, text=True, check=True, timeout=60
     )
-    assert done.stdout.strip() == "['skinsource.recordings.units']"
+    assert done.stdout.strip() == "['skinsource.readers.units']"

@@ -7,17 +7,17 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from skinsource import edits
-from skinsource.chain import placed_chain
-from skinsource.clips import Clip
-from skinsource.codec import decode, encode
-from skinsource.design import Design, Input
-from skinsource.edits import Refusal
-from skinsource.effects import Trim, played
-from skinsource.errors import FileFormatError, InvalidInputError
-from skinsource.fields import Address
-from skinsource.view import View
-from skinsource.waveforms import KINDS, Layers, Noise, Tap, Tone
+from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.edits import Refusal
+from skinsource.design.effects import Trim, played
+from skinsource.design.signal_path import placed_chain
+from skinsource.design.view import View
+from skinsource.design.waveforms import KINDS, Layers, Noise, Tap, Tone
+from skinsource.specs.fields import Address
+from skinsource.specs.models import decode, encode
 
 RATE_HZ = 1300.0
 TONE = Tone(frequency_hz=77.0, duration_s=0.1, window="none")

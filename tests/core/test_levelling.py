@@ -6,18 +6,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource import edits
-from skinsource.catalogue import load_limb
-from skinsource.clips import Clip
-from skinsource.design import Design, Input, track
-from skinsource.edits import Edit, Refusal
-from skinsource.effects import EFFECTS
-from skinsource.errors import InvalidInputError, Stopped
-from skinsource.levelling import MEASURE, wavelet_levels_db
-from skinsource.response import predict
-from skinsource.spectra import rms
-from skinsource.view import View
-from skinsource.waveforms import Tone, WaveletTrain
+from skinsource.base.errors import InvalidInputError, Stopped
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input, track
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.effects import EFFECTS
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone, WaveletTrain
+from skinsource.engine.levelling import MEASURE, wavelet_levels_db
+from skinsource.engine.prediction import predict
+from skinsource.limbs.catalogue import load_limb
+from skinsource.signals.spectra import rms
 
 LIMB = "synthetic-1"
 TRAIN = WaveletTrain((60.0, 150.0, 400.0), slot_s=0.08)

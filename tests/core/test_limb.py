@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError
 
 
 @pytest.fixture

@@ -5,9 +5,9 @@ from weakref import ref
 
 import pytest
 
-from skinsource.design import Design, track
-from skinsource.quantities import new_graph, sources
-from skinsource.view import View
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.engine.quantities import new_graph, sources
 
 
 @pytest.mark.parametrize("scaling", ["upstream", "relative", "probe"])

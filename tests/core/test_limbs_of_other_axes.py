@@ -6,19 +6,20 @@ from itertools import product
 import numpy as np
 import pytest
 
-from skinsource.analysis import extent
-from skinsource.design import Design, track
-from skinsource.errors import InvalidInputError
-from skinsource.limb import Limb, LimbMap, axes_of, axis_numbers
-from skinsource.projection import AXES, METHODS, project_axes
-from skinsource.quantities import new_graph, sources
-from skinsource.rendering.moments import moments_of, pairs
-from skinsource.response import predict
-from skinsource.scaling.calibration import per_probe_acceleration
-from skinsource.spectra import magnitude_spectrum, rms
-from skinsource.surface import surface_operator
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import AXES, axes_of, axis_numbers
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.engine.moments import moments_of, pairs
+from skinsource.engine.prediction import predict
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.limbs.extent import extent
+from skinsource.limbs.limb import Limb, LimbMap
+from skinsource.limbs.scaling import per_probe_acceleration
+from skinsource.limbs.surface.surface import surface_operator
+from skinsource.signals.projection import METHODS, project_axes
+from skinsource.signals.spectra import magnitude_spectrum, rms
 
 N_INPUTS, N_OUTPUTS, N_TAPS, RATE_HZ = 7, 31, 180, 4000.0
 OUTPUTS = (31, 2, 5)

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.checking import joint_of, proportion, strengths_of, superposition
-from skinsource.clips import Marker
-from skinsource.evaluation import evaluate
-from skinsource.view import View
+from skinsource.design.clips import Marker
+from skinsource.design.view import View
+from skinsource.engine.evaluation import evaluate
+from skinsource.studies.checking import joint_of, proportion, strengths_of, superposition
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.1)
 RATE_HZ = 1300.0

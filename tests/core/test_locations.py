@@ -2,9 +2,9 @@ import re
 
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.limb import VOLAR_OUTPUTS
-from skinsource.locations import INPUTS, OUTPUTS, REGIONS, input_place, output_place
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import VOLAR_OUTPUTS
+from skinsource.limbs.locations import INPUTS, OUTPUTS, REGIONS, input_place, output_place
 
 
 def test_there_are_20_inputs_and_72_outputs_numbered_in_order():

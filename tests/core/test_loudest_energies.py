@@ -5,16 +5,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.design import Design, track
-from skinsource.errors import Stopped
-from skinsource.limb import Limb
-from skinsource.projection import AXES, METHODS, project_axes
-from skinsource.quantities import new_graph, sources
-from skinsource.response import predict
-from skinsource.spectra import rms
-from skinsource.synthetic import load_synthetic_limb
-from skinsource.view import View
-from skinsource.waveforms import Impulse, Noise, Tap, Tone
+from skinsource.base.errors import Stopped
+from skinsource.base.published import AXES
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Impulse, Noise, Tap, Tone
+from skinsource.engine.prediction import predict
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.limbs.limb import Limb
+from skinsource.limbs.synthetic import load_synthetic_limb
+from skinsource.signals.projection import METHODS, project_axes
+from skinsource.signals.spectra import rms
 
 SHORT = Design(
     limb="synthetic-1",

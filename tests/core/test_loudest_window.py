@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from skinsource.errors import InvalidInputError
-from skinsource.loudest_window import LoudestEnergy, loudest_energy
-from skinsource.signals import sinusoid
-from skinsource.spectra import rms
+from skinsource.base.errors import InvalidInputError
+from skinsource.signals.generators import sinusoid
+from skinsource.signals.loudest_window import LoudestEnergy, loudest_energy
+from skinsource.signals.spectra import rms
 
 SEED = 7
 

@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.comparing import louder
-from skinsource.design import Design, track
-from skinsource.quantities import new_graph, sources
-from skinsource.view import View
-from skinsource.waveforms import Tap, Tone
+from skinsource.design.comparing import louder
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tap, Tone
+from skinsource.engine.quantities import new_graph, sources
 
 GAIN = 0.3
 DESIGN = Design(

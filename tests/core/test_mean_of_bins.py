@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from skinsource.spectra import mean_of_bins
+from skinsource.signals.spectra import mean_of_bins
 
 
 @pytest.mark.parametrize("n", [2, 3, 10])

@@ -5,7 +5,7 @@ import pytest
 import soundfile
 
 import skinsource as ss
-from skinsource.errors import InvalidInputError, RecordingError
+from skinsource.base.errors import InvalidInputError, RecordingError
 
 COIL = ss.actuators.load("example-voice-coil")
 RATE_HZ = 8000

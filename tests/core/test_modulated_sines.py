@@ -8,7 +8,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.special import jv
 
-from skinsource.waveforms import AmplitudeModulated, Chirp, DampedSine, FrequencyModulated, Tone
+from skinsource.design.waveforms import (
+    AmplitudeModulated,
+    Chirp,
+    DampedSine,
+    FrequencyModulated,
+    Tone,
+)
 from tests.core.lines_bench import spectrum
 
 

@@ -6,11 +6,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skinsource import edits
-from skinsource.design import MAX_INPUTS, Design, Input
-from skinsource.edits import Edit, Refusal
-from skinsource.errors import InvalidInputError
-from skinsource.motions import (
+from skinsource.base.errors import InvalidInputError
+from skinsource.design import edits
+from skinsource.design.design import MAX_INPUTS, Design, Input
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.motions import (
     MOTIONS,
     Alternation,
     ApparentMotion,
@@ -18,10 +18,11 @@ from skinsource.motions import (
     Sweep,
     TapSequence,
     TravellingPhase,
+    following,
+    path_of,
 )
-from skinsource.motions.changes import following, path_of
-from skinsource.view import View
-from skinsource.waveforms import Tap
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tap
 from tests.core.motions_bench import PATHS
 
 

@@ -9,10 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skinsource.effects import placed, played
-from skinsource.errors import InvalidInputError
-from skinsource.fields import specs_of
-from skinsource.motions import (
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.effects import placed, played
+from skinsource.design.motions import (
     MOTIONS,
     Alternation,
     ApparentMotion,
@@ -22,7 +21,8 @@ from skinsource.motions import (
     TapSequence,
     TravellingPhase,
 )
-from skinsource.waveforms import Noise, Saw, Square, Tap, Tone, Triangle
+from skinsource.design.waveforms import Noise, Saw, Square, Tap, Tone, Triangle
+from skinsource.specs.fields import specs_of
 from tests.core.motions_bench import PATHS
 
 RATE_HZ = 48000.0

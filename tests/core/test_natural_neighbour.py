@@ -6,9 +6,12 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from skinsource.surface.natural_neighbour import natural_neighbour_weights
-from skinsource.surface.polygon import densified
-from skinsource.surface.triangulation import snapped_to_lattice, triangulate
+from skinsource.limbs.surface.natural_neighbour import (
+    natural_neighbour_weights,
+    snapped_to_lattice,
+    triangulate,
+)
+from skinsource.limbs.surface.outline import densified
 
 RANDOM = np.random.default_rng(20240607).uniform(0, 1000, (60, 2))
 LATTICE = np.stack(np.meshgrid(np.arange(7.0), np.arange(5.0)), axis=-1).reshape(-1, 2)

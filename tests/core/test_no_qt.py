@@ -33,7 +33,11 @@ def test_the_whole_core_imports_where_there_is_no_qt():
     )
     assert result.returncode == 0, result.stderr
     imported = set(result.stdout.split())
-    assert {"skinsource.response", "skinsource.quantities", "skinsource.waveforms.tone"} <= imported
+    assert {
+        "skinsource.engine.prediction",
+        "skinsource.engine.quantities",
+        "skinsource.design.waveforms.tones",
+    } <= imported
 
 
 def test_the_block_would_be_noticed():

@@ -5,20 +5,21 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource import edits
-from skinsource.design import Design, track
-from skinsource.design_file import open_design, save_design
-from skinsource.errors import InvalidInputError
-from skinsource.evaluation import evaluate
-from skinsource.limb import Limb, LimbMap
-from skinsource.locations import input_words, output_words
-from skinsource.projection import AXES, METHODS, project_axes
-from skinsource.quantities import new_graph, sources
-from skinsource.response import predict
-from skinsource.spectra import magnitude_spectrum, rms
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
-from skinsource.waveforms.tone import FREQUENCY, PHASE
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import AXES
+from skinsource.design import edits
+from skinsource.design.design import Design, track
+from skinsource.design.design_file import open_design, save_design
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms.tones import FREQUENCY, PHASE
+from skinsource.engine.evaluation import evaluate
+from skinsource.engine.prediction import predict
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.limbs.limb import Limb, LimbMap
+from skinsource.limbs.locations import input_words, output_words
+from skinsource.signals.projection import METHODS, project_axes
+from skinsource.signals.spectra import magnitude_spectrum, rms
 
 N_INPUTS, N_OUTPUTS, N_TAPS, RATE_HZ = 7, 10, 200, 2000.0
 OUTPUTS = (10, 2, 5)

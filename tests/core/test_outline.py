@@ -3,11 +3,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.hand.anatomy import HandProportions, skeleton_of
-from skinsource.hand.curves import smooth
-from skinsource.hand.outline import HAND_LENGTH_PX, hand_shape
-from skinsource.synthetic import SYNTHETIC_LIMBS, synthetic_model
+from skinsource.base.errors import InvalidInputError
+from skinsource.limbs.hand import HAND_LENGTH_PX, HandProportions, hand_shape, skeleton_of, smooth
+from skinsource.limbs.synthetic import SYNTHETIC_LIMBS, synthetic_model
 
 PROPORTIONS = HandProportions(
     digit_lengths=(0.36, 0.5, 0.55, 0.51, 0.41),

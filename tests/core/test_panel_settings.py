@@ -4,11 +4,11 @@ from dataclasses import dataclass
 
 import pytest
 
-from skinsource import fields
-from skinsource.errors import InvalidInputError
-from skinsource.fields import ChoiceSpec, Range, RangeSpec, SwitchSpec, TextSpec
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.view import View
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
+from skinsource.specs import fields
+from skinsource.specs.fields import ChoiceSpec, Range, RangeSpec, SwitchSpec, TextSpec
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

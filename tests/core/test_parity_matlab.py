@@ -5,10 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from skinsource.catalogue import load_limb
-from skinsource.projection import project_axes
-from skinsource.response import predict
-from skinsource.signals import sinusoid
+from skinsource.engine.prediction import predict
+from skinsource.limbs.catalogue import load_limb
+from skinsource.signals.generators import sinusoid
+from skinsource.signals.projection import project_axes
 
 NAME = "model1_location7_sine100_100ms"
 OUTPUTS = [20, 24, 32]

@@ -7,14 +7,15 @@ come from singular vectors, spectra from explicit sums.
 import numpy as np
 import pytest
 
-from skinsource.catalogue import load_limb
-from skinsource.design import Design, track
-from skinsource.projection import AXES, METHODS, project_axes
-from skinsource.quantities import new_graph, sources
-from skinsource.response import predict
-from skinsource.spectra import magnitude_spectrum
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.base.published import AXES
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.engine.prediction import predict
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.limbs.catalogue import load_limb
+from skinsource.signals.projection import METHODS, project_axes
+from skinsource.signals.spectra import magnitude_spectrum
 
 RATE_HZ = 1300
 

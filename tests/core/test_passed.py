@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.resampling import passed
+from skinsource.signals.resampling import passed
 
 RATE_HZ = 1300
 TIME_S = np.arange(RATE_HZ) / RATE_HZ

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.design import Design, track
-from skinsource.errors import InvalidInputError, Stopped
-from skinsource.quantities import new_graph, sources
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.base.errors import InvalidInputError, Stopped
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
+from skinsource.engine.quantities import new_graph, sources
 
 RATE = 1300.0
 

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.perception import (
+from skinsource.base.errors import InvalidInputError
+from skinsource.perception.sensation import (
     sensation_levels_db,
     sensation_magnitude,
     site_offsets_db,
-    threshold_rms,
 )
+from skinsource.perception.thresholds import threshold_rms
 
 NONE = {"P": np.zeros(1), "NP I": np.zeros(1)}
 

@@ -6,10 +6,9 @@ import math
 import numpy as np
 import pytest
 
-from skinsource import waveforms
-from skinsource.errors import InvalidInputError
-from skinsource.signals import window
-from skinsource.waveforms import (
+from skinsource.base.errors import InvalidInputError
+from skinsource.design import waveforms
+from skinsource.design.waveforms import (
     AmplitudeModulated,
     Chirp,
     DampedSine,
@@ -19,6 +18,7 @@ from skinsource.waveforms import (
     Square,
     Triangle,
 )
+from skinsource.signals.generators import window
 
 ONE_OF_EACH = (
     Chirp(),

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from skinsource.resampling import FINER, finer
+from skinsource.signals.resampling import FINER, finer
 
 
 @pytest.mark.parametrize("frequency_hz", [50.0, 300.0, 590.0])

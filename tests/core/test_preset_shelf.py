@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from skinsource import presets
-from skinsource.clips import Clip, Fragment, Lane
-from skinsource.errors import FileFormatError, InvalidInputError, SkinSourceError, StorageError
-from skinsource.presets import Entry, Preset, Shelf
-from skinsource.waveforms import Drawn
+from skinsource.base.errors import FileFormatError, InvalidInputError, SkinSourceError, StorageError
+from skinsource.design.clips import Clip, Fragment, Lane
+from skinsource.design.presets import presets
+from skinsource.design.presets.presets import Entry, Preset, Shelf
+from skinsource.design.waveforms import Drawn
 from tests.core.presets_bench import named, names, recipes
 
 
@@ -80,7 +80,7 @@ def test_other_files_are_nobodys_business(tmp_path):
 
 
 def test_more_files_than_one_reads_are_said(tmp_path, monkeypatch):
-    monkeypatch.setattr("skinsource.presets.shelf.MOST_FILES", 2)
+    monkeypatch.setattr("skinsource.design.presets.presets.MOST_FILES", 2)
     for name in "abc":
         presets.save_preset(tmp_path, named(name))
     shelf = presets.read_shelf(tmp_path)

@@ -8,14 +8,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import skinsource as ss
-from skinsource import presets
-from skinsource.clips import Clip, Fragment, Lane
-from skinsource.design import Design, Input, track
-from skinsource.effects import Reverse
-from skinsource.errors import InvalidInputError
-from skinsource.presets import Entry, Preset
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.clips import Clip, Fragment, Lane
+from skinsource.design.design import Design, Input, track
+from skinsource.design.effects import Reverse
+from skinsource.design.presets import presets
+from skinsource.design.presets.presets import Entry, Preset
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
 from tests.core.presets_bench import named, recipes, text
 
 

@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.projection import (
-    AXES,
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import AXES
+from skinsource.signals.projection import (
     METHODS,
     magnitude,
     principal_axis,

@@ -7,8 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skinsource.errors import InvalidInputError
-from skinsource.quantising import KINDS, quantised, quantiser
+from skinsource.base.errors import InvalidInputError
+from skinsource.signals import quantising
+from skinsource.signals.quantising import KINDS, quantised
 
 
 @pytest.mark.parametrize(
@@ -73,7 +74,7 @@ def test_dither_is_that_of_its_seed_other_in_each_channel_and_without_seams(monk
     found = quantised(samples, "int16", dither_seed=7).values
     assert np.any(found[0] != found[1])
     assert np.any(found != quantised(samples, "int16", dither_seed=8).values)
-    monkeypatch.setattr(quantiser, "_BLOCK", 333)
+    monkeypatch.setattr(quantising, "_BLOCK", 333)
     np.testing.assert_array_equal(quantised(samples, "int16", dither_seed=7).values, found)
 
 

@@ -6,18 +6,19 @@ from inspect import signature
 import numpy as np
 import pytest
 
-from skinsource.decibels import decibels
-from skinsource.design import Design, track
-from skinsource.limb import Limb
-from skinsource.projection import AXES, METHODS, project_axes
-from skinsource.quantities import RULES, new_graph, sources
-from skinsource.response import predict
-from skinsource.scaling.response_scaling import SCALINGS
-from skinsource.shared import Shared
-from skinsource.signals import sinusoid
-from skinsource.spectra import magnitude_spectrum, rms
-from skinsource.view import View
-from skinsource.waveforms import Impulse, Noise, Tap, Tone
+from skinsource.base.decibels import decibels
+from skinsource.base.published import AXES
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Impulse, Noise, Tap, Tone
+from skinsource.engine.prediction import predict
+from skinsource.engine.quantities import RULES, new_graph, sources
+from skinsource.engine.shared import Shared
+from skinsource.limbs.limb import Limb
+from skinsource.limbs.scaling import SCALINGS
+from skinsource.signals.generators import sinusoid
+from skinsource.signals.projection import METHODS, project_axes
+from skinsource.signals.spectra import magnitude_spectrum, rms
 
 FOUR = Design(
     limb="synthetic-1",

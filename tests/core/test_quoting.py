@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import skinsource
-from skinsource.quoting import MOST_CHARACTERS, printable, quoted, sentence
+from skinsource.base.quoting import MOST_CHARACTERS, printable, quoted, sentence
 
 
 class Strange:

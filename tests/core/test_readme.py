@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import skinsource as ss
-from skinsource.commands.command_line import main
+from skinsource.cli.command_line import main
 
 ROOT = Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text(encoding="utf-8")

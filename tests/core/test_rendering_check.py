@@ -5,15 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.chain import drive_of
-from skinsource.design import Design, track
-from skinsource.quantities import new_graph, sources
-from skinsource.rendering.check import Heard, trace_error_of
-from skinsource.rendering.response_spectra import ResponseSpectrum
-from skinsource.rendering.transforms import forward
-from skinsource.synthetic import load_synthetic_limb
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.design.design import Design, track
+from skinsource.design.signal_path import drive_of
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.engine.gains import Heard, trace_error_of
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.engine.spectra import ResponseSpectrum
+from skinsource.engine.transforms import forward
+from skinsource.limbs.synthetic import load_synthetic_limb
 
 DESIGN = Design(
     limb="synthetic-1",

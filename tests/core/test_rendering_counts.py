@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.design import Design, track
-from skinsource.quantities import new_graph, sources
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.engine.quantities import new_graph, sources
 
 DESIGN = Design(
     scaling="upstream",

@@ -6,19 +6,19 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.chain import Chain, Part
-from skinsource.design import Design, track
-from skinsource.errors import InvalidInputError, Stopped
-from skinsource.loudest_window import SPANS
-from skinsource.projection import AXES, METHODS
-from skinsource.quantities import new_graph, sources
-from skinsource.rendering.drives import Drives
-from skinsource.rendering.segments import Blocks
-from skinsource.rendering.streaming import StreamedVibration
-from skinsource.synthetic import load_synthetic_limb
-from skinsource.view import View
-from skinsource.voices import UnitVoice
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.base.errors import InvalidInputError, Stopped
+from skinsource.base.published import AXES
+from skinsource.design.design import Design, track
+from skinsource.design.signal_path import Chain, Part, UnitVoice
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.engine.drives import Drives
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.engine.streaming import StreamedVibration
+from skinsource.engine.transforms import Blocks
+from skinsource.limbs.synthetic import load_synthetic_limb
+from skinsource.signals.loudest_window import SPANS
+from skinsource.signals.projection import METHODS
 
 LONG = Design(
     scaling="upstream",
@@ -155,7 +155,7 @@ def test_a_drive_that_is_in_use_is_not_drawn_again_however_small_the_memory():
 
 def test_each_long_waveform_is_drawn_once_whatever_is_asked_first(monkeypatch):
     monkeypatch.setattr(
-        "skinsource.rendering.remembered.Drives", lambda: Drives(budget_bytes=0, clips_bytes=0)
+        "skinsource.engine.drives.Drives", lambda: Drives(budget_bytes=0, clips_bytes=0)
     )
     graph = new_graph()
     graph.evaluate((*ALL, "input_waveforms", "trace_error"), sources(LONG, VIEW))

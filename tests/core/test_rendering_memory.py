@@ -6,16 +6,15 @@ import tracemalloc
 
 import pytest
 
-from skinsource.chain import Chain, Part
-from skinsource.limb import N_AXES, N_OUTPUTS
-from skinsource.rendering import budgets
-from skinsource.rendering.memory import ENTRY_BYTES, Memory
-from skinsource.rendering.response_spectra import ResponseSpectra
-from skinsource.rendering.segments import length_at_once
-from skinsource.shared import Shared
-from skinsource.synthetic import load_synthetic_limb
-from skinsource.voices import UnitVoice
-from skinsource.waveforms import Tone
+from skinsource.base.published import N_AXES, N_OUTPUTS
+from skinsource.design.signal_path import Chain, Part, UnitVoice
+from skinsource.design.waveforms import Tone
+from skinsource.engine import memory as budgets
+from skinsource.engine.memory import ENTRY_BYTES, Memory
+from skinsource.engine.shared import Shared
+from skinsource.engine.spectra import ResponseSpectra
+from skinsource.engine.transforms import length_at_once
+from skinsource.limbs.synthetic import load_synthetic_limb
 
 
 def test_all_memories_together_hold_at_most_256_mebibytes():
@@ -99,11 +98,11 @@ def test_spectra_are_kept_while_they_fit_and_read_once():
 def test_places_that_were_never_asked_for_take_no_memory():
     # In a process of its own: what others left behind would count.
     script = """
-from skinsource.allocation import keep_freed_memory
-from skinsource.rendering.response_spectra import ResponseSpectra
-from skinsource.shared import Shared
-from skinsource.synthetic import load_synthetic_limb
-from skinsource.waveforms import Tone
+from skinsource.base.allocation import keep_freed_memory
+from skinsource.engine.spectra import ResponseSpectra
+from skinsource.engine.shared import Shared
+from skinsource.limbs.synthetic import load_synthetic_limb
+from skinsource.design.waveforms import Tone
 import numpy as np
 keep_freed_memory()
 limb = load_synthetic_limb(1)

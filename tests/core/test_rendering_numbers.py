@@ -5,18 +5,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.chain import drive_of
-from skinsource.design import Design, audible_inputs, track
-from skinsource.limb import Limb
-from skinsource.projection import AXES, METHODS, project_axes
-from skinsource.quantities import new_graph, sources
-from skinsource.rendering.maxima import peaks_of
-from skinsource.rendering.response_spectra import ResponseSpectrum
-from skinsource.rendering.segments import BLOCK_FFT, Blocks
-from skinsource.rendering.transforms import forward, inverse, transform_length
-from skinsource.synthetic import load_synthetic_limb
-from skinsource.view import View
-from skinsource.waveforms import Impulse, Noise, Tap, Tone
+from skinsource.base.published import AXES
+from skinsource.design.design import Design, audible_inputs, track
+from skinsource.design.signal_path import drive_of
+from skinsource.design.view import View
+from skinsource.design.waveforms import Impulse, Noise, Tap, Tone
+from skinsource.engine.gains import peaks_of
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.engine.spectra import ResponseSpectrum
+from skinsource.engine.transforms import BLOCK_FFT, Blocks, forward, inverse, transform_length
+from skinsource.limbs.limb import Limb
+from skinsource.limbs.synthetic import load_synthetic_limb
+from skinsource.signals.projection import METHODS, project_axes
 
 RATE_HZ = 1300.0
 DESIGN = Design(

@@ -10,9 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import skinsource as ss
-from skinsource import resampling
-from skinsource.resampling import conversion
-from skinsource.resampling.kernel import Kernel, half_transition
+from skinsource.signals import resampling
+from skinsource.signals import resampling as conversion
+from skinsource.signals.resampling import Kernel, half_transition
 
 PAIRS = [
     *((1300, rate) for rate in (2000, 8000, 44_100, 48_000, 96_000, 192_000, 1301, 47_999)),

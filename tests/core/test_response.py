@@ -6,10 +6,10 @@ import re
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.limb import Limb
-from skinsource.response import predict
-from skinsource.scaling.response_scaling import SCALINGS
+from skinsource.base.errors import InvalidInputError
+from skinsource.engine.prediction import predict
+from skinsource.limbs.limb import Limb
+from skinsource.limbs.scaling import SCALINGS
 
 SEED = 1300
 BYTES_PER_PLACE = 72 * 3 * 522 * 8

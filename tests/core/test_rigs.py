@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.actuators import Limits, MeasuredResponse, Thermal
-from skinsource.errors import FileFormatError, InvalidInputError
-from skinsource.rigs import Rig, RigChannel
+from skinsource.actuators.measured_response import MeasuredResponse
+from skinsource.actuators.prediction import Limits, Thermal
+from skinsource.actuators.rigs import Rig, RigChannel
+from skinsource.base.errors import FileFormatError, InvalidInputError
 
 MEASURED = MeasuredResponse(((20.0, 10.0, 0.1), (1000.0, 30.0, -1.0)))
 COIL = ss.actuators.load("example-voice-coil")

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.surface.same_place import (
+from skinsource.base.errors import InvalidInputError
+from skinsource.limbs.surface.operator import (
     first_at_same_place,
     pairs_at_same_place,
     refuse_two_values_for_one_place,

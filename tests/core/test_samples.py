@@ -3,8 +3,8 @@ import hashlib
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.samples import MAX_SAMPLES, Samples
+from skinsource.base.errors import InvalidInputError
+from skinsource.specs.samples import MAX_SAMPLES, Samples
 
 VALUES = np.array([0.0, 1.0, -0.5, 5e-324])
 

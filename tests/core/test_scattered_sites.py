@@ -5,14 +5,13 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.surface.same_place import (
+from skinsource.base.errors import InvalidInputError
+from skinsource.limbs.surface.natural_neighbour import scattered_sites, site_line
+from skinsource.limbs.surface.operator import (
     first_at_same_place,
     pairs_at_same_place,
     refuse_two_values_for_one_place,
 )
-from skinsource.surface.scattered_sites import scattered_sites
-from skinsource.surface.site_line import site_line
 
 SEED = 20240607
 RANDOM = np.random.default_rng(SEED).uniform(0, 1000, (40, 2))

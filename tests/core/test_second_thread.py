@@ -4,9 +4,9 @@ from threading import Event, get_ident
 
 import pytest
 
-from skinsource.prediction import second_thread as module
-from skinsource.prediction.second_thread import helped
-from skinsource.rendering.side_by_side import side_by_side
+from skinsource.engine import prediction as module
+from skinsource.engine.prediction import helped
+from skinsource.engine.transforms import side_by_side
 
 
 @pytest.mark.parametrize("count", [0, 1, 2, 5, 50])

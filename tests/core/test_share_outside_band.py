@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.spectra import share_outside_band
-from skinsource.waveforms import Noise, Tone
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.waveforms import Noise, Tone
+from skinsource.signals.spectra import share_outside_band
 
 RATE_HZ = 1300.0
 

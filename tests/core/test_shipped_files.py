@@ -4,8 +4,8 @@ import hashlib
 import json
 from pathlib import Path
 
-from skinsource.files import write_bytes
-from skinsource.files.assets import data_folder
+from skinsource.base.assets import data_folder
+from skinsource.base.files import write_bytes
 
 NAME = "shipped_files.json"
 

@@ -3,12 +3,13 @@
 import numpy as np
 import pytest
 
-from skinsource import edits, presets
-from skinsource.design import Design
-from skinsource.limb import BAND_HZ
-from skinsource.presets.shipped import SHIPPED
-from skinsource.spectra import share_outside_band
-from skinsource.view import View
+from skinsource.base.published import BAND_HZ
+from skinsource.design import edits
+from skinsource.design.design import Design
+from skinsource.design.presets import presets
+from skinsource.design.presets.shipped import SHIPPED
+from skinsource.design.view import View
+from skinsource.signals.spectra import share_outside_band
 
 RATE_HZ = 1300.0
 every = pytest.mark.parametrize("preset", SHIPPED, ids=lambda preset: preset.name)
@@ -17,7 +18,7 @@ every = pytest.mark.parametrize("preset", SHIPPED, ids=lambda preset: preset.nam
 def test_the_files_are_what_the_script_makes():
     found = {path: path.read_text("utf-8") for path in presets.shipped_folder().iterdir()}
     assert set(found.values()) == set(map(presets.preset_text, SHIPPED)), (
-        "data/presets is out of date; write it anew with 'python -m skinsource.presets.shipped'"
+        "data/presets is out of date; write it anew with 'python -m skinsource.design.presets'"
     )
     assert len(found) == len(SHIPPED) >= 40
 

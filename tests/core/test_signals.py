@@ -6,9 +6,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.signals import impulse, sample_count, sinusoid, tap, white_noise
-from skinsource.waveforms import KINDS, Impulse, Noise, PulseTrain, Saw, Square, Tap, Tone
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.waveforms import KINDS, Impulse, Noise, PulseTrain, Saw, Square, Tap, Tone
+from skinsource.signals.generators import impulse, sample_count, sinusoid, tap, white_noise
 
 RATE_HZ = 1300.0
 

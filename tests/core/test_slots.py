@@ -6,12 +6,12 @@ from weakref import ref
 
 import pytest
 
-from skinsource.design import Design, track
-from skinsource.quantities import graphs_that_share, new_graph, sources
-from skinsource.rendering.budgets import SURFACES_BYTES
-from skinsource.shared import Shared
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.engine.memory import SURFACES_BYTES
+from skinsource.engine.quantities import graphs_that_share, new_graph, sources
+from skinsource.engine.shared import Shared
 
 VIEW = View(axes="xyz", method="pca", outputs=(29, 52))
 SHOWN = (

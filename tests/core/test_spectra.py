@@ -4,8 +4,8 @@ import math
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.spectra import magnitude_spectrum, rms
+from skinsource.base.errors import InvalidInputError
+from skinsource.signals.spectra import magnitude_spectrum, rms
 
 SEED = 11
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.actuators.simulating import OUTPUTS
+from skinsource.actuators.simulation import OUTPUTS
 
 PROMISES = {
     "j coils": ("Eight coils at 1300 Hz, 1 V, uneven steps and ramps: error of each output", 1e-12),

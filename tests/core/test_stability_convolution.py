@@ -5,9 +5,9 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from skinsource.rendering.segments import BLOCK_FFT, length_at_once
-from skinsource.synthetic import load_synthetic_limb
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.engine.transforms import BLOCK_FFT, length_at_once
+from skinsource.limbs.synthetic import load_synthetic_limb
 
 PROMISES = {
     "a1 error": (

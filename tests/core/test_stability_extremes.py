@@ -5,10 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.design import track
-from skinsource.errors import InvalidInputError
-from skinsource.rendering.segments import BLOCK_FFT
-from skinsource.rendering.transforms import transform_length
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.design import track
+from skinsource.engine.transforms import BLOCK_FFT, transform_length
 
 PROMISES = {
     "a4 silence": (

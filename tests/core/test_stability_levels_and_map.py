@@ -5,15 +5,14 @@ import json
 import numpy as np
 import pytest
 
-from skinsource.decibels import FLOOR_DB, decibels
-from skinsource.design import Design, track
-from skinsource.errors import InvalidInputError
-from skinsource.quantities import new_graph, sources
-from skinsource.surface import surface_operator
-from skinsource.surface.scattered_sites import scattered_sites
-from skinsource.surface.triangulation import triangulate
-from skinsource.synthetic import load_synthetic_limb
-from skinsource.view import View
+from skinsource.base.decibels import FLOOR_DB, decibels
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.limbs.surface.natural_neighbour import scattered_sites, triangulate
+from skinsource.limbs.surface.surface import surface_operator
+from skinsource.limbs.synthetic import load_synthetic_limb
 
 PROMISES = {
     "g accuracy": (

@@ -11,12 +11,12 @@ from collections.abc import Callable, Iterator
 import numpy as np
 import pytest
 
-from skinsource.limb import Limb
-from skinsource.projection import project_axes
-from skinsource.response import predict
-from skinsource.signals import sinusoid
-from skinsource.spectra import rms
-from skinsource.synthetic import load_synthetic_limb
+from skinsource.engine.prediction import predict
+from skinsource.limbs.limb import Limb
+from skinsource.limbs.synthetic import load_synthetic_limb
+from skinsource.signals.generators import sinusoid
+from skinsource.signals.projection import project_axes
+from skinsource.signals.spectra import rms
 
 PROMISES = {
     "i onset": (

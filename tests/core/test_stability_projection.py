@@ -5,18 +5,18 @@ import json
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.projection import (
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import axis_numbers
+from skinsource.engine.moments import directions_of, energies, moments_of, without_main_axis
+from skinsource.engine.transforms import forward, transform_length
+from skinsource.signals.projection import (
     SMALLEST_GAP,
-    axis_numbers,
     main_axis_gap,
     no_main_axis,
     principal_axis,
     principal_axis_of,
     project_axes,
 )
-from skinsource.rendering.moments import directions_of, energies, moments_of, without_main_axis
-from skinsource.rendering.transforms import forward, transform_length
 
 PROMISES = {
     "f axis": ("Axis against 50 digits, gap 1e-3 or more: degrees", 1e-9),

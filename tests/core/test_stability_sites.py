@@ -7,10 +7,10 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.surface import surface_operator_from_map
-from skinsource.surface.scattered_sites import scattered_sites
-from skinsource.synthetic import load_synthetic_limb
+from skinsource.base.errors import InvalidInputError
+from skinsource.limbs.surface.natural_neighbour import scattered_sites
+from skinsource.limbs.surface.surface import surface_operator_from_map
+from skinsource.limbs.synthetic import load_synthetic_limb
 
 PROMISES = {
     "h collinear": ("1 to 30 sites on a line, against rational arithmetic: error", 1e-12),

@@ -7,12 +7,14 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource import effects, stimulus
-from skinsource.clips import Clip
-from skinsource.design import Design, Input, track
-from skinsource.errors import InvalidInputError, Stopped
-from skinsource.stimulus import of_design, stimulus_of
-from skinsource.waveforms import Gabor, Impulse, Noise, Tone
+from skinsource.base.errors import InvalidInputError, Stopped
+from skinsource.design import effects
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input, track
+from skinsource.design.waveforms import Gabor, Impulse, Noise, Tone
+from skinsource.engine import stimulus
+from skinsource.engine import stimulus as of_design
+from skinsource.engine.stimulus import stimulus_of
 
 RATE_HZ = 1300.0
 

@@ -7,14 +7,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skinsource import waveforms
-from skinsource.design import Design, track
-from skinsource.design_file import open_design, save_design
-from skinsource.edits.kinds import as_kind
-from skinsource.errors import InvalidInputError
-from skinsource.fields import specs_of
-from skinsource.samples import Samples
-from skinsource.waveforms import Drawn, Recording, Tap, Tone
+from skinsource.base.errors import InvalidInputError
+from skinsource.design import waveforms
+from skinsource.design.design import Design, track
+from skinsource.design.design_file import open_design, save_design
+from skinsource.design.edits.edit import as_kind
+from skinsource.design.waveforms import Drawn, Recording, Tap, Tone
+from skinsource.specs.fields import specs_of
+from skinsource.specs.samples import Samples
 
 BOTH = (Drawn, Recording)
 RATES_HZ = (1300.0, 8000.0, 44100.0, 48000.0)

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from skinsource.clips import Clip
-from skinsource.effects import Reverse, Stretch, Trim, stretched_by
-from skinsource.waveforms import Tone
+from skinsource.design.clips import Clip
+from skinsource.design.effects import Reverse, Stretch, Trim, stretched_by
+from skinsource.design.waveforms import Tone
 
 TONE = Tone(frequency_hz=100.0, duration_s=0.5)
 

@@ -4,17 +4,18 @@ import numpy as np
 import pytest
 from scipy.sparse import csr_array
 
-import skinsource.surface.building as surface_module
-from skinsource.limb import VOLAR_OUTPUTS, LimbMap
-from skinsource.surface import surface_operator, surface_operator_from_map
-from skinsource.synthetic import load_synthetic_limb
+from skinsource.base.published import VOLAR_OUTPUTS
+from skinsource.limbs.limb import LimbMap
+from skinsource.limbs.surface import surface as surface_module
+from skinsource.limbs.surface.surface import surface_operator, surface_operator_from_map
+from skinsource.limbs.synthetic import load_synthetic_limb
 
 LIMBS = (1, 2, 3, 4)
 
 
 @pytest.fixture
 def measured_limb(measured):
-    from skinsource.dataset.store import load_measured_limb
+    from skinsource.limbs.dataset.store import load_measured_limb
 
     return load_measured_limb
 
@@ -50,7 +51,7 @@ def test_limb_1_has_matlab_s_weights(measured_limb, matlab_reference, own_sight)
 
 @pytest.mark.parametrize("number", LIMBS)
 def test_a_measured_limb_has_the_published_mask_and_sound_weights(measured_limb, number):
-    from skinsource.dataset.store import load_mask
+    from skinsource.limbs.dataset.store import load_mask
 
     operator = surface_operator(measured_limb(number))
     np.testing.assert_array_equal(operator.mask, load_mask(number))

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.limb import LimbMap
-from skinsource.surface import surface_operator_from_map
-from skinsource.synthetic import load_synthetic_limb
+from skinsource.base.errors import InvalidInputError
+from skinsource.limbs.limb import LimbMap
+from skinsource.limbs.surface.surface import surface_operator_from_map
+from skinsource.limbs.synthetic import load_synthetic_limb
 
 ANGLE = np.arange(64) * np.pi / 32
 CIRCLE = 200 * np.column_stack([np.cos(ANGLE), np.sin(ANGLE)])

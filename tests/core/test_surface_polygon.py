@@ -5,8 +5,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.surface.polygon import (
+from skinsource.base.errors import InvalidInputError
+from skinsource.limbs.surface.outline import (
     count_crossings,
     densified,
     distinct_vertices,

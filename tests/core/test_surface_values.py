@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.limb import LimbMap
-from skinsource.surface import surface_operator_from_map
+from skinsource.base.errors import InvalidInputError
+from skinsource.limbs.limb import LimbMap
+from skinsource.limbs.surface.surface import surface_operator_from_map
 
 OUTLINE = np.array([[0, 0], [40, 0], [40, 60], [0, 60]], dtype=float)
 

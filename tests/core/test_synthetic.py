@@ -5,11 +5,18 @@ import sys
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError, UnknownLimbError
-from skinsource.files.assets import data_folder
-from skinsource.synthetic import SYNTHETIC_LIMBS, load_synthetic_limb, synthetic_model
-from skinsource.synthetic.geodesic import paths_in
-from skinsource.synthetic.skin_model import Pulse, Skin, pulse_spectrum, wavenumber
+from skinsource.base.assets import data_folder
+from skinsource.base.errors import InvalidInputError, UnknownLimbError
+from skinsource.limbs.synthetic import (
+    SYNTHETIC_LIMBS,
+    Pulse,
+    Skin,
+    load_synthetic_limb,
+    paths_in,
+    pulse_spectrum,
+    synthetic_model,
+    wavenumber,
+)
 
 # From the description of the model: speed and decay of waves in the skin of limb 1.
 FREQUENCIES_HZ = np.array([30, 50, 100, 150, 200, 300, 400, 500], dtype=float)
@@ -124,7 +131,7 @@ def test_paths_leave_a_digit_through_its_knuckle_and_reach_the_arm_through_the_w
 
 def test_loading_a_synthetic_limb_imports_neither_qt_nor_the_slow_parts_of_scipy():
     code = (
-        "import sys; from skinsource.synthetic import load_synthetic_limb;"
+        "import sys; from skinsource.limbs.synthetic import load_synthetic_limb;"
         "load_synthetic_limb(1).response_to(1);"
         "slow = {'scipy.signal', 'scipy.interpolate', 'scipy.stats', 'PySide6'};"
         "sys.exit(' '.join(sorted(slow & set(sys.modules))) or 0)"

@@ -5,8 +5,8 @@ from itertools import combinations
 import numpy as np
 import pytest
 
-from skinsource.response import predict
-from skinsource.synthetic import SYNTHETIC_LIMBS, load_synthetic_limb, synthetic_model
+from skinsource.engine.prediction import predict
+from skinsource.limbs.synthetic import SYNTHETIC_LIMBS, load_synthetic_limb, synthetic_model
 
 RATE_HZ = 1300.0
 TIPS, HAND = (19, 20), (26, 27)

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from skinsource import edits
-from skinsource.clips import Marker
+from skinsource.design import edits
+from skinsource.design.clips import Marker
 from tests.core.clips_bench import DESIGN, RATE_HZ, VIEW, times, total
 
 

@@ -8,11 +8,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from skinsource.chain import placed_chain
-from skinsource.clips import Clip
-from skinsource.effects import Trim, played, played_s
-from skinsource.errors import InvalidInputError
-from skinsource.waveforms import Impulse, Noise, Tap, Tone
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.clips import Clip
+from skinsource.design.effects import Trim, played, played_s
+from skinsource.design.signal_path import placed_chain
+from skinsource.design.waveforms import Impulse, Noise, Tap, Tone
 
 RATE_HZ = 1300.0
 TONE = Tone(frequency_hz=77.0, duration_s=0.1, window="none")

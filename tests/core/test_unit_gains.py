@@ -3,14 +3,11 @@
 import numpy as np
 import pytest
 
-from skinsource.chain import drive_of
-from skinsource.limb import N_TAPS
-from skinsource.rendering.check import exact_gains
-from skinsource.rendering.gains import unit_gains
-from skinsource.rendering.maxima import peaks_of
-from skinsource.rendering.response_spectra import ResponseSpectrum
-from skinsource.rendering.segments import BLOCK_FFT, Blocks
-from skinsource.rendering.transforms import forward, transform_length
+from skinsource.base.published import N_TAPS
+from skinsource.design.signal_path import drive_of
+from skinsource.engine.gains import exact_gains, peaks_of, unit_gains
+from skinsource.engine.spectra import ResponseSpectrum
+from skinsource.engine.transforms import BLOCK_FFT, Blocks, forward, transform_length
 
 LENGTHS = (1, 300, 2000, 2 * Blocks(N_TAPS).n_samples - N_TAPS + 1, 5000)
 ALL_NEGATIVE = np.broadcast_to(-0.1 - np.exp(-np.arange(N_TAPS) / 100), (72, 3, N_TAPS)).copy()

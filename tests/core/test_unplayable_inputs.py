@@ -6,16 +6,16 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.chain import Actuation, ActuatorAt
-from skinsource.clips import Clip
-from skinsource.design import Design, Input, track
-from skinsource.equalising import RegularisedInverse
-from skinsource.errors import InvalidInputError
-from skinsource.export import export_levels
-from skinsource.presets.shipped import SHIPPED
-from skinsource.quantities import new_graph, sources
-from skinsource.view import View
-from skinsource.waveforms import Chirplet, Tap, Tone
+from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.actuators.equalising import RegularisedInverse
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input, track
+from skinsource.design.presets.shipped import SHIPPED
+from skinsource.design.view import View
+from skinsource.design.waveforms import Chirplet, Tap, Tone
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.export.tables import export_levels
 
 TONE = track(7, Tone(frequency_hz=100.0))
 COIL = ActuatorAt(actuator="Coil", model=ss.actuators.load("kastor-2023-air"))

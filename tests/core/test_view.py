@@ -4,10 +4,11 @@ from dataclasses import FrozenInstanceError, replace
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.loudest_window import SPANS
-from skinsource.projection import AXES, METHODS
-from skinsource.view import View
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import AXES
+from skinsource.design.view import View
+from skinsource.signals.loudest_window import SPANS
+from skinsource.signals.projection import METHODS
 
 RANGES = ("time_range_s",)
 

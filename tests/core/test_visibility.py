@@ -3,10 +3,16 @@
 import numpy as np
 import pytest
 
-from skinsource.surface.boundary import boundary_by_sight, boundary_from_table
-from skinsource.surface.polygon import densified
-from skinsource.surface.shortest_ways import distances_inside
-from skinsource.surface.visibility import nearest_seen, raster_unit, sees, sight_region
+from skinsource.limbs.surface.outline import (
+    boundary_by_sight,
+    boundary_from_table,
+    densified,
+    distances_inside,
+    nearest_seen,
+    raster_unit,
+    sees,
+    sight_region,
+)
 
 SQUARE = np.array([[0, 0], [100, 0], [100, 100], [0, 100]], dtype=float)
 # Two prongs, 20 wide and 40 apart, on a base 20 high.
@@ -22,7 +28,7 @@ def square_with_slit(width):
 
 
 def test_the_rule_gives_the_published_pairs_at_every_vertex(measured):
-    from skinsource.dataset.store import load_measured_limb
+    from skinsource.limbs.dataset.store import load_measured_limb
 
     map_ = load_measured_limb(1).map
     unit = raster_unit(map_.outline, map_.hand_length_px)
@@ -36,7 +42,7 @@ def test_the_rule_gives_the_published_pairs_at_every_vertex(measured):
 
 
 def test_the_rule_gives_the_published_table_at_every_ninth_vertex(measured):
-    from skinsource.dataset.store import load_measured_limb
+    from skinsource.limbs.dataset.store import load_measured_limb
 
     map_ = load_measured_limb(1).map
     placed = np.flatnonzero(np.isfinite(map_.output_positions[:, 0]))

@@ -6,9 +6,9 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.signals import sinusoid, tap, white_noise
-from skinsource.waveforms import KINDS, Impulse, Noise, Tap, Tone
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.waveforms import KINDS, Impulse, Noise, Tap, Tone
+from skinsource.signals.generators import sinusoid, tap, white_noise
 
 RATE_HZ = 1300.0
 

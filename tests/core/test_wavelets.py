@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource import waveforms
-from skinsource.errors import InvalidInputError
-from skinsource.waveforms import (
+from skinsource.base.errors import InvalidInputError
+from skinsource.design import waveforms
+from skinsource.design.waveforms import (
     CentredTap,
     Chirplet,
     Gabor,

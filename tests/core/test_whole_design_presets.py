@@ -4,14 +4,13 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource import edits
-from skinsource.clips import Clip
-from skinsource.clips.clip import MAX_EFFECTS
-from skinsource.design import Design, Input
-from skinsource.effects import SoftClip, Trim
-from skinsource.presets import whole_design
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.design import edits
+from skinsource.design.clips import MAX_EFFECTS, Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.effects import SoftClip, Trim
+from skinsource.design.presets.presets import whole_design
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
 
 CURVE = ((0.05, 0.2), (0.3, 1.0))
 

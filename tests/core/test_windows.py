@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.signals import WINDOWS, window
+from skinsource.base.errors import InvalidInputError
+from skinsource.signals.generators import WINDOWS, window
 
 LENGTHS = [*range(1, 70), 130, 131, 260, 651, 1000, 1300, 7919]
 

@@ -2,8 +2,8 @@
 
 from PySide6.QtWidgets import QWidget
 
-from skinsource.design import Design
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.view import View
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.import_page.import_actions import ImportActions
 from skinsource_gui.motion_page.page import MotionPage

@@ -2,7 +2,7 @@
 
 import pytest
 
-from skinsource.rendering.check import TraceError
+from skinsource.engine.gains import TraceError
 from skinsource_gui.status.error_label import ErrorLabel, one_digit_up
 from skinsource_gui.theme import LIGHT
 

@@ -9,10 +9,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton
 
-from skinsource.accuracy.cases import stored_cases
-from skinsource.accuracy.ways import WAYS, Resampling
-from skinsource.job import stop_if
-from skinsource.own_limbs import facts_of
+from skinsource.base.job import stop_if
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.studies.accuracy.cases import Resampling, stored_cases
+from skinsource.studies.accuracy.measuring import WAYS
 from skinsource_gui.accuracy_page import page as page_module
 from tests.core.own_limbs.lab_bench import installed
 

@@ -7,10 +7,10 @@ from PySide6.QtWidgets import QPushButton
 from shiboken6 import isValid
 
 import skinsource as ss
-from skinsource.checking.report import Condition
-from skinsource.design_file import save_design
-from skinsource.resampling import resample
-from skinsource.view import View
+from skinsource.design.design_file import save_design
+from skinsource.design.view import View
+from skinsource.signals.resampling import resample
+from skinsource.studies.checking import Condition
 from skinsource_gui.checking_page.page import CheckingPage
 
 

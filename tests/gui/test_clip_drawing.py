@@ -5,8 +5,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton
 
-from skinsource.design import Design, track
-from skinsource.waveforms import Drawn, Tone
+from skinsource.design.design import Design, track
+from skinsource.design.waveforms import Drawn, Tone
 from skinsource_gui.panels.clip_editor.tools.pen import Pen
 
 

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from PySide6.QtWidgets import QWidget
 
-from skinsource.design import Design, track
-from skinsource.errors import InvalidInputError
-from skinsource.graph import Graph
-from skinsource.view import View
-from skinsource.voices import UnplayableInput
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.design import Design, track
+from skinsource.design.signal_path import UnplayableInput
+from skinsource.design.view import View
+from skinsource.engine.graph import Graph
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panel import Panel
 from skinsource_gui.state.conductor import Conductor

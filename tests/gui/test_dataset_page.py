@@ -5,9 +5,9 @@ from functools import partial
 import pytest
 from PySide6.QtWidgets import QFileDialog, QLabel, QPushButton
 
-from skinsource.dataset.install import install
-from skinsource.errors import Stopped
-from skinsource.job import Job
+from skinsource.base.errors import Stopped
+from skinsource.base.job import Job
+from skinsource.limbs.dataset.install import install
 from skinsource_gui.dataset_page import page as dataset_page
 from skinsource_gui.dataset_page.page import DatasetPage
 from skinsource_gui.state.installed_limbs import INSTALLATIONS

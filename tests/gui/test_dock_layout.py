@@ -4,9 +4,9 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
-from skinsource.catalogue import available_limbs
-from skinsource.design_file import save_design
-from skinsource.view import View
+from skinsource.design.design_file import save_design
+from skinsource.design.view import View
+from skinsource.limbs.catalogue import available_limbs
 from skinsource_gui.shell.docks.dock import Dock
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.start_design import start_design

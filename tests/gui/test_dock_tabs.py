@@ -7,9 +7,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtWidgets import QApplication, QMenu, QStyle, QStyleOptionFrame
 
-from skinsource.catalogue import available_limbs
-from skinsource.design_file import save_design
-from skinsource.view import View
+from skinsource.design.design_file import save_design
+from skinsource.design.view import View
+from skinsource.limbs.catalogue import available_limbs
 from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS, Behind, Place
 from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.shell.window import MainWindow

@@ -2,11 +2,11 @@ from dataclasses import replace
 
 import pytest
 
-from skinsource import edits
-from skinsource.design import Design, track
-from skinsource.edits import Edit, Refusal
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.design import edits
+from skinsource.design.design import Design, track
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
 from skinsource_gui.history import MOST_STEPS
 from skinsource_gui.state.document import Document
 

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.fields import ChoiceSpec
+from skinsource.specs.fields import ChoiceSpec
 from skinsource_gui.panels.hand.site_marker import contrast
 from skinsource_gui.theme import THEMES, current_theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField

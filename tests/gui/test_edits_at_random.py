@@ -5,15 +5,16 @@ from dataclasses import replace
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from skinsource import actuators, edits
-from skinsource.chain import Actuation, ActuatorAt
-from skinsource.design import Design, track
-from skinsource.effects import EFFECTS
-from skinsource.limb import LIMB_NAMES
-from skinsource.motions import MOTIONS, Alternation
-from skinsource.validity import Finding
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource import actuators
+from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.base.published import LIMB_NAMES
+from skinsource.design import edits
+from skinsource.design.design import Design, track
+from skinsource.design.effects import EFFECTS
+from skinsource.design.motions import MOTIONS, Alternation
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.perception.validity import Finding
 from skinsource_gui.state.document import Document
 
 START = Design(

@@ -5,10 +5,10 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource import edits
-from skinsource.design import MAX_INPUTS, Design, track
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.design import edits
+from skinsource.design.design import MAX_INPUTS, Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
 from skinsource_gui.panels.timeline.heads.input_list import InputRows
 from skinsource_gui.state.engine import Purpose
 from skinsource_gui.widgets.fields.number_field import NumberField

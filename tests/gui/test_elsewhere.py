@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.design import Design, track
-from skinsource.design_file import open_design, save_design
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.design.design import Design, track
+from skinsource.design.design_file import open_design, save_design
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
 from skinsource_gui.compared import SILENT
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 

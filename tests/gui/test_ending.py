@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from skinsource.design_file import open_design
-from skinsource.keeping import left_over
+from skinsource.design import recovery
+from skinsource.design.design_file import open_design
 
 # It edits every 10 ms, and says each time which edit was made and when; so it does of copies, when
 # they are asked for in the window's thread and when they are written.
@@ -103,7 +103,7 @@ def test_unsaved_work_is_kept_when_the_studio_is_told_to_end(tmp_path, name):
     _, said = studio.communicate(timeout=60)
     assert studio.returncode == 0, said
     assert "Traceback" not in said
-    (left,) = left_over.find(tmp_path).left
+    (left,) = recovery.find(tmp_path).left
     assert kept_amplitude(left) == 1 / 8
 
 
@@ -112,7 +112,7 @@ def test_where_all_is_saved_nothing_is_kept(tmp_path):
     studio.terminate()
     _, said = studio.communicate(timeout=60)
     assert studio.returncode == 0, said
-    assert left_over.find(tmp_path) == left_over.Found()
+    assert recovery.find(tmp_path) == recovery.Found()
     assert list((tmp_path / "logs").iterdir()) == []
 
 
@@ -147,7 +147,7 @@ def killed(tmp_path_factory):
         studio.kill()
         rest, _ = studio.communicate()
         told += [Told.of(line) for line in rest.splitlines(keepends=True) if line.endswith("\n")]
-        found = left_over.find(folder)
+        found = recovery.find(folder)
         mine = [one for one in found.left if f"-{studio.pid}-" in str(one.copies[0].parent)]
         all_told.append((told, notice, mine))
     return folder, all_told
@@ -177,7 +177,7 @@ def test_the_next_start_offers_what_killed_studios_left_with_pictures(killed):
     assert [notice.startswith("1 of 3: ") for notice in notices] == [True] + 4 * [False]
     assert any("before your work on untitled was saved" in notice for notice in notices[1:])
     assert any("Copies were kept of" in notice for notice in notices[1:])
-    found = left_over.find(folder)
+    found = recovery.find(folder)
     assert found.set_aside == ()
     pictures = [one.picture() for one in found.left]
     assert sum(picture.startswith(b"\x89PNG") for picture in pictures) >= len(pictures) // 2
@@ -187,7 +187,7 @@ def test_the_next_start_offers_what_killed_studios_left_with_pictures(killed):
 
 def test_a_copy_that_ends_the_studio_is_set_aside_by_the_next_start(killed):
     folder, _ = killed
-    before = left_over.find(folder)
+    before = recovery.find(folder)
     newest = before.left[0].copies[0]
     content = newest.read_bytes()
     studio, _ = run_until_ready("dies of a copy", folder)
@@ -197,7 +197,7 @@ def test_a_copy_that_ends_the_studio_is_set_aside_by_the_next_start(killed):
     studio.terminate()
     studio.communicate(timeout=60)
     assert f"{newest.name} stopped the studio when it was opened" in notice
-    (aside,) = (folder / "unsaved" / left_over.ASIDE).iterdir()
+    (aside,) = (folder / "unsaved" / recovery.ASIDE).iterdir()
     assert aside.read_bytes() == content
     copies = {copy for one in before.left for copy in one.copies}
-    assert {copy for one in left_over.find(folder).left for copy in one.copies} == copies - {newest}
+    assert {copy for one in recovery.find(folder).left for copy in one.copies} == copies - {newest}

@@ -3,8 +3,8 @@ from time import perf_counter
 
 import pytest
 
-from skinsource.errors import Stopped
-from skinsource.graph import Graph
+from skinsource.base.errors import Stopped
+from skinsource.engine.graph import Graph
 from skinsource_gui.state.engine import FIRST_SLOT, Engine, Purpose, Request, Slot
 
 

@@ -16,11 +16,11 @@ from PySide6.QtWidgets import (
     QPushButton,
 )
 
-from skinsource.design import Design, track
-from skinsource.errors import Stopped
-from skinsource.rendering import trace_rules
-from skinsource.rendering.check import TraceError
-from skinsource.waveforms import Noise, Tone
+from skinsource.base.errors import Stopped
+from skinsource.design.design import Design, track
+from skinsource.design.waveforms import Noise, Tone
+from skinsource.engine import trace_rules
+from skinsource.engine.gains import TraceError
 from skinsource_gui.files import export_actions
 
 YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel

@@ -6,8 +6,8 @@ from PySide6.QtGui import QTextCursor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
-from skinsource.fields import ChoiceSpec, NumberSpec, PlainSpec, SwitchSpec, TextSpec
-from skinsource.waveforms import Formula
+from skinsource.design.waveforms import Formula
+from skinsource.specs.fields import ChoiceSpec, NumberSpec, PlainSpec, SwitchSpec, TextSpec
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 
 FREQUENCY = NumberSpec(

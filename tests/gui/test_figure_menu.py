@@ -4,9 +4,9 @@ import pytest
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtWidgets import QApplication, QMenu
 
-from skinsource.design import Design, track
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
 from skinsource_gui.files import export_actions
 from skinsource_gui.widgets.copy_button import CopyButton
 

@@ -7,8 +7,8 @@ from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QMessageBox
 
-from skinsource.design import track
-from skinsource.design_file import open_design, save_design
+from skinsource.design.design import track
+from skinsource.design.design_file import open_design, save_design
 from skinsource_gui.files import export_actions
 from skinsource_gui.theme import DARK
 from skinsource_gui.widgets.fields.choice_field import ChoiceField

@@ -9,8 +9,8 @@ from PySide6.QtCore import QEvent, QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 
-from skinsource.design import Design, track
-from skinsource.design_file import open_design, save_design
+from skinsource.design.design import Design, track
+from skinsource.design.design_file import open_design, save_design
 from skinsource_gui.state.preferences import Preferences
 
 YES, CANCEL = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog
 
-from skinsource.rigs import Rig, save_rig
+from skinsource.actuators.rigs import Rig, save_rig
 from skinsource_gui.files import export_actions
 from skinsource_gui.panels.skin.time.film_options import FilmOptions
 

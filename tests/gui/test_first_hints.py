@@ -5,7 +5,7 @@ from dataclasses import replace
 from PySide6.QtWidgets import QMainWindow, QPushButton, QToolButton
 
 import skinsource as ss
-from skinsource.edits import Edit
+from skinsource.design.edits import Edit
 from skinsource_gui.shell.first_hints import HINTS, LATER, FirstHints
 from skinsource_gui.shell.notice import Notice
 from skinsource_gui.state.document import Document

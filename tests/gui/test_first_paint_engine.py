@@ -3,7 +3,7 @@ import threading
 import pytest
 from PySide6.QtWidgets import QWidget
 
-from skinsource.graph import Graph
+from skinsource.engine.graph import Graph
 from skinsource_gui.state.engine import Request
 from skinsource_gui.state.first_paint_engine import FirstPaintEngine
 

@@ -7,10 +7,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
-from skinsource import edits
-from skinsource.design import Design, track
-from skinsource.edits import Edit
-from skinsource.view import View
+from skinsource.design import edits
+from skinsource.design.design import Design, track
+from skinsource.design.edits import Edit
+from skinsource.design.view import View
 from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS
 from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.widgets.plot.plot import Plot

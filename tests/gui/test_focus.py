@@ -7,10 +7,10 @@ from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QWidget
 
-from skinsource.design import Design, track
-from skinsource.errors import Stopped
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.base.errors import Stopped
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 
 KEY = Qt.Key

@@ -5,8 +5,8 @@ import numpy as np
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QApplication, QComboBox
 
-from skinsource.dataset.install import install
-from skinsource.dataset.not_installed import NOT_INSTALLED
+from skinsource.limbs.dataset.install import install
+from skinsource.limbs.dataset.store import NOT_INSTALLED
 from skinsource_gui.status.limb_note import LimbNote
 
 

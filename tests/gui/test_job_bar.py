@@ -2,7 +2,7 @@
 
 from PySide6.QtWidgets import QLabel, QProgressBar
 
-from skinsource.job import Job
+from skinsource.base.job import Job
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
 from skinsource_gui.status.job_bar import JobBar
 

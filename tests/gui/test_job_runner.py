@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QThread
 
-from skinsource.errors import Stopped
-from skinsource.job import Job
+from skinsource.base.errors import Stopped
+from skinsource.base.job import Job
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
 
 

@@ -5,9 +5,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design import Design, track
-from skinsource.design_file import save_design
-from skinsource.waveforms import Tone
+from skinsource.design.design import Design, track
+from skinsource.design.design_file import save_design
+from skinsource.design.waveforms import Tone
 from skinsource_gui.panels.timeline.heads.input_row import InputRow
 
 

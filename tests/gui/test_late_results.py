@@ -10,7 +10,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from skinsource.effects import Fade
+from skinsource.design.effects import Fade
 from skinsource_gui.panels.regions.columns import columns_of_people
 from skinsource_gui.panels.timeline.lane_look import same_clips
 from skinsource_gui.shell.panels import PANELS

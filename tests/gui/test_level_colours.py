@@ -5,9 +5,9 @@ import pytest
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design_file import save_design
-from skinsource.panel_settings import with_settings
-from skinsource.view import View
+from skinsource.design.design_file import save_design
+from skinsource.design.panel_settings import with_settings
+from skinsource.design.view import View
 from skinsource_gui.widgets.map.colour_maps import DIVERGING, colour_table
 from skinsource_gui.widgets.map.level_look import LevelLook, coloured_like, level_look
 from skinsource_gui.widgets.pictures.picture_file import drawn_image

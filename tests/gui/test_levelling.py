@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import pytest
 
-from skinsource.design import Design, track
-from skinsource.view import View
-from skinsource.waveforms import Tone, WaveletTrain
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone, WaveletTrain
 
 TRAIN = WaveletTrain((60.0, 400.0), slot_s=0.08)
 

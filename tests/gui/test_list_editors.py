@@ -6,10 +6,10 @@ from PySide6.QtGui import QTextCursor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
-from skinsource.errors import InvalidInputError
-from skinsource.fields import CurveSpec, ListSpec, NumberSpec, specs_of
-from skinsource.synthesis.glide_curves import curve_of
-from skinsource.waveforms import Glide, WaveletTrain, frequency_sweep
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.waveforms import Glide, WaveletTrain, frequency_sweep
+from skinsource.signals.synthesis import curve_of
+from skinsource.specs.fields import CurveSpec, ListSpec, NumberSpec, specs_of
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.live_text import LiveText
 from skinsource_gui.widgets.fields.points_editor import GlideCurve

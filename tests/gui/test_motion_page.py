@@ -5,10 +5,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QPushButton
 
-from skinsource.design import MAX_INPUTS, Design, track
-from skinsource.motions import MOTIONS, ApparentMotion, Phantom, TapSequence, TravellingPhase
-from skinsource.view import View
-from skinsource.waveforms import Noise, Saw, Tone
+from skinsource.design.design import MAX_INPUTS, Design, track
+from skinsource.design.motions import MOTIONS, ApparentMotion, Phantom, TapSequence, TravellingPhase
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Saw, Tone
 from skinsource_gui.motion_page.page import MotionPage
 
 

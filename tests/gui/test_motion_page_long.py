@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QObject
 
-from skinsource.design import Design
+from skinsource.design.design import Design
 from skinsource_gui.motion_page.draft import Draft
 from skinsource_gui.widgets.inputs import clip_strip
 

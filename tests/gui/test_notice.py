@@ -4,7 +4,7 @@ from PySide6.QtGui import QCursor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QTabBar, QToolButton, QWidget
 
-from skinsource.edits import Refusal
+from skinsource.design.edits import Refusal
 from skinsource_gui.shell import notice
 
 LONG = "A long reason that goes on and on. " * 20

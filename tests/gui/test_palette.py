@@ -8,7 +8,7 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QDialog, QMenu, QStyleOptionViewItem, QTextBrowser, QWidget
 from shiboken6 import isValid
 
-from skinsource.panel_settings import settings_of, with_settings
+from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.shell.action_set import ActionSet
 from skinsource_gui.shell.actions import ACTIONS

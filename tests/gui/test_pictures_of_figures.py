@@ -6,7 +6,7 @@ from PySide6.QtGui import QColor, QFontMetricsF
 from PySide6.QtWidgets import QAbstractButton, QComboBox
 
 import skinsource as ss
-from skinsource.view import View
+from skinsource.design.view import View
 from skinsource_gui.theme import LIGHT
 from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
 from tests.gui.linearity.test_linearity_panel import STRENGTHS, show

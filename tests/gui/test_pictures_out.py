@@ -9,8 +9,8 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage
 from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 
 import skinsource as ss
-from skinsource.chain import Actuation, ActuatorAt
-from skinsource.equalising import RegularisedInverse
+from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.actuators.equalising import RegularisedInverse
 from skinsource_gui.files import export_actions
 from skinsource_gui.theme import DARK, LIGHT, current_theme
 from skinsource_gui.widgets.fields.choice_field import ChoiceField

@@ -7,13 +7,13 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QDialog, QLabel, QMessageBox, QTextEdit, QToolTip
 
 from skinsource import actuators
-from skinsource.chain import Actuation, ActuatorAt
-from skinsource.clips import Clip, Fragment, Lane, Marker
-from skinsource.comparing import Snapshot
-from skinsource.design import Design, Input
-from skinsource.presets import Preset, save_preset, users_folder
-from skinsource.view import View
-from skinsource.waveforms import Recording
+from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.design.clips import Clip, Fragment, Lane, Marker
+from skinsource.design.comparing import Snapshot
+from skinsource.design.design import Design, Input
+from skinsource.design.presets.presets import Preset, save_preset, users_folder
+from skinsource.design.view import View
+from skinsource.design.waveforms import Recording
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed
 
 HOSTILE = '<img src="x.png">'

@@ -8,11 +8,11 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource import edits
-from skinsource.clips import Clip, Marker
-from skinsource.design import Design, Input
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.design import edits
+from skinsource.design.clips import Clip, Marker
+from skinsource.design.design import Design, Input
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
 from skinsource_gui.panels.timeline.lanes_view import LanesView
 from skinsource_gui.state.engine import Purpose
 from skinsource_gui.widgets.plot.plot import Plot

@@ -7,11 +7,11 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QScrollArea
 
-from skinsource import edits
-from skinsource.design import Design, track
-from skinsource.effects import Fade, Trim
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tone
+from skinsource.design import edits
+from skinsource.design.design import Design, track
+from skinsource.design.effects import Fade, Trim
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tone
 from skinsource_gui.shell.focus.focus_order import tab_stops
 from skinsource_gui.theme import current_theme
 

@@ -5,8 +5,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QPushButton, QVBoxLayout, QWidget
 
-from skinsource.fields import NumberSpec
-from skinsource.waveforms import Formula
+from skinsource.design.waveforms import Formula
+from skinsource.specs.fields import NumberSpec
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 
 FREQUENCY = NumberSpec(label="Frequency", unit="Hz", minimum=1.0, maximum=649.0)

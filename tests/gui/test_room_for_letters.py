@@ -5,9 +5,9 @@ from PySide6.QtCore import QSize
 from PySide6.QtGui import QColor, QFontMetrics, QFontMetricsF
 from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel
 
-from skinsource.design import Design, track
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
 from skinsource_gui.shell.docks.arrangement_spec import ArrangementSpec, Place
 from skinsource_gui.shell.docks.room import Folded, Needs, folded, room_of
 from skinsource_gui.theme import THEMES

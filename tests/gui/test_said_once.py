@@ -6,12 +6,12 @@ import pytest
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QWidget
 
-from skinsource import edits
-from skinsource.design import Design, track
-from skinsource.fields import NumberSpec
-from skinsource.panel_settings import settings_of
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.design import edits
+from skinsource.design.design import Design, track
+from skinsource.design.panel_settings import settings_of
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
+from skinsource.specs.fields import NumberSpec
 from skinsource_gui.panels.clip_editor import panel as editor_panel
 from skinsource_gui.panels.hand import panel as hand_panel
 from skinsource_gui.panels.inspector.panel import InspectorPanel

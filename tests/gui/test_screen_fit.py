@@ -7,8 +7,8 @@ from PySide6.QtGui import QFontMetrics, QTextDocument
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QToolBar, QToolButton, QWidget
 
-from skinsource import edits
-from skinsource.rendering.check import TraceError
+from skinsource.design import edits
+from skinsource.engine.gains import TraceError
 from skinsource_gui.panels.inspector.input_heading import InputHeading
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.start_design import start_design

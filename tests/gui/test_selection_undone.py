@@ -5,12 +5,12 @@ from dataclasses import dataclass, replace
 
 import pytest
 
-from skinsource import edits
-from skinsource.clips import Clip
-from skinsource.design import Design, Input
-from skinsource.edits import Edit
-from skinsource.view import View
-from skinsource.waveforms import Tap, Tone
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.edits import Edit
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tap, Tone
 from skinsource_gui.state.document import Document
 
 START = Design(

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QByteArray
 
-from skinsource.files.assets import config_folder
+from skinsource.base.assets import config_folder
 from skinsource_gui.state.preferences import Preferences, settings_path
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 
-from skinsource.choice_words import CHOICES
+from skinsource.design.labels import CHOICES
 from skinsource_gui.shell.setup_bar import SetupBar
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 

@@ -5,11 +5,10 @@ from dataclasses import replace
 import pytest
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
-from skinsource.design import Design, Input
-from skinsource.design_file import open_design, save_design
-from skinsource.keeping import owner
-from skinsource.keeping.lock import Lock
-from skinsource.keeping.owner import read_owner, this_process, to_bytes
+from skinsource.base import lock
+from skinsource.base.lock import Lock, read_owner, this_process, to_bytes
+from skinsource.design.design import Design, Input
+from skinsource.design.design_file import open_design, save_design
 from skinsource_gui.files import held_file
 
 OTHER = replace(this_process(), pid=4_000_000, user="ana")
@@ -32,8 +31,8 @@ def other_runs(monkeypatch):
     def still_runs(found):
         return {OTHER.pid: state["runs"]}.get(found.pid) if found.host == OTHER.host else None
 
-    monkeypatch.setattr(owner, "still_runs", still_runs)
-    monkeypatch.setattr("skinsource.keeping.lock.still_runs", still_runs)
+    monkeypatch.setattr(lock, "still_runs", still_runs)
+    monkeypatch.setattr("skinsource.base.lock.still_runs", still_runs)
     monkeypatch.setattr(held_file, "still_runs", still_runs)
     return state
 

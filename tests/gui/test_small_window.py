@@ -3,10 +3,10 @@
 import pytest
 from PySide6.QtWidgets import QApplication, QScrollArea
 
-from skinsource import edits
-from skinsource.design import Design, track
-from skinsource.view import View
-from skinsource.waveforms import Tap, Tone
+from skinsource.design import edits
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tap, Tone
 
 TONE = Tone(frequency_hz=100.0, duration_s=0.3)
 

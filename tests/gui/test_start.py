@@ -9,10 +9,10 @@ import pytest
 from PySide6.QtCore import QObject
 
 import skinsource as ss
-from skinsource.catalogue import available_limbs
-from skinsource.export import export_levels
-from skinsource.extras import extra_line
-from skinsource.view import View
+from skinsource.base.extras import extra_line
+from skinsource.design.view import View
+from skinsource.export.tables import export_levels
+from skinsource.limbs.catalogue import available_limbs
 from skinsource_gui import __main__ as start
 from skinsource_gui import system_libraries
 from skinsource_gui.late_modules import UNCALLED
@@ -21,25 +21,25 @@ from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.start_design import start_design
 
 UNNEEDED = (
-    # What opens a page, reads a file, plays or exports comes with that, see `skinsource.late`.
-    "skinsource.displaying.design_html",
-    "skinsource.measuring.response_file",
-    "skinsource.packing.design_pack",
-    "skinsource.playing.mixer",
-    "skinsource.playing.session",
-    "skinsource.presets.storing",
-    "skinsource.recordings.found",
-    "skinsource.recordings.importing",
-    "skinsource.response",
-    "skinsource.rigs.rig_file",
-    "skinsource.scenes.shelf",
-    "skinsource.stimulus.stimulus",
-    "skinsource.surface.building",
+    # What opens a page, reads a file, plays or exports comes with that, see `skinsource.base.lazy`.
+    "skinsource.design.displaying",
+    "skinsource.actuators.measuring",
+    "skinsource.export.packing",
+    "skinsource.lab.playing.mixer",
+    "skinsource.lab.playing.session",
+    "skinsource.design.presets.presets",
+    "skinsource.readers.reader",
+    "skinsource.design.recordings",
+    "skinsource.engine.prediction",
+    "skinsource.actuators.rigs",
+    "skinsource.studies.scenes.catalog",
+    "skinsource.engine.stimulus",
+    "skinsource.limbs.surface.surface",
     "skinsource_gui.library_page.save_page",
     "skinsource_gui.scenes_page.page",
     # Modules that nothing of the start calls, and large packages.
-    "skinsource.stimulus_export",
-    "skinsource.stimulus_formats",
+    "skinsource.export.stimulus_export",
+    "skinsource.export.formats.formats",
     "sounddevice",
     "scipy.signal",
     "matplotlib",
@@ -138,9 +138,9 @@ def test_what_cannot_be_rendered_is_one_sentence_and_leaves_no_file(tmp_path, co
 
 INTERRUPTED = """
 import signal, sys
-import skinsource.export
+import skinsource.export.exported_design
 from skinsource_gui.__main__ import main
-skinsource.export.export_levels = lambda *_: signal.raise_signal(signal.SIGINT)
+skinsource.export.tables.export_levels = lambda *_: signal.raise_signal(signal.SIGINT)
 main(["--render", sys.argv[1]])
 """
 

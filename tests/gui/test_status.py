@@ -2,7 +2,7 @@ from dataclasses import replace
 
 from PySide6.QtWidgets import QLabel
 
-from skinsource.design import Design
+from skinsource.design.design import Design
 from skinsource_gui.status.limb_note import LimbNote
 
 

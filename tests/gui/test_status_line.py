@@ -8,13 +8,13 @@ from PySide6.QtCore import QEvent, QPoint
 from PySide6.QtGui import QHelpEvent
 from PySide6.QtWidgets import QApplication, QLabel, QToolTip
 
-from skinsource.clips import Clip
-from skinsource.design import track
-from skinsource.rendering.check import TraceError
-from skinsource.rendering.segments import BLOCK_FFT
-from skinsource.view import View
-from skinsource.waveforms import Tone
-from skinsource.work import Work
+from skinsource.base.work import Work
+from skinsource.design.clips import Clip
+from skinsource.design.design import track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
+from skinsource.engine.gains import TraceError
+from skinsource.engine.transforms import BLOCK_FFT
 from skinsource_gui.status.computation_words import Scope
 from skinsource_gui.status.edit_times import EditTime, EditTimes, milliseconds, most_within, summary
 from skinsource_gui.status.sparkline import Sparkline

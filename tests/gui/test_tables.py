@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QApplication, QMenu, QTextBrowser
 
-from skinsource.view import View
+from skinsource.design.view import View
 from skinsource_gui.files.exports import EXPORTS
 from skinsource_gui.shell.action_spec import ActionSpec
 from skinsource_gui.shell.actions import ACTIONS, MENUS

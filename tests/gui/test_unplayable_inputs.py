@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.chain import Actuation, ActuatorAt
-from skinsource.design import Design, Input, track
-from skinsource.equalising import RegularisedInverse
-from skinsource.presets.shipped import SHIPPED
-from skinsource.view import View
-from skinsource.waveforms import Chirplet, Tone
+from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.actuators.equalising import RegularisedInverse
+from skinsource.design.design import Design, Input, track
+from skinsource.design.presets.shipped import SHIPPED
+from skinsource.design.view import View
+from skinsource.design.waveforms import Chirplet, Tone
 from tests.gui.curve_panels.bench import plot_of
 
 TONE = track(7, Tone(frequency_hz=100.0))

@@ -7,14 +7,14 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QComboBox, QWidget
 
-from skinsource.catalogue import load_limb
-from skinsource.design import Design, track
-from skinsource.edits import Edit
-from skinsource.panel_settings import with_settings
-from skinsource.projection import project_axes
-from skinsource.response import predict
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.design.design import Design, track
+from skinsource.design.edits import Edit
+from skinsource.design.panel_settings import with_settings
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
+from skinsource.engine.prediction import predict
+from skinsource.limbs.catalogue import load_limb
+from skinsource.signals.projection import project_axes
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.state.start_design import start_design
 

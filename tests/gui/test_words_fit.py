@@ -5,7 +5,7 @@ import pytest
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QStyleOptionViewItem, QToolButton
 
-from skinsource.stimulus_export import ChannelOverview
+from skinsource.export.stimulus_export.preparing import ChannelOverview
 from skinsource_gui.history import History, Step
 from skinsource_gui.panels.compare.card import fitted_level
 from skinsource_gui.panels.history.step_delegate import StepDelegate

@@ -12,9 +12,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-from skinsource.limb_import import LimbSource, import_limb
-from skinsource.own_limbs import own_limb_path
-from skinsource.recordings.reading_process import ReadingProcess
+from skinsource.limbs.limb_import import LimbSource, import_limb
+from skinsource.limbs.own_limbs import own_limb_path
+from skinsource.readers.reading_process import ReadingProcess
 from tests.core.own_limbs.mutants import try_kept, try_layout, whole_file
 
 

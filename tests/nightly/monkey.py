@@ -13,8 +13,8 @@ from pathlib import Path
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 
-from skinsource.catalogue import available_limbs
-from skinsource.recordings.process_memory import resident_bytes
+from skinsource.limbs.catalogue import available_limbs
+from skinsource.readers.reading_process import resident_bytes
 from skinsource_gui.shell.app import make_application
 from skinsource_gui.shell.garbage import take_over_collection
 from skinsource_gui.shell.window import MainWindow

@@ -10,7 +10,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from skinsource.recordings.reading_process import ReadingProcess
+from skinsource.readers.reading_process import ReadingProcess
 from tests.core.recordings.mutants import FORMATS, try_mutants
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 import skinsource as ss
 import skinsource_gui
-from skinsource.files.assets import data_folder
+from skinsource.base.assets import data_folder
 from skinsource_gui.resources import resource_folder
 
 

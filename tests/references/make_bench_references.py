@@ -14,7 +14,9 @@ from dataclasses import asdict
 import numpy as np
 from mpmath import mp, mpf
 
-from skinsource.accuracy.cases import (
+from skinsource.base.assets import data_folder
+from skinsource.base.files import write_bytes
+from skinsource.studies.accuracy.cases import (
     BELL_S,
     FILE_NAME,
     MIDDLE_S,
@@ -25,8 +27,6 @@ from skinsource.accuracy.cases import (
     Resampling,
     cases_without_reference,
 )
-from skinsource.files import write_bytes
-from skinsource.files.assets import data_folder
 from tests.references.make_actuators import motion
 
 
@@ -45,7 +45,7 @@ def convolved(problem: Convolution, samples: np.ndarray) -> np.ndarray:
 
 
 def resampled(problem: Resampling, samples: np.ndarray) -> np.ndarray:
-    """The formula of `skinsource.accuracy.cases.tone_burst`."""
+    """The formula of `skinsource.studies.accuracy.cases.tone_burst`."""
     times = [mpf(int(k)) / problem.to_hz - mpf(MIDDLE_S) for k in samples]
     bells = [mp.exp(-((time / mpf(BELL_S)) ** 2) / 2) for time in times]
     tones = [sum(mp.cos(2 * mp.pi * mpf(hz) * time) for hz in TONES_HZ) for time in times]

@@ -1,16 +1,76 @@
-"""What every actuator can do."""
+"""What the parameters of actuators may be."""
 
 from abc import ABC, abstractmethod
+from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skinsource.actuators.motion import ActuatorMotion
-from skinsource.actuators.simulating import Equations, Hold, simulated
-from skinsource.arguments import finite_array, positive_number
-from skinsource.arrays import Complexes
-from skinsource.errors import InvalidInputError
+from skinsource.actuators.simulation import ActuatorMotion, Equations, Hold, simulated
+from skinsource.base.arguments import finite_array, positive_number
+from skinsource.base.arrays import Complexes
+from skinsource.base.errors import InvalidInputError
+from skinsource.specs import fields
+from skinsource.specs.fields import SMALLEST, NumberSpec
+
+
+def positive(label: str, unit: str, hint: str = "") -> NumberSpec:
+    """A parameter above 0."""
+    return NumberSpec(
+        label=label, unit=unit, minimum=SMALLEST, step=0.02, logarithmic=True, hint=hint
+    )
+
+
+def not_negative(label: str, unit: str, hint: str = "") -> NumberSpec:
+    """A parameter of 0 or more."""
+    return NumberSpec(label=label, unit=unit, minimum=0.0, step=0.02, logarithmic=True, hint=hint)
+
+
+RESISTANCE = positive("Resistance", "Ω", "Of the coil")
+INDUCTANCE = positive("Inductance", "H", "Of the coil")
+FORCE_FACTOR = not_negative("Force factor", "N/A", "Force for each ampere, and volts for each m/s")
+MOVING_MASS = positive("Moving mass", "kg")
+DAMPING = not_negative("Damping", "N s/m", "Of the suspension")
+STIFFNESS = not_negative("Stiffness", "N/m", "Of the suspension")
+SKIN_STIFFNESS = not_negative("Skin stiffness", "N/m", "Of the skin at the contact; 0 in air")
+SKIN_DAMPING = not_negative("Skin damping", "N s/m", "Of the skin at the contact; 0 in air")
+
+
+# What is known of an actuator whose constants nobody published: where it resonates.
+
+
+@dataclass(frozen=True, slots=True)
+class ResponseShape:
+    """A resonance without a scale: it shows a shape, and cannot be simulated in m/s².
+
+    Attributes
+    ----------
+    resonance_hz, quality
+        Of the moving mass on its spring, both above 0.
+    """
+
+    title: ClassVar[str] = "Response shape"
+
+    resonance_hz: float = fields.field(positive("Resonance", "Hz"))
+    quality: float = fields.field(positive("Quality", ""))
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    def shape(self, frequency_hz: ArrayLike) -> Complexes:
+        """Acceleration at equal force over that far above the resonance, without a unit.
+
+        s² / (s² + s w / Q + w²), of the shape of ``frequency_hz``.
+        """
+        ratio = finite_array("frequency_hz", frequency_hz) / self.resonance_hz
+        found: Complexes = np.asarray(
+            -(ratio**2) / (1.0 - ratio**2 + 1j * ratio / self.quality), np.complex128
+        )
+        return found
+
+
+# What every actuator can do.
 
 
 class Actuator(ABC):

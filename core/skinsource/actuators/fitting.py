@@ -8,10 +8,10 @@ from numpy.typing import ArrayLike
 
 from skinsource.actuators.actuator import Actuator
 from skinsource.actuators.measured_response import measured_arrays
-from skinsource.actuators.voice_coil import VoiceCoil
-from skinsource.arguments import positive_number
-from skinsource.arrays import Complexes, Floats
-from skinsource.errors import InvalidInputError
+from skinsource.actuators.models import VoiceCoil
+from skinsource.base.arguments import positive_number
+from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.errors import InvalidInputError
 
 #: The model has four constants that a response determines; fewer points than these are no fit.
 _FEWEST_POINTS = 8

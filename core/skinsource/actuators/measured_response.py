@@ -7,14 +7,13 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike
 
-from skinsource import fields
 from skinsource.actuators.actuator import Actuator
-from skinsource.actuators.motion import ActuatorMotion
-from skinsource.actuators.simulating import Hold, samples_of
-from skinsource.arguments import finite_array, positive_number
-from skinsource.arrays import Complexes, Floats
-from skinsource.errors import InvalidInputError
-from skinsource.fields import SMALLEST, NumberSpec, PointsSpec
+from skinsource.actuators.simulation import ActuatorMotion, Hold, samples_of
+from skinsource.base.arguments import finite_array, positive_number
+from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.specs import fields
+from skinsource.specs.fields import SMALLEST, NumberSpec, PointsSpec
 
 MAX_POINTS = 20_000
 POINTS = PointsSpec(

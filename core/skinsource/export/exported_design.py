@@ -1,18 +1,40 @@
 """A design that is being exported, with a graph of its own."""
 
-from collections.abc import Collection, Iterator
-from typing import Any
+import hashlib
+import math
+import os
+from collections.abc import Collection, Iterable, Iterator
+from contextlib import contextmanager, suppress
+from io import BufferedRandom, FileIO
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
+import scipy
 
-from skinsource.arrays import Floats
-from skinsource.design import Design
-from skinsource.job import Progress, Stop
-from skinsource.limb import ALL_AXES, Axes, Limb, axes_of
-from skinsource.quantities import new_graph, sources
-from skinsource.rendering.check import TraceError
-from skinsource.rendering.streaming import StreamedVibration
-from skinsource.view import View
+from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import TooInaccurateError
+from skinsource.base.files import replacing
+from skinsource.base.job import Progress, Stop, stop_if
+from skinsource.base.published import ALL_AXES, Axes, axes_of
+from skinsource.base.work import counted
+from skinsource.design.amplitudes import amplitude_note
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input, audible_inputs
+from skinsource.design.labels import AXES, METHODS, SCALINGS, SPANS, limb_word, word_of
+from skinsource.design.view import View
+from skinsource.engine.gains import ESTIMATE_FACTOR, N_SAMPLES, TraceError
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.engine.streaming import StreamedVibration
+from skinsource.limbs.limb import Limb
+from skinsource.limbs.scaling import Scaling
+from skinsource.perception.validity import words_of as finding_words_of
+from skinsource.version import __version__
+
+if TYPE_CHECKING:
+    from _typeshed import ReadableBuffer
+
 
 #: Samples that are written together.
 PIECE_SAMPLES = 1536
@@ -31,7 +53,7 @@ class ExportedDesign:
     progress
         Told how far it is; a total of 0 while that is not known.
     stop
-        Asked now and then; once true, `skinsource.errors.Stopped` is raised.
+        Asked now and then; once true, `skinsource.base.errors.Stopped` is raised.
 
     Attributes
     ----------
@@ -100,3 +122,193 @@ class ExportedDesign:
     def _silence(self, first: int, end: int) -> Iterator[Floats]:
         for start in range(first, end, PIECE_SAMPLES):
             yield np.zeros((self.limb.n_outputs, self.limb.n_axes, min(PIECE_SAMPLES, end - start)))
+
+
+# What a file of signals or levels says of the design and the view that they belong to.
+
+
+def describe_played(
+    limb: str,
+    note: str,
+    scaling: Scaling,
+    inputs: Iterable[Input],
+    actuated: Actuation | None = None,
+) -> list[str]:
+    """Lines on the limb, by its name and what there is to note of it, and what it is driven by."""
+    lines = [f"NOTE on the limb: {note}"] if note else []
+    lines.append(
+        f"limb: {limb_word(limb).title}, {limb}; scaling: {word_of(SCALINGS, scaling).both}"
+    )
+    meaning = amplitude_note(limb, "", scaling, actuated)
+    if meaning:
+        lines.append(f"amplitudes: {meaning}")
+    if actuated is not None:
+        lines.append(f"predicted through: {actuated.words}")
+        lines += [f"  {_named(one)}: {one.model}" for one in actuated.actuators]
+    for one in inputs:
+        muted = ", muted" if one.muted else ""
+        solo = ", solo" if one.solo else ""
+        curve = f", gain curve {one.gain_curve}" if one.gain_curve else ""
+        lines.append(
+            f"input at place {one.location}: amplitude {one.amplitude!r}, "
+            f"{counted(len(one.clips), 'clip')}{curve}{muted}{solo}"
+        )
+        lines += [f"  clip of the input at place {one.location}: {words_of(x)}" for x in one.clips]
+    return lines
+
+
+def _named(one: ActuatorAt) -> str:
+    where = "all other places" if one.place is None else f"place {one.place}"
+    return f"{where}, {one.actuator}" if one.actuator else where
+
+
+def words_of(clip: Clip) -> str:
+    """A clip in words: what it plays, from when on, through what."""
+    gain = "" if clip.gain == 1.0 else f", gain {clip.gain!r}"
+    through = "".join(f", {one}" for one in clip.effects if one.on)
+    muted = ", muted" if clip.muted else ""
+    return f"{clip.waveform}, onset {clip.onset_s!r} s{gain}{through}{muted}"
+
+
+def describe_projection(axes: str, method: str) -> str:
+    """Line on the axes and how they become one signal."""
+    how = "" if len(axes) == 1 else f"; method: {word_of(METHODS, method).both}"
+    return f"axes: {word_of(AXES, axes).both}{how}"
+
+
+def describe_levels(span: str) -> str:
+    """Line on what levels are the RMS over, which every file names, also those without levels.
+
+    Who later puts a file of traces beside one of levels then sees whether they belong together.
+    """
+    return f"levels: RMS over the {word_of(SPANS, span).both.lower()}"
+
+
+# What an export says of itself: what it shows, how that was computed, how wrong it can be.
+
+
+def about_design(exported: ExportedDesign) -> list[str]:
+    """Lines on limb, scaling, and what is played."""
+    design = exported.design
+    lines = ["SkinSource studio"]
+    if exported.limb.synthetic:
+        lines.append("SYNTHETIC LIMB: computed responses, not measured ones")
+    lines += describe_played(
+        design.limb, exported.limb.note, design.scaling, design.inputs, design.actuated
+    )
+    return [*lines, *finding_words_of(exported.value("validity"))]
+
+
+def about_axes(exported: ExportedDesign) -> str:
+    """Line on the axes and how they become one signal."""
+    axes = axes_of(exported.limb.axes, exported.view.axes)
+    return describe_projection(axes, exported.view.method)
+
+
+def about_levels(exported: ExportedDesign) -> str:
+    """Line on what levels are the RMS over."""
+    return describe_levels(exported.view.span)
+
+
+def about_method(exported: ExportedDesign) -> list[str]:
+    """Lines on versions, method, and the data that went in."""
+    audible = audible_inputs(exported.design.inputs)
+    how = (
+        "cached spectra"
+        if exported.streamed is None
+        else f"overlap-save {exported.streamed.cut.n_fft}"
+    )
+    return [
+        f"computed by: skinsource {__version__}, numpy {np.__version__}, scipy {scipy.__version__}",
+        f"precision and method: float64, {how}",
+        f"inputs heard: {len(audible)} of {len(exported.design.inputs)}",
+        *_about_data(exported, sorted({one.location for one in audible})),
+    ]
+
+
+def about_error(error: TraceError | None, what: str) -> str:
+    """Line on the error of ``what``, as far as it is known."""
+    if error is None:
+        return f"error of {what}: there is nothing to check"
+    return (
+        f"error of {what}, relative to the largest sample: about {error.estimate!r} "
+        f"({ESTIMATE_FACTOR:g} x the worst of {N_SAMPLES} samples computed again exactly), at most "
+        f"{error.bound!r} (theory)"
+    )
+
+
+def listed(outputs: tuple[int, ...]) -> str:
+    """Words for some outputs."""
+    return f"outputs {', '.join(map(str, outputs))}"
+
+
+def refuse_if_worse(error: TraceError | None, largest_error: float) -> None:
+    """Raise `TooInaccurateError` where the estimate is not at most ``largest_error``."""
+    if error is not None and not error.estimate <= largest_error and largest_error < math.inf:
+        raise TooInaccurateError(
+            f"The result may be wrong by {error.estimate:.1e} of its largest sample, more than "
+            f"{largest_error:g}. Nothing was written. Look for inputs that cancel each other."
+        )
+
+
+def _about_data(exported: ExportedDesign, places: list[int]) -> list[str]:
+    if not places:
+        return []
+    digest = hashlib.sha256()
+    for place in places:
+        digest.update(np.ascontiguousarray(exported.limb.response_to(place), "<f8").data)
+    numbers = ", ".join(map(str, places))
+    return [f"responses to places {numbers}: SHA-256 {digest.hexdigest()}"]
+
+
+# The file that an export is written to.
+
+_BYTES_BETWEEN_SYNCS = 8 * 2**20
+
+
+@contextmanager
+def output_file(path: Path, stop: Stop) -> Iterator[BinaryIO]:
+    """Give an open file that takes the place of ``path`` at the end, whole or not at all.
+
+    Raises
+    ------
+    StorageError
+        The folder cannot be written, or the disk is full.
+    Stopped
+        ``stop`` said so at the end.
+    """
+    with replacing(path) as temporary, steadily_written(temporary) as file:
+        try:
+            yield file
+            file.flush()
+            os.fsync(file.fileno())
+            stop_if(stop)
+        except BaseException:
+            # Gone at once: to give back a gigabyte, when the file is closed, can take a second.
+            # Systems that delete no open file do so when it is closed.
+            with suppress(OSError):
+                temporary.unlink()
+            raise
+
+
+def steadily_written(path: Path) -> BinaryIO:
+    """Open ``path`` for writing; what is written goes to the disk now and then."""
+    return BufferedRandom(_SteadyFile(path, "w+b"))
+
+
+class _SteadyFile(FileIO):
+    """Sends what is written to the disk now and then.
+
+    At the end little is left to send, so that the user can stop it at any time: nothing stops the
+    flush of a gigabyte.
+    """
+
+    _unsynced = 0
+
+    def write(self, data: "ReadableBuffer") -> int:
+        written = super().write(data)
+        self._unsynced += written
+        if self._unsynced >= _BYTES_BETWEEN_SYNCS:
+            os.fsync(self.fileno())
+            self._unsynced = 0
+        return written

@@ -1,30 +1,69 @@
-"""The map of levels, as a table and as a picture, without a window."""
+"""Pictures as PNG files, written with what Python has."""
 
 import math
+import struct
+import zlib
 from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.arrays import Floats
-from skinsource.decibels import in_tables
-from skinsource.design import Design
-from skinsource.export.csv_table import CsvTable
-from skinsource.export.exported_design import ExportedDesign
-from skinsource.export.figures import (
+from skinsource.base.arrays import Floats
+from skinsource.base.decibels import in_tables
+from skinsource.base.job import Progress, Stop, never, silent
+from skinsource.design.design import Design
+from skinsource.design.view import View
+from skinsource.export.exported_design import (
+    ExportedDesign,
     about_axes,
     about_design,
     about_error,
     about_levels,
     about_method,
+    output_file,
     refuse_if_worse,
 )
-from skinsource.export.output_file import output_file
-from skinsource.export.png import write_png
-from skinsource.job import Progress, Stop, never, silent
-from skinsource.map_range import MAP_RANGE_DB
-from skinsource.surface import SurfaceOperator
-from skinsource.view import View
+from skinsource.export.tables import CsvTable
+from skinsource.limbs.surface.operator import SurfaceOperator
+from skinsource.signals.map_range import MAP_RANGE_DB
+
+_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+# Bits per channel; red, green, blue; then the only compression and filtering there are, no lacing.
+_HEADER = struct.Struct(">IIBBBBB")
+_DEPTH, _RGB = 8, 2
+
+
+def write_png(file: BinaryIO, pixels: NDArray[np.uint8], texts: dict[str, str]) -> None:
+    """Write a picture.
+
+    Parameters
+    ----------
+    pixels : (rows, columns, 3)
+        Red, green and blue; the first row is the highest.
+    texts
+        What the picture says of itself, by keyword.
+    """
+    rows, columns, _ = pixels.shape
+    # Each row begins with how it is filtered: not at all.
+    lines = np.zeros((rows, 1 + 3 * columns), np.uint8)
+    lines[:, 1:] = pixels.reshape(rows, -1)
+    file.write(_SIGNATURE)
+    _write_chunk(file, b"IHDR", _HEADER.pack(columns, rows, _DEPTH, _RGB, 0, 0, 0))
+    for keyword, text in texts.items():
+        # Keyword, no compression, no language, text.
+        _write_chunk(file, b"iTXt", keyword.encode("latin-1") + b"\0\0\0\0\0" + text.encode())
+    _write_chunk(file, b"IDAT", zlib.compress(lines.tobytes(), 9))
+    _write_chunk(file, b"IEND", b"")
+
+
+def _write_chunk(file: BinaryIO, kind: bytes, content: bytes) -> None:
+    file.write(struct.pack(">I", len(content)))
+    file.write(kind + content)
+    file.write(struct.pack(">I", zlib.crc32(kind + content)))
+
+
+# The map of levels, as a table and as a picture, without a window.
 
 # From the lowest level to the highest: lightness rises evenly, so that it reads in grey as well.
 _ANCHORS = np.array(

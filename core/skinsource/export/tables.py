@@ -1,29 +1,95 @@
-"""Traces and levels as CSV."""
+"""Tables as CSV: comment lines, one header line, then numbers that read back exactly."""
 
 import math
-from collections.abc import Iterator
+import shutil
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from itertools import zip_longest
 from pathlib import Path
+from typing import IO, BinaryIO
+from zipfile import ZIP_STORED, ZipFile, ZipInfo
 
 import numpy as np
+from numpy.lib import format as npy
+from numpy.typing import NDArray
 
-from skinsource.arrays import Floats
-from skinsource.decibels import in_tables
-from skinsource.design import Design
-from skinsource.export.csv_table import CsvTable
-from skinsource.export.exported_design import PIECE_SAMPLES, ExportedDesign
-from skinsource.export.figures import (
+from skinsource.base.arrays import Floats
+from skinsource.base.decibels import in_tables
+from skinsource.base.errors import StorageError
+from skinsource.base.job import Progress, Stop, never, silent, stop_if
+from skinsource.base.published import ALL_AXES
+from skinsource.base.work import counted
+from skinsource.design.design import Design
+from skinsource.design.view import View
+from skinsource.export.exported_design import (
+    PIECE_SAMPLES,
+    ExportedDesign,
     about_axes,
     about_design,
     about_error,
     about_levels,
     about_method,
     listed,
+    output_file,
     refuse_if_worse,
 )
-from skinsource.export.output_file import output_file
-from skinsource.job import Progress, Stop, never, silent
-from skinsource.locations import output_words
-from skinsource.view import View
+from skinsource.limbs.extent import Extent
+from skinsource.limbs.locations import output_words
+from skinsource.perception.validity import listed as judging_listed
+
+# So many are written in a few milliseconds.
+_CELLS_AT_ONCE = 8192
+
+
+class CsvTable:
+    """Writes a table, some rows at a time.
+
+    Parameters
+    ----------
+    file
+        Where to; it stays open.
+    about
+        Comment lines.
+    header
+        Names of the columns.
+    stop
+        Asked now and then; once true, `Stopped` is raised.
+    """
+
+    def __init__(
+        self, file: BinaryIO, about: Sequence[str], header: Sequence[str], stop: Stop
+    ) -> None:
+        self._file, self._stop = file, stop
+        self._write([*(f"# {line}" for line in about), ",".join(header)])
+
+    def add(self, rows: Floats, texts: Sequence[Sequence[str]] = ()) -> None:
+        """Write ``rows``, (n_rows, n_columns), each followed by its ``texts``, if there are any."""
+        step = max(_CELLS_AT_ONCE // max(rows.shape[1], 1), 1)
+        for first in range(0, len(rows), step):
+            stop_if(self._stop)
+            piece = rows[first : first + step].tolist()
+            words = [list(map(_quoted, row)) for row in texts[first : first + step]]
+            self._write(
+                [
+                    ",".join([*map(_exact, row), *more])
+                    for row, more in zip_longest(piece, words, fillvalue=())
+                ]
+            )
+
+    def _write(self, lines: list[str]) -> None:
+        self._file.write(("\n".join(lines) + "\n").encode())
+
+
+def _quoted(text: str) -> str:
+    return '"' + text.replace('"', '""') + '"'
+
+
+def _exact(value: float) -> str:
+    # The shortest digits that read back as the same number.
+    return str(int(value)) if value.is_integer() and abs(value) < 2**53 else repr(value)
+
+
+# Traces and levels as CSV.
 
 
 def export_traces(
@@ -140,3 +206,222 @@ def _trace_blocks(exported: ExportedDesign) -> Iterator[Floats]:
     chosen = np.ix_([output - 1 for output in outputs], projection.axis_numbers)
     for block in exported.field_blocks():
         yield projection.signals(block[chosen])
+
+
+# RMS in consecutive windows as CSV.
+
+_MEASURES = (
+    "mean_distance_mm",
+    "d90_mm",
+    "share_above_12_db",
+    "share_above_20_db",
+    "participation",
+)
+
+
+def export_windows(
+    path: Path,
+    design: Design,
+    view: View,
+    *,
+    progress: Progress = silent,
+    stop: Stop = never,
+    largest_error: float = math.inf,
+) -> None:
+    """Compute and write a row for each window: its times, its extent, the RMS of all outputs.
+
+    Times are those of the stimulus, from its begin on; a window begins as much later in the
+    response as the pre-trigger delay is long.  The extent of silence is ``nan``.  Parameters and
+    errors are those of `export_traces`.
+    """
+    exported = ExportedDesign(design, view, progress, stop)
+    wanted = exported.values(
+        {"windows", "rms_of_windows", "extents_of_windows", "windows_in_noise"}
+    )
+    rms, extents = wanted["rms_of_windows"], wanted["extents_of_windows"]
+    loudest = int(np.argmax(rms.max(axis=0, initial=0.0))) + 1
+    error = exported.error((loudest,), view.axes)
+    refuse_if_worse(error, largest_error)
+    windows = wanted["windows"]
+    about = [
+        *about_design(exported),
+        about_axes(exported),
+        f"windows: {windows.window_samples} samples each, the first from sample "
+        f"{windows.first_sample} of the response on",
+        "extent: over the outputs with a place on the map, from the nearest input that is heard",
+        *_about_noise(wanted["windows_in_noise"]),
+        *about_method(exported),
+        about_error(error, f"the traces of output {loudest}, the loudest"),
+    ]
+    header = ["from_s", "to_s", *_MEASURES]
+    header += [f"output_{number}_rms_m_per_s2" for number in exported.all_outputs]
+    bounds = windows.bounds_s(exported.sample_rate_hz)
+    rows = [
+        [*span, *_measures(one), *values]
+        for span, one, values in zip(bounds, extents, rms.tolist(), strict=True)
+    ]
+    with output_file(path, stop) as file:
+        table = CsvTable(file, about, header, stop)
+        table.add(np.array(rows).reshape(-1, len(header)))
+        progress(1, 1, "Writing")
+
+
+def _about_noise(in_noise: Sequence[bool]) -> list[str]:
+    noisy = [number for number, one in enumerate(in_noise, start=1) if one]
+    if not noisy:
+        return []
+    words = f"{'window' if len(noisy) == 1 else 'windows'} {judging_listed(noisy)}"
+    return [f"validity, windows: CAUTION: {words}: mostly noise, and so is the extent"]
+
+
+def _measures(extent: Extent | None) -> list[float]:
+    if extent is None:
+        return [math.nan] * len(_MEASURES)
+    return [getattr(extent, name) for name in _MEASURES]
+
+
+# Archives of arrays that ``numpy.load`` reads, written piece by piece.
+
+# The date that stands for none: an archive tells of its content, not of when it was made.
+_NO_DATE = (1980, 1, 1, 0, 0, 0)
+
+
+class GrowingArray:
+    """A float64 array that grows along time, its last axis.
+
+    It is stored column by column ("Fortran order"): samples of one time lie together, so that it
+    can be written time by time and is read as (..., n_times) all the same.
+    """
+
+    def __init__(self, member: IO[bytes], shape: tuple[int, ...]) -> None:
+        self._member, self._shape = member, shape
+        self.n_times = 0
+        npy.write_array_header_2_0(member, {"descr": "<f8", "fortran_order": True, "shape": shape})
+
+    def add(self, block: Floats) -> None:
+        """Write the samples that follow, (..., n)."""
+        self._member.write(np.ascontiguousarray(block.T, dtype="<f8").data)
+        self.n_times += block.shape[-1]
+
+    def finish(self) -> None:
+        """Raise `ValueError` unless all times were written."""
+        if self.n_times != self._shape[-1]:
+            raise ValueError(f"{self.n_times} times were written, expected {self._shape[-1]}")
+
+
+class NpzArchive:
+    """An archive that is being written: neither packed nor dated.
+
+    Parameters
+    ----------
+    file
+        Where to; it stays open.
+    """
+
+    def __init__(self, file: BinaryIO) -> None:
+        self._zip = ZipFile(file, "w", ZIP_STORED, allowZip64=True)
+
+    def __enter__(self) -> "NpzArchive":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._zip.close()
+
+    def put(self, name: str, array: NDArray[np.generic]) -> None:
+        """Write a whole array."""
+        with self._member(name) as member:
+            npy.write_array(member, array, version=(2, 0), allow_pickle=False)
+
+    @contextmanager
+    def growing(self, name: str, shape: tuple[int, ...]) -> Iterator[GrowingArray]:
+        """Give an array of ``shape`` to write time by time."""
+        with self._member(name) as member:
+            array = GrowingArray(member, shape)
+            yield array
+            array.finish()
+
+    def _member(self, name: str) -> IO[bytes]:
+        return self._zip.open(ZipInfo(f"{name}.npy", _NO_DATE), "w", force_zip64=True)
+
+
+# The whole predicted field, all outputs and axes, as an archive of arrays.
+
+# Headers, the text and the table of contents take less.
+_BYTES_BESIDE_FIELD = 2**20
+
+
+def export_field(
+    path: Path,
+    design: Design,
+    view: View,
+    *,
+    progress: Progress = silent,
+    stop: Stop = never,
+    largest_error: float = math.inf,
+) -> None:
+    """Compute and write the acceleration of all outputs on all axes, block by block.
+
+    ``numpy.load`` reads the file.  It holds ``acceleration_m_per_s2`` (n_outputs, n_axes, n_times;
+    float64, time 0 first, the pre-trigger delay contained), ``sample_rate_hz``, and ``about``, a
+    text.  Silence is exactly 0.
+
+    Parameters and further errors are those of `export_traces`.
+
+    Raises
+    ------
+    StorageError
+        The disk has too little room, or what `export_traces` says.
+    """
+    exported = ExportedDesign(design, view, progress, stop)
+    shape = exported.limb.n_outputs, exported.limb.n_axes, exported.n_times
+    # What is checked is what was written, at some outputs.
+    looked_at = view.outputs if exported.streamed is not None else ()
+    checked = exported.holdable(looked_at or exported.all_outputs, ALL_AXES)
+    rows = [output - 1 for output in checked]
+    kept = np.empty((len(checked), *shape[1:]))
+    with output_file(path, stop) as file:
+        _refuse_without_room(path, math.prod(shape) * np.dtype(np.float64).itemsize)
+        with NpzArchive(file) as archive:
+            archive.put("sample_rate_hz", np.array(exported.sample_rate_hz))
+            with archive.growing("acceleration_m_per_s2", shape) as array:
+                for block in exported.field_blocks():
+                    stop_if(stop)
+                    kept[..., array.n_times : array.n_times + block.shape[-1]] = block[rows]
+                    array.add(block)
+            error = exported.error_of(kept, checked)
+            refuse_if_worse(error, largest_error)
+            what = (
+                "the field"
+                if checked == exported.all_outputs
+                else f"the field at {listed(checked)}"
+            )
+            about = [*_about(exported), about_error(error, what)]
+            archive.put("about", np.array("\n".join(about)))
+
+
+def _about(exported: ExportedDesign) -> list[str]:
+    return [
+        *about_design(exported),
+        f"acceleration_m_per_s2: {counted(exported.limb.n_outputs, 'output')}, "
+        f"{counted(exported.limb.n_axes, 'axis', 'axes')} ({', '.join(exported.limb.axes)}), "
+        f"{counted(exported.n_times, 'time')}, in m/s²",
+        f"times: sample k at {_first(exported)}k / {exported.sample_rate_hz:g} s; pre-trigger "
+        f"delay of {exported.limb.pre_trigger_delay_s * 1e3:g} ms: contained in the times",
+        about_levels(exported),
+        *about_method(exported),
+    ]
+
+
+def _first(exported: ExportedDesign) -> str:
+    """What stands before k: responses through actuators may begin before time 0."""
+    first_s = float(exported.value("response_time_s")[0]) if exported.design.actuated else 0.0
+    return f"{first_s:.9g} s + " if first_s else ""
+
+
+def _refuse_without_room(path: Path, n_bytes: int) -> None:
+    free_bytes = shutil.disk_usage(path.resolve().parent).free
+    if free_bytes < n_bytes + _BYTES_BESIDE_FIELD:
+        raise StorageError(
+            f"{path}: the whole field takes {n_bytes / 1e9:.2f} GB, and {free_bytes / 1e9:.2f} GB "
+            "are free there. Free some space, choose another disk, or shorten the design."
+        )

@@ -5,22 +5,6 @@ accelerometers, temperature, age and force are not in the model, people differ b
 what lies below 25 Hz is not measured: only differences between designs on one limb are safe.
 """
 
-from skinsource.perception.sensation import (
-    LIMITS,
-    LIMITS_IN_SHORT,
-    sensation_levels_db,
-    sensation_magnitude,
-    site_offsets_db,
-)
-from skinsource.perception.thresholds import CHANNELS, Channel, threshold_rms
+import lazy_loader
 
-__all__ = [
-    "CHANNELS",
-    "LIMITS",
-    "LIMITS_IN_SHORT",
-    "Channel",
-    "sensation_levels_db",
-    "sensation_magnitude",
-    "site_offsets_db",
-    "threshold_rms",
-]
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -7,9 +7,9 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike
 
-from skinsource.arguments import finite_array, positive_number
-from skinsource.arrays import Complexes, Floats
-from skinsource.errors import InvalidInputError
+from skinsource.base.arguments import finite_array, positive_number
+from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.errors import InvalidInputError
 
 #: Frequencies and qualities of Wh (ISO 5349-1:2001, annex A): band limits, transition.
 _F1_HZ, _F2_HZ, _F3_HZ, _F4_HZ = 6.310, 1258.9, 15.915, 15.915

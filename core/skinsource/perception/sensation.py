@@ -4,13 +4,14 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike
 
-from skinsource.arguments import finite_array, positive_number
-from skinsource.arrays import Floats
-from skinsource.errors import InvalidInputError
-from skinsource.limb import LIMB_NAMES, PUBLISHED
-from skinsource.locations import ARM_REGIONS, output_place
+from skinsource.base.arguments import finite_array, positive_number
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import LIMB_NAMES
+from skinsource.base.quoting import quoted
+from skinsource.limbs.limb import PUBLISHED
+from skinsource.limbs.locations import ARM_REGIONS, output_place
 from skinsource.perception.thresholds import CHANNELS, Channel, threshold_rms
-from skinsource.quoting import quoted
 
 #: To be shown beside every number of this module.
 LIMITS = (

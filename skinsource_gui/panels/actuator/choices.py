@@ -6,8 +6,8 @@ from typing import Any
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
-from skinsource.actuator_demand import ActuatorSettings, actuator_spec
-from skinsource.fields import NumberSpec, Spec, specs_of
+from skinsource.engine.actuator_demand import ActuatorSettings, actuator_spec
+from skinsource.specs.fields import NumberSpec, Spec, specs_of
 from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.field_grid import FieldGrid

@@ -5,12 +5,12 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.actuator_demand import ActuatorSettings
-from skinsource.actuators import Actuator, ResponseShape
-from skinsource.arrays import Floats
-from skinsource.decibels import decibels
-from skinsource.equalising import curves
-from skinsource.limb import Band
+from skinsource.actuators.actuator import Actuator, ResponseShape
+from skinsource.actuators.equalising import curves
+from skinsource.base.arrays import Floats
+from skinsource.base.decibels import decibels
+from skinsource.base.published import Band
+from skinsource.engine.actuator_demand import ActuatorSettings
 from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import CurveName, Curves
 

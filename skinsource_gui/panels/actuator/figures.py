@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 from math import isnan
 
-from skinsource.actuator_demand import ActuatorSettings
-from skinsource.actuators import Prediction, breaches
-from skinsource.limb import LARGEST_VELOCITY_M_PER_S
+from skinsource.actuators.prediction import Prediction, breaches
+from skinsource.base.published import LARGEST_VELOCITY_M_PER_S
+from skinsource.engine.actuator_demand import ActuatorSettings
 from skinsource_gui.widgets.fields.units import value_text
 
 _DIGITS = 3

@@ -3,8 +3,8 @@
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
-from skinsource.actuator_demand import LONGEST_S, ActuatorSettings, Demand
-from skinsource.locations import input_words
+from skinsource.engine.actuator_demand import LONGEST_S, ActuatorSettings, Demand
+from skinsource.limbs.locations import input_words
 from skinsource_gui.panel import PREPARING
 from skinsource_gui.panels.actuator.figures import Figure, rows_of
 from skinsource_gui.panels.actuator.figures_table import FiguresTable

@@ -9,16 +9,21 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from skinsource import edits
-from skinsource.actuator_demand import ActuatorSettings, Demand, actuation_of, settings_through
-from skinsource.design import Design
-from skinsource.edits.selection import clip_of
-from skinsource.equalising import followed_band
-from skinsource.limb import Band
-from skinsource.own_limbs import facts_of
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.view import View
-from skinsource.waveforms import CentredTap, Tap
+from skinsource.actuators.equalising import followed_band
+from skinsource.base.published import Band
+from skinsource.design import edits
+from skinsource.design.design import Design
+from skinsource.design.edits.edit import clip_of
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
+from skinsource.design.waveforms import CentredTap, Tap
+from skinsource.engine.actuator_demand import (
+    ActuatorSettings,
+    Demand,
+    actuation_of,
+    settings_through,
+)
+from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.actuator.choices import ActuatorChoices
 from skinsource_gui.panels.actuator.demand_curves import (

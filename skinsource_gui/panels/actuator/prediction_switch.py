@@ -3,8 +3,8 @@
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QLabel, QVBoxLayout, QWidget
 
-from skinsource.actuator_demand import ActuatorSettings, actuation_of
-from skinsource.design import Design
+from skinsource.design.design import Design
+from skinsource.engine.actuator_demand import ActuatorSettings, actuation_of
 from skinsource_gui.theme import UNIT_PX, set_tone
 
 _TITLE = "Predict through the actuator"

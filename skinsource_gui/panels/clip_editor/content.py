@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF
 
-from skinsource.arrays import Floats
-from skinsource.clips import Clip
+from skinsource.base.arrays import Floats
+from skinsource.design.clips import Clip
 from skinsource_gui.widgets.time.time_scale import TimeScale
 
 #: Values that can be seen at least, so that there is room to draw.

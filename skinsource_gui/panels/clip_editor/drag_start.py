@@ -1,8 +1,8 @@
 """What there was before a drag, so that it can be given up."""
 
-from skinsource.design import Design
-from skinsource.edits import Edit
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.edits import Edit
+from skinsource.design.view import View
 
 
 class DragStart:

@@ -3,14 +3,14 @@
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QMessageBox, QWidget
 
-from skinsource import edits
-from skinsource.arrays import Floats
-from skinsource.clips import Clip
-from skinsource.design import Design
-from skinsource.edits import Refusal
-from skinsource.quoting import sentence
-from skinsource.view import View
-from skinsource.waveforms import Drawn, Waveform
+from skinsource.base.arrays import Floats
+from skinsource.base.quoting import sentence
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design
+from skinsource.design.edits import Refusal
+from skinsource.design.view import View
+from skinsource.design.waveforms import Drawn, Waveform
 from skinsource_gui.panels.clip_editor.drag_start import DragStart
 from skinsource_gui.panels.clip_editor.tools.pen import Pen
 from skinsource_gui.widgets.inputs.input_words import figure_text

@@ -3,14 +3,14 @@
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 
-from skinsource import edits
-from skinsource.clips import Clip
-from skinsource.design import Design
-from skinsource.effects.breakpoints import Points
-from skinsource.own_limbs import facts_of
-from skinsource.synthesis.glide_curves import Column, Curve, bends_of, curve_of
-from skinsource.view import View
-from skinsource.waveforms import Glide
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design
+from skinsource.design.effects.breakpoints import Points
+from skinsource.design.view import View
+from skinsource.design.waveforms import Glide
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.signals.synthesis import Column, Curve, bends_of, curve_of
 from skinsource_gui.panels.clip_editor.drag_start import DragStart
 from skinsource_gui.panels.clip_editor.tools.adding import add_point
 from skinsource_gui.panels.clip_editor.tools.glide import GlideTool

@@ -7,16 +7,16 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QLabel, QStackedLayout, QVBoxLayout, QWidget
 
-from skinsource.arrays import Floats
-from skinsource.clips import Clip
-from skinsource.design import Design
-from skinsource.edits import Refusal
-from skinsource.edits.selection import clip_of
-from skinsource.errors import InvalidInputError
-from skinsource.locations import input_words
-from skinsource.own_limbs import facts_of
-from skinsource.view import View
-from skinsource.voices import UnplayableInput
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design
+from skinsource.design.edits import Refusal
+from skinsource.design.edits.edit import clip_of
+from skinsource.design.signal_path import UnplayableInput
+from skinsource.design.view import View
+from skinsource.limbs.locations import input_words
+from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.clip_editor.body import EditorBody
 from skinsource_gui.panels.clip_editor.drawing import Drawing

@@ -5,9 +5,9 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, QRectF, Signal
 from PySide6.QtGui import QWheelEvent
 
-from skinsource.arrays import Floats
-from skinsource.clips import Clip
-from skinsource.own_limbs import facts_of
+from skinsource.base.arrays import Floats
+from skinsource.design.clips import Clip
+from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.panels.clip_editor.content import EditorContent, reach_of
 from skinsource_gui.widgets.time.time_scale import Range, TimeScale, panned, within, zoomed
 from skinsource_gui.widgets.time.time_wheel import range_by_wheel

@@ -3,13 +3,13 @@
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 
-from skinsource import edits
-from skinsource.clips import Clip
-from skinsource.design import Design
-from skinsource.effects import Envelope
-from skinsource.effects.breakpoints import Points
-from skinsource.effects.envelope import UNCHANGED
-from skinsource.view import View
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design
+from skinsource.design.effects import Envelope
+from skinsource.design.effects.breakpoints import Points
+from skinsource.design.effects.level import UNCHANGED
+from skinsource.design.view import View
 from skinsource_gui.panels.clip_editor.drag_start import DragStart
 from skinsource_gui.panels.clip_editor.tools.adding import add_point
 from skinsource_gui.panels.clip_editor.tools.envelope import EnvelopeTool

@@ -6,9 +6,9 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from skinsource.arrays import Floats
-from skinsource.limb import Band
-from skinsource.spectra import share_outside_band
+from skinsource.base.arrays import Floats
+from skinsource.base.published import Band
+from skinsource.signals.spectra import share_outside_band
 from skinsource_gui.theme import current_theme, scaled, tabular
 from skinsource_gui.widgets.kept_picture import KeptPicture
 from skinsource_gui.widgets.paper import dots_in_px, thin_pen

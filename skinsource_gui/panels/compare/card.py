@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QPoint, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QMenu, QSizePolicy, QWidget
 
-from skinsource.comparing import gain_words, match_words
+from skinsource.design.comparing import gain_words, match_words
 from skinsource_gui.compared import Compared, is_silent
 from skinsource_gui.panels.compare.card_words import level_words, sentence
 from skinsource_gui.theme import UNIT_PX, current_theme, tabular

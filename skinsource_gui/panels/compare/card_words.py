@@ -2,11 +2,11 @@
 
 from collections.abc import Sequence
 
-from skinsource import scenes
-from skinsource.choice_words import short_limb_title
-from skinsource.comparing import EDITED, alike, gain_words, louder, loudest_db
-from skinsource.decibels import FLOOR_DB
-from skinsource.quoting import printable
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.base.quoting import printable
+from skinsource.design.comparing import EDITED, alike, gain_words, louder, loudest_db
+from skinsource.design.labels import short_limb_title
+from skinsource.studies import scenes
 from skinsource_gui.compared import LEVELS_MATCHED, Compared, alike_in_level, gain_db, matched_text
 from skinsource_gui.widgets.fields.level_text import minus
 

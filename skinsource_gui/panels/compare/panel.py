@@ -14,8 +14,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource import edits
-from skinsource.comparing import (
+from skinsource.design import edits
+from skinsource.design.comparing import (
     EDITED,
     NUMBERS,
     difference_db,
@@ -24,16 +24,9 @@ from skinsource.comparing import (
     same_outputs,
     shown,
 )
-from skinsource.design import Design
-from skinsource.view import View
-from skinsource_gui.compared import (
-    ELSEWHERE,
-    SILENCE,
-    Compared,
-    alike_in_level,
-    gain_db,
-    is_silent,
-)
+from skinsource.design.design import Design
+from skinsource.design.view import View
+from skinsource_gui.compared import ELSEWHERE, SILENCE, Compared, alike_in_level, gain_db, is_silent
 from skinsource_gui.figure_panel import COMPUTING
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.compare.card import Card

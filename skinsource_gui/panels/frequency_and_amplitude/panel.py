@@ -2,22 +2,19 @@
 
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from skinsource import edits, scenes
-from skinsource.chain import is_gain, peak_text
-from skinsource.clips import Clip
-from skinsource.clips.clip import ONSET as ONSET_S
-from skinsource.design import AMPLITUDE, AMPLITUDE_GAIN, Design, Input, amplitude_spec
-from skinsource.edits.selection import clip_of
-from skinsource.fields import Spec, specs_of
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.view import View
+from skinsource.design import edits
+from skinsource.design.amplitudes import is_gain, peak_text
+from skinsource.design.clips import ONSET as ONSET_S
+from skinsource.design.clips import Clip
+from skinsource.design.design import AMPLITUDE, AMPLITUDE_GAIN, Design, Input, amplitude_spec
+from skinsource.design.edits.edit import clip_of
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
+from skinsource.specs.fields import Spec, specs_of
+from skinsource.studies import scenes
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.frequency_and_amplitude.heading import Heading
-from skinsource_gui.panels.frequency_and_amplitude.settings import (
-    ALL,
-    CONTROL,
-    ControlSettings,
-)
+from skinsource_gui.panels.frequency_and_amplitude.settings import ALL, CONTROL, ControlSettings
 from skinsource_gui.panels.frequency_and_amplitude.settings import AMPLITUDE as TURNS_AMPLITUDE
 from skinsource_gui.panels.frequency_and_amplitude.settings import FREQUENCY as TURNS_FREQUENCY
 from skinsource_gui.panels.frequency_and_amplitude.settings import ONSET as TURNS_ONSET

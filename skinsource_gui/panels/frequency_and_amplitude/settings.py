@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from skinsource import fields
-from skinsource.fields import ChoiceSpec
+from skinsource.specs import fields
+from skinsource.specs.fields import ChoiceSpec
 
 ALL, FREQUENCY, AMPLITUDE, ONSET = "all", "frequency", "amplitude", "onset"
 CONTROL = ChoiceSpec(

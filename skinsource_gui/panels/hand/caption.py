@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from skinsource.locations import input_words
+from skinsource.limbs.locations import input_words
 from skinsource_gui.panels.hand.hand_state import HandState
 
 #: What an empty hand asks for.

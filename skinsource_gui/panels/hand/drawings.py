@@ -6,10 +6,10 @@ import numpy as np
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainterPath
 
-from skinsource.arrays import Floats
-from skinsource.limb import LimbFacts, LimbMap
-from skinsource.own_limbs import facts_of, own_map
-from skinsource.synthetic import standard_hand
+from skinsource.base.arrays import Floats
+from skinsource.limbs.limb import LimbFacts, LimbMap
+from skinsource.limbs.own_limbs import facts_of, own_map
+from skinsource.limbs.synthetic import standard_hand
 from skinsource_gui.panels.hand.hand_drawing import HandDrawing, palmar_drawing, polygon
 
 # Outline pixels in one hand length, as in the project's own hand.

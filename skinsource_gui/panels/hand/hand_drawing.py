@@ -17,8 +17,8 @@ from PySide6.QtGui import (
     QTransform,
 )
 
-from skinsource.hand.outline import HandShape
-from skinsource.locations import DIGITS
+from skinsource.limbs.hand import HandShape
+from skinsource.limbs.locations import DIGITS
 from skinsource_gui.theme import Theme
 
 #: How much of the arm is drawn below the wrist, and where it begins to fade, in outline px.

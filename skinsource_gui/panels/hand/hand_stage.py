@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, QPointF, QRectF, Signal
 from PySide6.QtGui import QFontMetricsF, QPainter
 from PySide6.QtWidgets import QWidget
 
-from skinsource.locations import input_words
+from skinsource.limbs.locations import input_words
 from skinsource_gui.panels.hand.caption import HINT
 from skinsource_gui.panels.hand.hand_drawing import HandDrawing
 from skinsource_gui.panels.hand.hand_layout import HandLayout, fitted_hand, hand_layout

@@ -7,12 +7,12 @@ from typing import ClassVar
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtWidgets import QLabel, QMenu, QStackedLayout, QWidget
 
-from skinsource import edits
-from skinsource.design import Design, Input, audible_inputs
-from skinsource.edits import Edit, Refusal
-from skinsource.own_limbs import facts_of
-from skinsource.quoting import quoted
-from skinsource.view import View
+from skinsource.base.quoting import quoted
+from skinsource.design import edits
+from skinsource.design.design import Design, Input, audible_inputs
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.view import View
+from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.hand.drawings import drawing_of
 from skinsource_gui.panels.hand.hand_diagram import HandDiagram

@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource.design import Design
+from skinsource.design.design import Design
 from skinsource_gui.panels.hand.hand_stage import HandStage
 
 

@@ -6,17 +6,17 @@ from functools import lru_cache
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QApplication
 
-from skinsource import edits
-from skinsource.clips import GAIN, ONSET, Clip
-from skinsource.design import AMPLITUDE, GAIN_CURVE, Input
-from skinsource.edits.kinds import kind_name, kind_spec
-from skinsource.edits.selection import clip_of, clips_of
-from skinsource.fields import ChoiceSpec, NumberSpec, specs_of
-from skinsource.limb import Band, LimbFacts
-from skinsource.locations import input_words
-from skinsource.own_limbs import facts_of
-from skinsource.view import View
-from skinsource.waveforms import Drawn, Recording, Waveform
+from skinsource.base.published import Band
+from skinsource.design import edits
+from skinsource.design.clips import GAIN, ONSET, Clip
+from skinsource.design.design import AMPLITUDE, GAIN_CURVE, Input
+from skinsource.design.edits.edit import clip_of, clips_of, kind_name, kind_spec
+from skinsource.design.view import View
+from skinsource.design.waveforms import Drawn, Recording, Waveform
+from skinsource.limbs.limb import LimbFacts
+from skinsource.limbs.locations import input_words
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.specs.fields import ChoiceSpec, NumberSpec, specs_of
 from skinsource_gui.panels.inspector.button_cell import file_cell, pen_cell
 from skinsource_gui.widgets.fields.edited_cell import LabelledCell, WordsCell
 from skinsource_gui.widgets.fields.field_cell import FieldCell

@@ -4,8 +4,8 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
-from skinsource.design import Input
-from skinsource.locations import PlaceWords, input_words
+from skinsource.design.design import Input
+from skinsource.limbs.locations import PlaceWords, input_words
 from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.inputs.letter_button import mute_button, solo_button
 from skinsource_gui.widgets.inputs.swatch import Swatch

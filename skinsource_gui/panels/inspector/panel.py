@@ -13,11 +13,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.chain import is_gain, peak_text
-from skinsource.design import AMPLITUDE_GAIN, Design, Input, amplitude_spec, audible_inputs
-from skinsource.edits.selection import clip_of, clips_of
-from skinsource.view import View
-from skinsource.voices import UnplayableInput
+from skinsource.design.amplitudes import is_gain, peak_text
+from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, amplitude_spec, audible_inputs
+from skinsource.design.edits.edit import clip_of, clips_of
+from skinsource.design.signal_path import UnplayableInput
+from skinsource.design.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.inspector.effects.chain_edits import ChainEdits
 from skinsource_gui.panels.inspector.effects.effect_chain import EffectChain

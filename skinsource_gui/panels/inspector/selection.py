@@ -2,10 +2,10 @@
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource import edits
-from skinsource.design import Design, Input
-from skinsource.edits import Edit, Refusal
-from skinsource.view import View
+from skinsource.design import edits
+from skinsource.design.design import Design, Input
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.view import View
 from skinsource_gui.widgets.inputs.field_changes import FieldChanges
 
 

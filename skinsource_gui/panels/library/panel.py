@@ -7,11 +7,11 @@ from PySide6.QtCore import QPoint, QSize, Qt
 from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QBoxLayout, QLabel, QMenu, QMessageBox, QVBoxLayout, QWidget
 
-from skinsource import edits
-from skinsource.counting import counted
-from skinsource.design import Design
-from skinsource.presets import Entry, matching
-from skinsource.view import View
+from skinsource.base.work import counted
+from skinsource.design import edits
+from skinsource.design.design import Design
+from skinsource.design.presets.presets import Entry, matching
+from skinsource.design.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.library.buttons import LibraryButtons
 from skinsource_gui.panels.library.preset_list import PresetList

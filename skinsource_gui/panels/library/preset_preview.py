@@ -5,11 +5,11 @@ from html import escape
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
-from skinsource.errors import SkinSourceError
-from skinsource.locations import input_words
-from skinsource.own_limbs import facts_of
-from skinsource.presets import Preset, mixed
-from skinsource.quoting import sentence
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.quoting import sentence
+from skinsource.design.presets.presets import Preset, mixed
+from skinsource.limbs.locations import input_words
+from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.theme import current_theme
 from skinsource_gui.widgets.inputs.clip_strip import ClipStrip, strip_lanes
 from skinsource_gui.widgets.plot.spectrum_preview import SpectrumPreview

@@ -13,7 +13,7 @@ from PySide6.QtCore import (
     Signal,
 )
 
-from skinsource.presets import Entry
+from skinsource.design.presets.presets import Entry
 
 _Role = Qt.ItemDataRole
 #: `Entry`; whether it is the user's own; tags in a line.

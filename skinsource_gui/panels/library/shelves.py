@@ -4,9 +4,9 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource import presets
-from skinsource.errors import SkinSourceError
-from skinsource.presets import Entry, Fault, Shelf
+from skinsource.base.errors import SkinSourceError
+from skinsource.design.presets import presets
+from skinsource.design.presets.presets import Entry, Fault, Shelf
 from skinsource_gui.panels.library.folder_watch import FolderWatch
 
 

@@ -7,9 +7,9 @@ from pyqtgraph.functions import arrayToQPath
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPixmap
 
-from skinsource.arrays import Floats
-from skinsource.errors import SkinSourceError
-from skinsource.presets import Preset, mixed
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import SkinSourceError
+from skinsource.design.presets.presets import Preset, mixed
 
 SIZE_PX = QSize(44, 26)
 #: Pixels of the screen for each of them, at most.

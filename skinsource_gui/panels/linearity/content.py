@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from skinsource.analysis.bands import BIN_HZ
-from skinsource.arrays import Floats
-from skinsource.checking import Proportion, Straightness, Superposition
-from skinsource.resampling import finer
+from skinsource.base.arrays import Floats
+from skinsource.signals.analysis.statistics import BIN_HZ
+from skinsource.signals.resampling import finer
+from skinsource.studies.checking import Proportion, Straightness, Superposition
 from skinsource_gui.panels.linearity.curve import Curve, Diagram
 from skinsource_gui.panels.linearity.strength import StrengthUnit
 from skinsource_gui.widgets.figure.axes import Axis

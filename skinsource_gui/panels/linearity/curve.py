@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from skinsource.arrays import Floats
+from skinsource.base.arrays import Floats
 from skinsource_gui.widgets.figure.axes import Axis
 
 #: Radius of the dots.

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from skinsource.checking import joint_of, strengths_of
-from skinsource.comparing import EDITED
+from skinsource.design.comparing import EDITED
+from skinsource.studies.checking import joint_of, strengths_of
 from skinsource_gui.compared import Compared
 
 _STORED_ALONE = "snapshots alone"

@@ -7,9 +7,15 @@ from typing import Any, ClassVar
 import numpy as np
 from PySide6.QtWidgets import QToolButton, QWidget
 
-from skinsource.arrays import Floats
-from skinsource.chain import amplitude_unit, is_gain
-from skinsource.checking import (
+from skinsource.base.arrays import Floats
+from skinsource.design.amplitudes import amplitude_unit, is_gain
+from skinsource.design.comparing import NUMBERS, Snapshot
+from skinsource.design.design import Design
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
+from skinsource.limbs.own_limbs import axes_on, facts_of
+from skinsource.specs.fields import SwitchSpec
+from skinsource.studies.checking import (
     Proportion,
     Straightness,
     Superposition,
@@ -17,12 +23,6 @@ from skinsource.checking import (
     straightness,
     superposition,
 )
-from skinsource.comparing import NUMBERS, Snapshot
-from skinsource.design import Design
-from skinsource.fields import SwitchSpec
-from skinsource.own_limbs import axes_on, facts_of
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.view import View
 from skinsource_gui.compared import Compared
 from skinsource_gui.figure_panel import SILENT, FigurePanel
 from skinsource_gui.panels.linearity.content import (

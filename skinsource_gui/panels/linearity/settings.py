@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from skinsource import fields
-from skinsource.fields import SwitchSpec
+from skinsource.specs import fields
+from skinsource.specs.fields import SwitchSpec
 
 VELOCITY = SwitchSpec(
     label="In mm/s",

@@ -1,6 +1,6 @@
 """The numbers of the panel for a spreadsheet."""
 
-from skinsource.checking import Proportion, Straightness, Superposition
+from skinsource.studies.checking import Proportion, Straightness, Superposition
 from skinsource_gui.panels.linearity.strength import StrengthUnit
 from skinsource_gui.widgets.copied_numbers import copied
 

@@ -6,8 +6,8 @@ from typing import Any, ClassVar
 import numpy as np
 from PySide6.QtWidgets import QWidget
 
-from skinsource.design import Design
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.view import View
 from skinsource_gui.figure_panel import SILENT, FigurePanel
 from skinsource_gui.panels.main_axis.picture import MainAxisPicture, Shown
 from skinsource_gui.widgets.copied_numbers import copied

@@ -8,8 +8,8 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
-from skinsource.analysis.main_axes import MainAxes, ellipse
-from skinsource.locations import output_words
+from skinsource.limbs.locations import output_words
+from skinsource.signals.projection import MainAxes, ellipse
 from skinsource_gui.theme import UNIT_PX, current_theme
 from skinsource_gui.widgets.figure.figure import Figure
 

@@ -14,16 +14,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.analysis_rules.perception_rules import Sensation
-from skinsource.comparing import match_words
-from skinsource.design import Design
-from skinsource.errors import SkinSourceError
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.perception import LIMITS
-from skinsource.perception.settings import AREA, PerceptionSettings, held
-from skinsource.perception.threshold_table import read_threshold_table
-from skinsource.quoting import printable
-from skinsource.view import View
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.quoting import printable
+from skinsource.design.comparing import match_words
+from skinsource.design.design import Design
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
+from skinsource.engine.analysis_rules import Sensation
+from skinsource.perception.sensation import LIMITS
+from skinsource.perception.thresholds import AREA, PerceptionSettings, held, read_threshold_table
 from skinsource_gui.figure_panel import COMPUTING
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.perception.contact import (

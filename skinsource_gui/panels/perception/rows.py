@@ -1,7 +1,7 @@
 """Levels above threshold as a table."""
 
-from skinsource.analysis_rules.perception_rules import SILENT_DB, Sensation
-from skinsource.locations import output_words
+from skinsource.engine.analysis_rules import SILENT_DB, Sensation
+from skinsource.limbs.locations import output_words
 from skinsource_gui.widgets.copied_numbers import copied_level
 
 _TITLES = {"P": "P\ndB", "NP I": "NP I\ndB", "own": "Own\ndB"}

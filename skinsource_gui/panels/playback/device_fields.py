@@ -6,14 +6,14 @@ from typing import Any
 from PySide6.QtCore import QObject, QSignalBlocker, Signal
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QToolButton, QWidget
 
-from skinsource.fields import ChoiceSpec, NumberSpec
-from skinsource.playing import Output
-from skinsource.playing.output import (
+from skinsource.lab.playing.devices import (
     LEAST_SHIFT_HZ,
     LONGEST_LATENCY_S,
     MOST_SHIFT_HZ,
     SHORTEST_LATENCY_S,
+    Output,
 )
+from skinsource.specs.fields import ChoiceSpec, NumberSpec
 from skinsource_gui.played import Played
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField

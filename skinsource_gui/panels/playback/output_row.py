@@ -5,9 +5,9 @@ from functools import partial
 from PySide6.QtCore import QObject, QSize, Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
-from skinsource.fields import NumberSpec
-from skinsource.locations import PlaceWords, input_words
-from skinsource.playing.output import MOST_OUTPUTS
+from skinsource.lab.playing.devices import MOST_OUTPUTS
+from skinsource.limbs.locations import PlaceWords, input_words
+from skinsource.specs.fields import NumberSpec
 from skinsource_gui.played import Played
 from skinsource_gui.theme import tabular
 from skinsource_gui.widgets.fields.number_field import NumberField

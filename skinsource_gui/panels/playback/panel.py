@@ -13,10 +13,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.chain import amplitude_unit
-from skinsource.design import Design
-from skinsource.playing import Output
-from skinsource.view import View
+from skinsource.design.amplitudes import amplitude_unit
+from skinsource.design.design import Design
+from skinsource.design.view import View
+from skinsource.lab.playing.devices import Output
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.playback.device_fields import DeviceFields
 from skinsource_gui.panels.playback.output_row import OutputRow

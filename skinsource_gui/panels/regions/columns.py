@@ -6,10 +6,10 @@ from functools import partial
 
 import numpy as np
 
-from skinsource.choice_words import LIMBS, word_of
-from skinsource.comparing.regions import REGION_OUTPUTS, mean_and_spread, region_levels_db
-from skinsource.decibels import FLOOR_DB
-from skinsource.limb import PUBLISHED
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.design.comparing import REGION_OUTPUTS, mean_and_spread, region_levels_db
+from skinsource.design.labels import LIMBS, word_of
+from skinsource.limbs.limb import PUBLISHED
 from skinsource_gui.compared import LEVELS_MATCHED, Compared, gain_db
 from skinsource_gui.figure_panel import COMPUTING
 from skinsource_gui.widgets.copied_numbers import copied_level

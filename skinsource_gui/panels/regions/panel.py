@@ -13,12 +13,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.choice_words import signal_words, span_words
-from skinsource.comparing import limbs_beside
-from skinsource.design import Design
-from skinsource.limb import PUBLISHED
-from skinsource.own_limbs import missing_limb
-from skinsource.view import View
+from skinsource.design.comparing import limbs_beside
+from skinsource.design.design import Design
+from skinsource.design.labels import signal_words, span_words
+from skinsource.design.view import View
+from skinsource.limbs.limb import PUBLISHED
+from skinsource.limbs.own_limbs import missing_limb
 from skinsource_gui.compared import (
     LEVELS_MATCHED,
     Compared,

@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QFont, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QSizePolicy, QTableWidget, QTableWidgetItem
 
-from skinsource.comparing.regions import REGION_OUTPUTS
+from skinsource.design.comparing import REGION_OUTPUTS
 from skinsource_gui.panels.regions.columns import Column
 from skinsource_gui.theme import UNIT_PX, scaled, tabular
 from skinsource_gui.widgets.name_column import dress_table

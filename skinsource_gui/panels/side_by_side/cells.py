@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.analysis.noise import LEAST_ABOVE_NOISE_DB
-from skinsource.arrays import Floats
-from skinsource.comparing import difference_db, end_db, mean_and_spread_over, same_outputs
-from skinsource.decibels import FLOOR_DB
+from skinsource.base.arrays import Floats
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.design.comparing import difference_db, end_db, mean_and_spread_over, same_outputs
+from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource_gui.compared import ELSEWHERE, SILENCE, Compared, gain_db, is_silent
 from skinsource_gui.panels.side_by_side.content import Cell
 from skinsource_gui.widgets.map.colour_maps import DIVERGING

@@ -7,17 +7,12 @@ from PySide6.QtCore import QEvent, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from skinsource.design import Design
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
 from skinsource_gui.panels.side_by_side.kinds import KINDS
 from skinsource_gui.panels.side_by_side.limbs_menu import LimbsButton
-from skinsource_gui.panels.side_by_side.settings import (
-    OF,
-    OWN_MAXIMUM,
-    SHOWN,
-    SideBySideSettings,
-)
+from skinsource_gui.panels.side_by_side.settings import OF, OWN_MAXIMUM, SHOWN, SideBySideSettings
 from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.folding_row import FoldingRow

@@ -5,8 +5,8 @@ from functools import cached_property
 
 import numpy as np
 
-from skinsource.arrays import Floats
-from skinsource.design import Design
+from skinsource.base.arrays import Floats
+from skinsource.design.design import Design
 from skinsource_gui.widgets.fields.level_text import output_text
 from skinsource_gui.widgets.map.scale_row import SILENT, Scale
 from skinsource_gui.widgets.map.small_map import SmallMap

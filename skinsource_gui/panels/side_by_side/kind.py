@@ -4,9 +4,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any, ClassVar
 
-from skinsource.choice_words import signal_words, span_words
-from skinsource.design import Design
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.labels import signal_words, span_words
+from skinsource.design.view import View
 from skinsource_gui.compared import SILENT, Compared, is_silent, matched_text, shown_words
 from skinsource_gui.panels.side_by_side.cells import Cells, Names
 from skinsource_gui.panels.side_by_side.content import Cell

@@ -6,9 +6,9 @@ from functools import partial
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
-from skinsource.catalogue import available_limbs
-from skinsource.choice_words import limb_word
-from skinsource.comparing import MOST_BESIDE
+from skinsource.design.comparing import MOST_BESIDE
+from skinsource.design.labels import limb_word
+from skinsource.limbs.catalogue import available_limbs
 from skinsource_gui.panels.side_by_side.settings import LEAST_BESIDE
 
 

@@ -3,10 +3,10 @@
 from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar
 
-from skinsource.choice_words import span_words
-from skinsource.comparing import Snapshot
-from skinsource.design import Design
-from skinsource.view import View
+from skinsource.design.comparing import Snapshot
+from skinsource.design.design import Design
+from skinsource.design.labels import span_words
+from skinsource.design.view import View
 from skinsource_gui.compared import Compared, shown_words
 from skinsource_gui.panels.side_by_side.cells import Names
 from skinsource_gui.panels.side_by_side.kind import Kind

@@ -3,10 +3,10 @@
 from collections.abc import Mapping, Sequence
 from typing import ClassVar
 
-from skinsource.choice_words import AXES, limb_word, short_limb_title, word_of
-from skinsource.design import Design
-from skinsource.limb import PUBLISHED
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.labels import AXES, limb_word, short_limb_title, word_of
+from skinsource.design.view import View
+from skinsource.limbs.limb import PUBLISHED
 from skinsource_gui.compared import Compared
 from skinsource_gui.panels.side_by_side.cells import Names
 from skinsource_gui.panels.side_by_side.kind import LEVELS, Kind

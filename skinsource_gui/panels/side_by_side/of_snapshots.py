@@ -3,14 +3,14 @@
 from collections.abc import Sequence
 from typing import ClassVar
 
-from skinsource import scenes
-from skinsource.choice_words import AXES, short_limb_title, word_of
-from skinsource.comparing import EDITED, nothing_to_compare, shown
-from skinsource.design import Design
-from skinsource.limb import Axes
-from skinsource.own_limbs import axes_on
-from skinsource.quoting import printable
-from skinsource.view import View
+from skinsource.base.published import Axes
+from skinsource.base.quoting import printable
+from skinsource.design.comparing import EDITED, nothing_to_compare, shown
+from skinsource.design.design import Design
+from skinsource.design.labels import AXES, short_limb_title, word_of
+from skinsource.design.view import View
+from skinsource.limbs.own_limbs import axes_on
+from skinsource.studies import scenes
 from skinsource_gui.compared import LEVELS_MATCHED, Compared, alike_in_level
 from skinsource_gui.panels.side_by_side.cells import Names
 from skinsource_gui.panels.side_by_side.kind import LEVELS, Kind

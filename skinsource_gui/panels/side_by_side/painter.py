@@ -15,9 +15,7 @@ from skinsource_gui.widgets.map.colour_maps import colour_table
 from skinsource_gui.widgets.map.length_bar import paint_small_bar
 from skinsource_gui.widgets.map.output_rings import paint_rings
 from skinsource_gui.widgets.map.scale_row import paint_scale_row
-from skinsource_gui.widgets.map.small_map import (
-    paint_small_map,
-)
+from skinsource_gui.widgets.map.small_map import paint_small_map
 
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 _PALE, _BAND_ALPHA = 0.5, 0.15

@@ -8,9 +8,9 @@ from PySide6.QtCore import QRectF, QSize
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
-from skinsource import edits
-from skinsource.design import Design
-from skinsource.view import View
+from skinsource.design import edits
+from skinsource.design.design import Design
+from skinsource.design.view import View
 from skinsource_gui.compared import Compared
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.side_by_side.cells import Cells

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from PySide6.QtCore import QPointF
 
-from skinsource.arrays import Floats
+from skinsource.base.arrays import Floats
 from skinsource_gui.panels.side_by_side.content import Content
 from skinsource_gui.panels.side_by_side.layout import Places
 from skinsource_gui.widgets.map.small_map import small_frame

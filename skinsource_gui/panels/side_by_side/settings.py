@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass
 
-from skinsource import fields
-from skinsource.comparing import MOST_BESIDE, limbs_beside
-from skinsource.fields import ChoiceSpec, SwitchSpec, TextSpec
+from skinsource.design.comparing import MOST_BESIDE, limbs_beside
+from skinsource.specs import fields
+from skinsource.specs.fields import ChoiceSpec, SwitchSpec, TextSpec
 
 OF = ChoiceSpec(
     label="Of",
@@ -46,7 +46,7 @@ class SideBySideSettings:
         Whether the levels of each are drawn relative to its own loudest output.
     limbs
         Names of the chosen limbs with spaces between; empty: those that belong beside the one of
-        the design, see `skinsource.comparing.limbs_beside`.
+        the design, see `skinsource.design.comparing.limbs_beside`.
     """
 
     of: str = fields.choice("limbs", OF)

@@ -5,11 +5,11 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource import edits
-from skinsource.design import Design
-from skinsource.edits import Refusal
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.view import View
+from skinsource.design import edits
+from skinsource.design.design import Design
+from skinsource.design.edits import Refusal
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
 from skinsource_gui.panels.skin.map_quantity import LEVELS, SENSATION, STILL
 from skinsource_gui.panels.skin.settings import SkinSettings
 

@@ -2,10 +2,10 @@
 
 from dataclasses import dataclass, fields, replace
 
-from skinsource.arrays import Floats
-from skinsource.limb import Limb, LimbMap
-from skinsource.quoting import sentence
-from skinsource.surface import SurfaceOperator
+from skinsource.base.arrays import Floats
+from skinsource.base.quoting import sentence
+from skinsource.limbs.limb import Limb, LimbMap
+from skinsource.limbs.surface.operator import SurfaceOperator
 from skinsource_gui.panels.skin.inputs.marks import InputMark
 from skinsource_gui.panels.skin.map_quantity import LEVELS, MapQuantity
 from skinsource_gui.panels.skin.scale.level_range import SILENT_RANGE, Range

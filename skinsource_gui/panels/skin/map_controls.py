@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QPoint, Qt
 
-from skinsource.view import View
+from skinsource.design.view import View
 from skinsource_gui.panels.skin.map_choices import MapChoices
 from skinsource_gui.panels.skin.map_menu import open_colours_menu
 from skinsource_gui.panels.skin.map_quantity import Z

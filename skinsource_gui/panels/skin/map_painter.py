@@ -14,17 +14,12 @@ from PySide6.QtGui import (
     QPolygonF,
 )
 
-from skinsource.limb import LimbMap
+from skinsource.limbs.limb import LimbMap
 from skinsource_gui.panels.skin.inputs.marks import paint_marks
 from skinsource_gui.panels.skin.length_bar import length_bar, paint_length_bar
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.noise_hatch import paint_hatch
-from skinsource_gui.panels.skin.output_labels import (
-    is_crowded,
-    is_on_card,
-    paint_labels,
-    square,
-)
+from skinsource_gui.panels.skin.output_labels import is_crowded, is_on_card, paint_labels, square
 from skinsource_gui.panels.skin.stage.map_layout import MapLayout
 from skinsource_gui.panels.skin.triad import paint_triad
 from skinsource_gui.theme import Theme

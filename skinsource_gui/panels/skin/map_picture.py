@@ -5,12 +5,12 @@ from dataclasses import dataclass, replace
 from PySide6.QtCore import QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
-from skinsource.analysis.noise import LEAST_ABOVE_NOISE_DB
-from skinsource.choice_words import limb_word, signal_words
-from skinsource.design import Design
-from skinsource.limb import LimbMap
-from skinsource.own_limbs import facts_of
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.labels import limb_word, signal_words
+from skinsource.design.view import View
+from skinsource.limbs.limb import LimbMap
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_painter import MapPainter, small_font
 from skinsource_gui.panels.skin.map_quantity import SENSATION, MapQuantity

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from skinsource.choice_words import AXES, level_words, signal_words, span_words, word_of
+from skinsource.design.labels import AXES, level_words, signal_words, span_words, word_of
 from skinsource_gui.widgets.fields.level_text import minus
 
 #: Levels; along z, with its sign; the length of the vector; the RMS of a window that slides.
@@ -25,7 +25,7 @@ class MapQuantity:
     span
         What levels are the RMS over.
     signal
-        What the sliding RMS is that of, as in `skinsource.choice_words`.
+        What the sliding RMS is that of, as in `skinsource.design.labels`.
     window_s
         Its length.
     time_s

@@ -2,8 +2,8 @@
 
 from PySide6.QtCore import QPointF
 
-from skinsource.choice_words import TRIAD_SENTENCE
-from skinsource.counting import counted
+from skinsource.base.work import counted
+from skinsource.design.labels import TRIAD_SENTENCE
 from skinsource_gui.panels.skin.inputs.pointing import inputs_words
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_quantity import LEVELS

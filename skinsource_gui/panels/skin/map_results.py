@@ -4,11 +4,11 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from skinsource.comparing import match_words
-from skinsource.design import Design
-from skinsource.own_limbs import facts_of, own_map
-from skinsource.surface import SurfaceOperator
-from skinsource.view import View
+from skinsource.design.comparing import match_words
+from skinsource.design.design import Design
+from skinsource.design.view import View
+from skinsource.limbs.own_limbs import facts_of, own_map
+from skinsource.limbs.surface.operator import SurfaceOperator
 from skinsource_gui.panels.skin import still_values
 from skinsource_gui.panels.skin.inputs.marks import marks_of
 from skinsource_gui.panels.skin.map_choices import MapChoices

@@ -9,9 +9,9 @@ from PySide6.QtCore import QPoint, QSize, QSizeF
 from PySide6.QtGui import QImage, QPainter, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QWidget
 
-from skinsource.design import Design
-from skinsource.own_limbs import facts_of
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.view import View
+from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.skin.inputs.marks import marks_of
 from skinsource_gui.panels.skin.map_choices import MapChoices

@@ -2,12 +2,12 @@
 
 from dataclasses import dataclass, replace
 
-from skinsource import fields
-from skinsource.design import Design
-from skinsource.edits import Edit
-from skinsource.fields import ChoiceSpec, NumberSpec, Range, RangeSpec, SwitchSpec
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.edits import Edit
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
+from skinsource.specs import fields
+from skinsource.specs.fields import ChoiceSpec, NumberSpec, Range, RangeSpec, SwitchSpec
 from skinsource_gui.panels.skin.map_quantity import LEVELS, MAGNITUDE, RMS, SENSATION, Z
 from skinsource_gui.widgets.map.level_look import MAP_RANGE, LevelLook
 

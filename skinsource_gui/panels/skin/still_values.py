@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.decibels import FLOOR_DB
-from skinsource.perception import LIMITS, LIMITS_IN_SHORT
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.perception.sensation import LIMITS, LIMITS_IN_SHORT
 from skinsource_gui.panels.skin.map_quantity import LEVELS, SENSATION
 
 SILENT = "Silent: nothing is driven"

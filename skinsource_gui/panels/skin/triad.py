@@ -3,7 +3,7 @@
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
-from skinsource.choice_words import TRIAD
+from skinsource.design.labels import TRIAD
 from skinsource_gui.theme import Theme
 
 #: Under the drawing: x and y point another way at each sensor.

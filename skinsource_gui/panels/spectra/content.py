@@ -6,13 +6,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.arrays import Floats
-from skinsource.comparing import match_words
-from skinsource.decibels import decibels
-from skinsource.limb import Band
-from skinsource.loudest_window import HOLD_WINDOW_S, LOUDEST_WINDOW_S, Span
-from skinsource.own_limbs import facts_of
-from skinsource.spectra import MEAN_OF_BINS, mean_of_bins
+from skinsource.base.arrays import Floats
+from skinsource.base.decibels import decibels
+from skinsource.base.published import Band
+from skinsource.design.comparing import match_words
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.signals.loudest_window import HOLD_WINDOW_S, LOUDEST_WINDOW_S, Span
+from skinsource.signals.spectra import MEAN_OF_BINS, mean_of_bins
 from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.widgets.plot.curves import LEVEL_WORDS, Curves, output_names
 from skinsource_gui.widgets.plot.provenance import heading_of, lines_later

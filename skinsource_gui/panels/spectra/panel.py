@@ -7,11 +7,11 @@ from typing import Any
 
 from PySide6.QtWidgets import QWidget
 
-from skinsource.design import Design
-from skinsource.limb import Band
-from skinsource.own_limbs import facts_of
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.view import View
+from skinsource.base.published import Band
+from skinsource.design.design import Design
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
+from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.panels.spectra.content import curves_of, notes_of, quantity_of
 from skinsource_gui.panels.spectra.settings import AVERAGED, AXES_HINT, RELATIVE, SpectraSettings
 from skinsource_gui.signal_panel import SignalPanel

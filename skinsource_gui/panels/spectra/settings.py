@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass
 
-from skinsource import fields
-from skinsource.fields import ChoiceSpec, Range, RangeSpec, SwitchSpec
-from skinsource.spectra import MEAN_OF_BINS
+from skinsource.signals.spectra import MEAN_OF_BINS
+from skinsource.specs import fields
+from skinsource.specs.fields import ChoiceSpec, Range, RangeSpec, SwitchSpec
 
 LAYOUT = ChoiceSpec(
     label="Layout",

@@ -6,15 +6,21 @@ from typing import Any, ClassVar
 
 from PySide6.QtWidgets import QComboBox, QLabel, QSizePolicy, QWidget
 
-from skinsource.analysis.settings import CEILING, FLOOR, WINDOW, SpectrogramSettings
-from skinsource.choice_words import signal_words
-from skinsource.comparing import match_words
-from skinsource.design import Design
-from skinsource.fields import ChoiceSpec
-from skinsource.locations import output_words
-from skinsource.own_limbs import facts_of
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.view import View
+from skinsource.design.comparing import match_words
+from skinsource.design.design import Design
+from skinsource.design.labels import signal_words
+from skinsource.design.panel_settings import (
+    CEILING,
+    FLOOR,
+    WINDOW,
+    SpectrogramSettings,
+    settings_of,
+    with_settings,
+)
+from skinsource.design.view import View
+from skinsource.limbs.locations import output_words
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.specs.fields import ChoiceSpec
 from skinsource_gui.figure_panel import SILENT, FigurePanel
 from skinsource_gui.panels.spectrogram.picture import Shown, SpectrogramPicture
 from skinsource_gui.theme import UNIT_PX

@@ -7,9 +7,9 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
-from skinsource.analysis.spectrogram import Spectrogram
-from skinsource.arrays import Floats
-from skinsource.decibels import decibels
+from skinsource.base.arrays import Floats
+from skinsource.base.decibels import decibels
+from skinsource.signals.analysis.spectrogram import Spectrogram
 from skinsource_gui.theme import UNIT_PX, current_theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.fields.units import axis_unit

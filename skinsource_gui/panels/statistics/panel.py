@@ -15,10 +15,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.choice_words import signal_words, span_words
-from skinsource.comparing import match_words
-from skinsource.design import Design
-from skinsource.view import View
+from skinsource.design.comparing import match_words
+from skinsource.design.design import Design
+from skinsource.design.labels import signal_words, span_words
+from skinsource.design.view import View
 from skinsource_gui.figure_panel import COMPUTING
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.statistics.rows import NOISE_WORDS, rows_of, tab_separated

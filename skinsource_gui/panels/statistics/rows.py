@@ -4,10 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skinsource.analysis.noise import LEAST_ABOVE_NOISE_DB
-from skinsource.analysis.statistics import BEGUN_SHARE, Statistics
-from skinsource.arrays import Floats
-from skinsource.locations import output_words
+from skinsource.base.arrays import Floats
+from skinsource.limbs.locations import output_words
+from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
+from skinsource.signals.analysis.statistics import BEGUN_SHARE, Statistics
 from skinsource_gui.widgets.copied_numbers import copied
 
 #: Titles, as narrow as they can be, and what they mean.

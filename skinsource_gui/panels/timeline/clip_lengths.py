@@ -2,8 +2,8 @@
 
 from collections.abc import Mapping
 
-from skinsource.clips import Clip
-from skinsource.design import Design
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design
 from skinsource_gui.widgets.time.time_scale import Range
 
 #: Behind the last clip, so much of the time can be seen; at least so much in all.

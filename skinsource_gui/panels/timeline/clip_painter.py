@@ -5,7 +5,7 @@ from math import ceil, floor
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
-from skinsource.arrays import Floats
+from skinsource.base.arrays import Floats
 from skinsource_gui.panels.timeline.clip_pictures import ClipPictures, Look, Played
 from skinsource_gui.panels.timeline.lane import Box
 from skinsource_gui.theme import Theme

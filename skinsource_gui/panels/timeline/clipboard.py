@@ -3,8 +3,8 @@
 from PySide6.QtCore import QMimeData
 from PySide6.QtWidgets import QApplication
 
-from skinsource import edits
-from skinsource.clips import Fragment
+from skinsource.design import edits
+from skinsource.design.clips import Fragment
 
 _MIME = "application/x-skinsource-clips"
 # Any text that could hold clips says so in its first words.

@@ -6,11 +6,11 @@ from functools import cached_property
 
 from PySide6.QtCore import QPointF
 
-from skinsource.arrays import Floats
-from skinsource.design import Design
-from skinsource.edits.selection import clip_of
-from skinsource.limb import SAMPLE_RATE_HZ
-from skinsource.view import View
+from skinsource.base.arrays import Floats
+from skinsource.base.published import SAMPLE_RATE_HZ
+from skinsource.design.design import Design
+from skinsource.design.edits.edit import clip_of
+from skinsource.design.view import View
 from skinsource_gui.panels.timeline.clip_lengths import ClipLengths
 from skinsource_gui.panels.timeline.gain.gain_strip import GainStrip, top_of
 from skinsource_gui.panels.timeline.lane import Box, Lane, box_at, boxes_of, lane_at

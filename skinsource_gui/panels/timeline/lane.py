@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QPointF, QRectF
 
-from skinsource.clips import Clip
-from skinsource.design import Input
-from skinsource.edits.cutting import fades_of
+from skinsource.design.clips import Clip
+from skinsource.design.design import Input
+from skinsource.design.edits.cutting import fades_of
 from skinsource_gui.widgets.time.time_scale import TimeScale
 
 #: Free space above and below a clip, px.

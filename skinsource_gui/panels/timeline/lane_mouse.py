@@ -6,8 +6,8 @@ from functools import partial
 
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
 
-from skinsource import edits
-from skinsource.clips import Marker
+from skinsource.design import edits
+from skinsource.design.clips import Marker
 from skinsource_gui.panels.timeline.clip_part import CURSORS, Part, part_at
 from skinsource_gui.panels.timeline.content import Content
 from skinsource_gui.panels.timeline.gain.gain_points import GainPoints

@@ -6,10 +6,10 @@ from functools import partial
 from PySide6.QtCore import QObject, QPoint, QPointF, Qt, Signal
 from PySide6.QtWidgets import QInputDialog, QMenu, QWidget
 
-from skinsource import edits
-from skinsource.edits import Edit, Refusal
-from skinsource.locations import input_words
-from skinsource.own_limbs import facts_of
+from skinsource.design import edits
+from skinsource.design.edits import Edit, Refusal
+from skinsource.limbs.locations import input_words
+from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.panels.timeline.content import Content
 from skinsource_gui.panels.timeline.gain.gain_points import GainPoints
 from skinsource_gui.panels.timeline.gain.gain_strip import GainStrip

@@ -6,10 +6,10 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QContextMenuEvent, QHelpEvent, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QToolTip, QWidget
 
-from skinsource.arrays import Floats
-from skinsource.design import Design
-from skinsource.own_limbs import facts_of
-from skinsource.view import View
+from skinsource.base.arrays import Floats
+from skinsource.design.design import Design
+from skinsource.design.view import View
+from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.panels.timeline.clip_lengths import ClipLengths
 from skinsource_gui.panels.timeline.content import Content, ruler_px
 from skinsource_gui.panels.timeline.gain.gain_item import GainItem

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter
 
-from skinsource.clips import Clip
-from skinsource.design import Input
+from skinsource.design.clips import Clip
+from skinsource.design.design import Input
 from skinsource_gui.panels.timeline.lane import MARGIN_PX, Box, Lane
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.units import value_text

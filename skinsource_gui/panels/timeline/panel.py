@@ -6,11 +6,11 @@ from typing import Any
 from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt
 from PySide6.QtWidgets import QLabel, QStackedLayout, QVBoxLayout, QWidget
 
-from skinsource.arrays import Floats
-from skinsource.clips import Clip
-from skinsource.design import Design
-from skinsource.view import View
-from skinsource.voices import UnplayableInput
+from skinsource.base.arrays import Floats
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design
+from skinsource.design.signal_path import UnplayableInput
+from skinsource.design.view import View
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.timeline.gestures.gesture import Shown
 from skinsource_gui.panels.timeline.heads.heads import Heads

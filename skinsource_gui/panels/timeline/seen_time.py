@@ -6,7 +6,7 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QWheelEvent
 
-from skinsource.view import View
+from skinsource.design.view import View
 from skinsource_gui.panels.timeline.content import Content
 from skinsource_gui.widgets.time.time_scale import Range, within, zoomed
 from skinsource_gui.widgets.time.time_wheel import range_by_wheel

@@ -3,12 +3,12 @@
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from skinsource import fields
-from skinsource.design import MAX_INPUTS, Design
-from skinsource.edits import Edit
-from skinsource.fields import ListSpec, NumberSpec
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.view import View
+from skinsource.design.design import MAX_INPUTS, Design
+from skinsource.design.edits import Edit
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
+from skinsource.specs import fields
+from skinsource.specs.fields import ListSpec, NumberSpec
 
 #: Name of the panel, under which a view keeps its settings.
 TIMELINE = "timeline"

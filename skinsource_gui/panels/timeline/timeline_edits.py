@@ -2,14 +2,14 @@
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource import edits
-from skinsource.clips import Clip
-from skinsource.design import Design
-from skinsource.edits import Edit, Refusal
-from skinsource.errors import SkinSourceError
-from skinsource.quoting import sentence
-from skinsource.view import View
-from skinsource.waveforms import Waveform
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.quoting import sentence
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.view import View
+from skinsource.design.waveforms import Waveform
 from skinsource_gui.panels.timeline import clipboard
 from skinsource_gui.panels.timeline.content import chosen_clips
 from skinsource_gui.widgets.keys import key_text

@@ -6,8 +6,8 @@ from PySide6.QtCore import QEvent, QSignalBlocker, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QScrollBar, QWidget
 
-from skinsource.design import Design, Input, audible_inputs
-from skinsource.view import View
+from skinsource.design.design import Design, Input, audible_inputs
+from skinsource.design.view import View
 from skinsource_gui.panels.timeline.heads.input_list import InputList
 from skinsource_gui.panels.timeline.heads.input_row import InputRow
 from skinsource_gui.panels.timeline.heads.row_places import heads_px

@@ -9,14 +9,14 @@ import numpy as np
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 
-from skinsource import edits
-from skinsource.arrays import Floats
-from skinsource.comparing import match_words
-from skinsource.design import Design
-from skinsource.own_limbs import facts_of
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.resampling import finer
-from skinsource.view import View
+from skinsource.base.arrays import Floats
+from skinsource.design import edits
+from skinsource.design.comparing import match_words
+from skinsource.design.design import Design
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.signals.resampling import finer
 from skinsource_gui.panels.traces.settings import FITTED, RELATIVE, TracesSettings
 from skinsource_gui.signal_panel import SignalPanel
 from skinsource_gui.widgets.fields.units import axis_unit

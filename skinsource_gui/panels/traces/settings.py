@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from skinsource import fields
-from skinsource.fields import ChoiceSpec, SwitchSpec
+from skinsource.specs import fields
+from skinsource.specs.fields import ChoiceSpec, SwitchSpec
 
 LAYOUT = ChoiceSpec(
     label="Layout",

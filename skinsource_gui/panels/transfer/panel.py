@@ -7,11 +7,11 @@ from typing import Any, ClassVar
 import numpy as np
 from PySide6.QtWidgets import QWidget
 
-from skinsource.analysis.transfer import LEAST_COHERENCE, Transfer
-from skinsource.design import Design
-from skinsource.locations import input_words
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
+from skinsource.limbs.locations import input_words
+from skinsource.signals.analysis.transfer import LEAST_COHERENCE, Transfer
 from skinsource_gui.figure_panel import FigurePanel
 from skinsource_gui.panels.transfer.picture import Shown, TransferPicture
 from skinsource_gui.panels.transfer.settings import TransferSettings

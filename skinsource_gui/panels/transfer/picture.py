@@ -7,8 +7,8 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
-from skinsource.analysis.transfer import Transfer
-from skinsource.decibels import decibels
+from skinsource.base.decibels import decibels
+from skinsource.signals.analysis.transfer import Transfer
 from skinsource_gui.theme import UNIT_PX, current_theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.figure.axes import Axes, Axis, fitted_axes

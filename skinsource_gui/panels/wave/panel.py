@@ -6,12 +6,12 @@ from typing import Any, ClassVar
 import numpy as np
 from PySide6.QtWidgets import QWidget
 
-from skinsource.analysis.travelling import LEAST_EXPLAINED, LEAST_STRAIGHT, TravellingWave
-from skinsource.analysis_rules.wave_rules import LineWave
-from skinsource.comparing import match_words
-from skinsource.design import Design
-from skinsource.view import View
-from skinsource.voices import Voice
+from skinsource.design.comparing import match_words
+from skinsource.design.design import Design
+from skinsource.design.signal_path import Voice
+from skinsource.design.view import View
+from skinsource.engine.analysis_rules import LineWave
+from skinsource.signals.analysis.wave_speed import LEAST_EXPLAINED, LEAST_STRAIGHT, TravellingWave
 from skinsource_gui.figure_panel import SILENT, FigurePanel
 from skinsource_gui.panels.wave.picture import WavePicture
 from skinsource_gui.widgets.copied_numbers import copied, copied_level

@@ -5,8 +5,8 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
-from skinsource.analysis_rules.wave_rules import LineWave
-from skinsource.arrays import Booleans, Floats
+from skinsource.base.arrays import Booleans, Floats
+from skinsource.engine.analysis_rules import LineWave
 from skinsource_gui.theme import UNIT_PX, current_theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.figure.axes import Axes, Axis, fitted_axes

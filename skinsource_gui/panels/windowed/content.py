@@ -2,9 +2,10 @@
 
 from dataclasses import dataclass, replace
 
-from skinsource.analysis import Extent, Windows
-from skinsource.arrays import Floats
-from skinsource.design import Design, audible_inputs
+from skinsource.base.arrays import Floats
+from skinsource.design.design import Design, audible_inputs
+from skinsource.limbs.extent import Extent
+from skinsource.signals.analysis.windows import Windows
 from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.map.level_look import USUAL_LOOK, LevelLook
 from skinsource_gui.widgets.map.scale_row import Scale, scale_of_levels, with_matched

@@ -9,12 +9,12 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from skinsource.choice_words import limb_word, signal_words
-from skinsource.comparing import match_words
-from skinsource.decibels import FLOOR_DB
-from skinsource.design import Design
-from skinsource.own_limbs import facts_of
-from skinsource.view import WINDOW_COUNT, WINDOW_LENGTH, WINDOWS_CUT, View
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.design.comparing import match_words
+from skinsource.design.design import Design
+from skinsource.design.labels import limb_word, signal_words
+from skinsource.design.view import WINDOW_COUNT, WINDOW_LENGTH, WINDOWS_CUT, View
+from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.windowed.content import WindowedContent
 from skinsource_gui.panels.windowed.strip_layout import strip_layout

@@ -3,8 +3,8 @@
 The usual keys are those of the timeline: elsewhere they belong to texts and tables.
 """
 
-from skinsource.design import Design
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.view import View
 from skinsource_gui.shell.action_spec import ActionSpec, action
 from skinsource_gui.widgets.keys import key_text
 

@@ -2,10 +2,10 @@
 
 from collections.abc import Callable, Iterable
 
-from skinsource import edits
-from skinsource.design import Design, Input
-from skinsource.edits import Edit, Refusal
-from skinsource.view import View
+from skinsource.design import edits
+from skinsource.design.design import Design, Input
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.view import View
 from skinsource_gui.shell.action_spec import ActionSpec, action
 from skinsource_gui.shell.actions.clipboard_actions import CLIPBOARD
 from skinsource_gui.shell.actions.snapshot_actions import SNAPSHOTS

@@ -1,7 +1,7 @@
 """What the File menu does."""
 
-from skinsource.design import Design, audible_inputs
-from skinsource.view import View
+from skinsource.design.design import Design, audible_inputs
+from skinsource.design.view import View
 from skinsource_gui.files.exports import EXPORTS
 from skinsource_gui.shell.action_spec import ActionSpec, action
 

@@ -1,10 +1,10 @@
 """What the Edit menu does with snapshots of the design."""
 
-from skinsource import edits
-from skinsource.comparing import NUMBERS
-from skinsource.design import Design
-from skinsource.edits import Edit, Refusal
-from skinsource.view import View
+from skinsource.design import edits
+from skinsource.design.comparing import NUMBERS
+from skinsource.design.design import Design
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.view import View
 from skinsource_gui.shell.action_spec import ActionSpec, action
 
 

@@ -2,11 +2,11 @@
 
 from functools import partial
 
-from skinsource import edits
-from skinsource.design import Design
-from skinsource.edits import Edit, Refusal
-from skinsource.edits.selection import clip_of
-from skinsource.view import View
+from skinsource.design import edits
+from skinsource.design.design import Design
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.edits.edit import clip_of
+from skinsource.design.view import View
 from skinsource_gui.panels.skin.settings import has_colours, use_colours
 from skinsource_gui.shell.action_spec import ActionSpec, action
 from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS

@@ -6,11 +6,11 @@ from pathlib import Path
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
-from skinsource.errors import SkinSourceError
-from skinsource.files import named, read_bytes, write_bytes
-from skinsource.files.assets import user_folder
-from skinsource.keeping.crash_log import MOST_BYTES, crashed_logs, note_offered
-from skinsource.keeping.left_over import Found, LeftOver
+from skinsource.base.assets import user_folder
+from skinsource.base.crash_log import MOST_BYTES, crashed_logs, note_offered
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.files import named, read_bytes, write_bytes
+from skinsource.design.recovery import Found, LeftOver
 from skinsource_gui.files.autosave import Autosave
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.files.recovery import Recovery

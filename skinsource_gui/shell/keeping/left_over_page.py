@@ -15,8 +15,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.files import named
-from skinsource.keeping.left_over import LeftOver
+from skinsource.base.files import named
+from skinsource.design.recovery import LeftOver
 
 _ICON = QSize(60, 90)
 _ROLE = QDialogButtonBox.ButtonRole

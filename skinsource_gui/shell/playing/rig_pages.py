@@ -8,18 +8,19 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from skinsource import actuator_demand, measuring
-from skinsource.edits import Refusal, predict_through
-from skinsource.errors import SkinSourceError
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.quoting import printable
+from skinsource.actuators import measuring
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.quoting import printable
+from skinsource.design.edits import Refusal, predict_through
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.engine import actuator_demand
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing.sound_settings import SoundSettings
 from skinsource_gui.state.playing.sound_thread import SoundThread
 from skinsource_gui.widgets.rig_field import RESPONSE_FILES
 
 if TYPE_CHECKING:
-    from skinsource.actuators import MeasuredResponse
+    from skinsource.actuators.measured_response import MeasuredResponse
 
 # The panel that it is looked at in, and the longest title there.
 _PANEL, _LONGEST_TITLE = "actuator", 100

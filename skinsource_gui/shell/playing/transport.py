@@ -3,8 +3,8 @@
 from PySide6.QtCore import QEvent, QSize, Signal
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
-from skinsource.fields import NumberSpec
-from skinsource.playing import HIGHEST_DB, LOWEST_DB, START_DB
+from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB, START_DB
+from skinsource.specs.fields import NumberSpec
 from skinsource_gui.played import Played
 from skinsource_gui.state.playing.gain_setting import DECIMALS
 from skinsource_gui.widgets.fields.level_text import minus

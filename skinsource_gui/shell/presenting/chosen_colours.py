@@ -1,6 +1,6 @@
 """Colours of levels that are chosen in front of an audience: they stay through the show."""
 
-from skinsource.view import View
+from skinsource.design.view import View
 from skinsource_gui.widgets.map.level_look import in_colours, level_look
 
 

@@ -7,11 +7,13 @@ from PySide6.QtGui import QAction, QKeySequence, QShortcut
 from PySide6.QtWidgets import QMainWindow, QToolBar, QWidget
 from shiboken6 import isValid
 
-from skinsource import scenes
-from skinsource.errors import SkinSourceError
+from skinsource.base.errors import SkinSourceError
+from skinsource.studies import scenes
 from skinsource_gui.files.file_actions import FileActions
 from skinsource_gui.made_panels import MadePanels
-from skinsource_gui.shell.docks import PRESENTATION, Arrangements, DockLayout
+from skinsource_gui.shell.docks.arrangement_spec import PRESENTATION
+from skinsource_gui.shell.docks.arrangements import Arrangements
+from skinsource_gui.shell.docks.dock_layout import DockLayout
 from skinsource_gui.shell.presenting.chosen_colours import ChosenColours
 from skinsource_gui.shell.presenting.notes_window import NotesWindow
 from skinsource_gui.shell.presenting.presenting_keys import PresentingKeys, unless_dragging

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from skinsource import scenes
-from skinsource.design import Design
-from skinsource.design_file import SUFFIX, open_design
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.design_file import SUFFIX, open_design
+from skinsource.design.view import View
+from skinsource.studies import scenes
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

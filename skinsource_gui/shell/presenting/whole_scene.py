@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from skinsource.design import Design
+from skinsource.design.design import Design
 from skinsource_gui.state.document import Document
 
 

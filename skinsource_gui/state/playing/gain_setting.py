@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource.playing import HIGHEST_DB, LOWEST_DB, START_DB
+from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB, START_DB
 
 #: Digits behind the point: nobody hears, or reads, more.
 DECIMALS = 2

@@ -3,10 +3,11 @@
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from skinsource import playing
+from skinsource.lab.playing import session
 
 if TYPE_CHECKING:
-    from skinsource.playing import Session, Stream
+    from skinsource.lab.playing.session import Session
+    from skinsource.lab.playing.stream import Stream
 
 
 class LateSession:
@@ -26,7 +27,7 @@ class LateSession:
     def made(self) -> "Session":
         """The session."""
         if self._session is None:
-            self._session = playing.Session(self._finished)
+            self._session = session.Session(self._finished)
         return self._session
 
     def close(self) -> None:

@@ -6,17 +6,17 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource.design import Design
-from skinsource.errors import SkinSourceError
-from skinsource.playing import Output
+from skinsource.base.errors import SkinSourceError
+from skinsource.design.design import Design
+from skinsource.lab.playing.devices import Output
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing.late_session import LateSession
 from skinsource_gui.state.playing.played_of import played_of
 from skinsource_gui.state.playing.sound_thread import SoundThread
 
 if TYPE_CHECKING:
-    from skinsource.playing import Playing
-    from skinsource.rigs import Rig
+    from skinsource.actuators.rigs import Rig
+    from skinsource.lab.playing.session import Playing
 
 
 class LiveEdits(QObject):

@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QObject
 
-from skinsource import edits
+from skinsource.design import edits
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing.player import Player
 

@@ -1,8 +1,8 @@
 """What can be told of a player."""
 
-from skinsource import rigs
-from skinsource.design import Design
-from skinsource.playing import outputs_by_place
+from skinsource.actuators import rigs
+from skinsource.design.design import Design
+from skinsource.lab.playing.devices import outputs_by_place
 from skinsource_gui.played import Played
 from skinsource_gui.state.playing.player import Player
 from skinsource_gui.state.playing.sound_settings import SoundSettings

@@ -1,7 +1,7 @@
 """What is played of a document."""
 
-from skinsource.comparing import louder
-from skinsource.design import Design
+from skinsource.design.comparing import louder
+from skinsource.design.design import Design
 from skinsource_gui.state.document import Document
 
 

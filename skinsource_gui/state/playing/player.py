@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
-from skinsource.errors import SkinSourceError
+from skinsource.base.errors import SkinSourceError
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing.gain_setting import GainSetting
 from skinsource_gui.state.playing.late_session import LateSession
@@ -18,7 +18,8 @@ from skinsource_gui.state.playing.sound_thread import SoundThread
 from skinsource_gui.state.preferences import Preferences
 
 if TYPE_CHECKING:
-    from skinsource.playing import Playing, Stream
+    from skinsource.lab.playing.session import Playing
+    from skinsource.lab.playing.stream import Stream
 
 _GONE = (
     "The device does not ask for sound any more: it may have been unplugged. Connect it, look for "

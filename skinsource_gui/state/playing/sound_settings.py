@@ -6,16 +6,17 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource import playing, rigs
-from skinsource.errors import InvalidInputError, SkinSourceError
-from skinsource.playing import Output, output_from_text
+from skinsource.actuators import rigs
+from skinsource.base.errors import InvalidInputError, SkinSourceError
+from skinsource.lab.playing import devices
+from skinsource.lab.playing.devices import Output, output_from_text
 from skinsource_gui.state.playing.late_session import LateSession
 from skinsource_gui.state.playing.sound_thread import SoundThread
 from skinsource_gui.state.preferences import Preferences
 
 if TYPE_CHECKING:
-    from skinsource.playing import Device
-    from skinsource.rigs import Rig
+    from skinsource.actuators.rigs import Rig
+    from skinsource.lab.playing.devices import Device
 
 
 class SoundSettings(QObject):
@@ -153,11 +154,11 @@ class SoundSettings(QObject):
         if not self.looked:
             return
         try:
-            device = playing.device_of(self.output, self.devices)
+            device = devices.device_of(self.output, self.devices)
         except SkinSourceError as error:
             self.missing = self.missing or str(error)
             return
-        self._thread.do(partial(playing.rates_of, device), self._take_rates)
+        self._thread.do(partial(devices.rates_of, device), self._take_rates)
 
     def _take_rates(self, found: tuple[int, ...] | None, error: SkinSourceError | None) -> None:
         self.rates_hz = found or ()

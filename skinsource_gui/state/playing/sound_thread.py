@@ -7,7 +7,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
 
-from skinsource.errors import SkinSourceError
+from skinsource.base.errors import SkinSourceError
 
 _NAME = "skinsource-sound"
 #: How long the end waits for a device; one that is stuck may never answer.

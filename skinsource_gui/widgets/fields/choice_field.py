@@ -3,8 +3,8 @@
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from skinsource.fields import ChoiceSpec
-from skinsource.quoting import printable
+from skinsource.base.quoting import printable
+from skinsource.specs.fields import ChoiceSpec
 from skinsource_gui.widgets.fields.burst import Burst
 from skinsource_gui.widgets.fields.drop_down import DropDown
 from skinsource_gui.widgets.tooltips import tooltip

@@ -11,8 +11,8 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
 
-from skinsource.effects.breakpoints import Points
-from skinsource.fields import BreakpointsSpec
+from skinsource.design.effects.breakpoints import Points
+from skinsource.specs.fields import BreakpointsSpec
 from skinsource_gui.theme import current_theme, tabular
 from skinsource_gui.widgets.fields.curve_mouse import CurveMouse
 from skinsource_gui.widgets.fields.curve_painter import paint_curve, paint_frame

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QPointF, QRectF
 
-from skinsource.effects.breakpoints import (
+from skinsource.design.effects.breakpoints import (
     HIGHEST,
     Points,
     moved,
@@ -12,7 +12,7 @@ from skinsource.effects.breakpoints import (
     with_point,
     with_point_put,
 )
-from skinsource.fields import BreakpointsSpec
+from skinsource.specs.fields import BreakpointsSpec
 from skinsource_gui.widgets.fields.curve_scale import CurveScale
 from skinsource_gui.widgets.fields.edited_points import EditedPoints
 from skinsource_gui.widgets.fields.gesture import new_gesture

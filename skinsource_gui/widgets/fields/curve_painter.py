@@ -3,7 +3,7 @@
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
-from skinsource.effects.breakpoints import Points
+from skinsource.design.effects.breakpoints import Points
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.curve_scale import CurveScale
 

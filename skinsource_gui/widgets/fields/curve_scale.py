@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF
 
-from skinsource.effects.breakpoints import Points, curve_at
+from skinsource.design.effects.breakpoints import Points, curve_at
 
 # How far from a point or the curve it is still meant.
 _NEAR_PX = 8.0

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
-from skinsource.fields import Spec
+from skinsource.specs.fields import Spec
 from skinsource_gui.theme import set_tone
 from skinsource_gui.widgets.fields.editor import NewEditor
 from skinsource_gui.widgets.next_act import NextAct

@@ -2,14 +2,14 @@
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource.effects.breakpoints import (
+from skinsource.design.effects.breakpoints import (
     Points,
     moved,
     with_point_after,
     with_segment,
     without_chosen,
 )
-from skinsource.fields import (
+from skinsource.specs.fields import (
     SEGMENTS,
     Breakpoint,
     BreakpointsSpec,

@@ -5,7 +5,7 @@ from typing import Any, Protocol
 
 from PySide6.QtWidgets import QLabel, QWidget
 
-from skinsource.fields import Spec
+from skinsource.specs.fields import Spec
 
 
 class Editor(Protocol):

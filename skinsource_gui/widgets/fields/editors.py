@@ -6,8 +6,9 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QCheckBox, QLabel, QLineEdit, QWidget
 
-from skinsource.edits.kinds import KindSpec
-from skinsource.fields import (
+from skinsource.base.quoting import printable
+from skinsource.design.edits.edit import KindSpec
+from skinsource.specs.fields import (
     BreakpointsSpec,
     ChoiceSpec,
     CurveSpec,
@@ -21,7 +22,6 @@ from skinsource.fields import (
     TextSpec,
     made_for,
 )
-from skinsource.quoting import printable
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.curve_field import CurveField
 from skinsource_gui.widgets.fields.editor import Editor

@@ -2,7 +2,7 @@
 
 from PySide6.QtWidgets import QWidget
 
-from skinsource.fields import Spec
+from skinsource.specs.fields import Spec
 from skinsource_gui.widgets.fields.edited_cell import EditedCell
 from skinsource_gui.widgets.fields.editors import new_editor
 

@@ -1,8 +1,8 @@
 """Levels and outputs in words."""
 
-from skinsource.choice_words import span_words
-from skinsource.decibels import FLOOR_DB
-from skinsource.locations import output_words
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.design.labels import span_words
+from skinsource.limbs.locations import output_words
 
 
 def minus(text: str) -> str:

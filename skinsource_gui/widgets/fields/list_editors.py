@@ -6,8 +6,8 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
-from skinsource.errors import InvalidInputError
-from skinsource.fields import CurveSpec, ListSpec, NumberSpec, PointsSpec, TextSpec
+from skinsource.base.errors import InvalidInputError
+from skinsource.specs.fields import CurveSpec, ListSpec, NumberSpec, PointsSpec, TextSpec
 from skinsource_gui.widgets.fields.live_text import LiveText
 from skinsource_gui.widgets.fields.sweep_dialog import SweepDialog
 from skinsource_gui.widgets.fields.typed_numbers import (

@@ -12,9 +12,9 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QPlainTextEdit, QSizePolicy, QWidget
 
-from skinsource.errors import InvalidInputError
-from skinsource.fields import TextSpec
-from skinsource.formula import column_of
+from skinsource.base.errors import InvalidInputError
+from skinsource.signals.formula.reading import column_of
+from skinsource.specs.fields import TextSpec
 from skinsource_gui.widgets.fields.burst import Burst
 from skinsource_gui.widgets.fields.text_mark import TextMark
 from skinsource_gui.widgets.tooltips import tooltip

@@ -16,7 +16,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QLineEdit, QWidget
 
-from skinsource.fields import NumberSpec
+from skinsource.specs.fields import NumberSpec
 from skinsource_gui.theme import current_theme, letter_scale, tabular
 from skinsource_gui.widgets.fields.number_gestures import NumberGestures
 from skinsource_gui.widgets.fields.number_typing import (

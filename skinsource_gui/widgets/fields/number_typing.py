@@ -4,7 +4,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QLineEdit
 
-from skinsource.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError
 from skinsource_gui.widgets.fields.shown_number import ShownNumber
 from skinsource_gui.widgets.fields.units import parse_number
 from skinsource_gui.widgets.keys import meaning_of

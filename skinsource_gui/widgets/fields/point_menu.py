@@ -5,7 +5,7 @@ from functools import partial
 
 from PySide6.QtWidgets import QMenu
 
-from skinsource.fields import SEGMENTS, Segment
+from skinsource.specs.fields import SEGMENTS, Segment
 
 #: How the curve goes on after a point.
 SEGMENT_WORDS = {"straight": "straight on", "smooth": "smoothly on", "held": "held"}

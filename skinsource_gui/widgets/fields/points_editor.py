@@ -6,9 +6,9 @@ from typing import Any
 
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from skinsource.effects.breakpoints import Points as Breakpoints
-from skinsource.fields import BreakpointsSpec, NumberSpec, PointsSpec
-from skinsource.synthesis.glide_curves import Column, Curve, bends_of, curve_of, with_curve
+from skinsource.design.effects.breakpoints import Points as Breakpoints
+from skinsource.signals.synthesis import Column, Curve, bends_of, curve_of, with_curve
+from skinsource.specs.fields import BreakpointsSpec, NumberSpec, PointsSpec
 from skinsource_gui.widgets.fields.curve_field import CurveField
 from skinsource_gui.widgets.fields.list_editors import Listed
 from skinsource_gui.widgets.fields.typed_numbers import (

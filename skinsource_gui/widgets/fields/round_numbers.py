@@ -3,7 +3,7 @@
 import math
 from fractions import Fraction
 
-from skinsource.fields import NumberSpec
+from skinsource.specs.fields import NumberSpec
 from skinsource_gui.widgets.fields.units import DisplayUnit, display_unit
 
 #: Sizes of a step, in plain steps.

@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 from PySide6.QtGui import QFontMetrics
 
-from skinsource.errors import InvalidInputError
-from skinsource.fields import NumberSpec
+from skinsource.base.errors import InvalidInputError
+from skinsource.specs.fields import NumberSpec
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.fields.units import (
     EDITED_DIGITS,

@@ -2,8 +2,8 @@
 
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLabel, QWidget
 
-from skinsource.fields import ChoiceSpec, ListSpec, NumberSpec
-from skinsource.waveforms import frequency_sweep
+from skinsource.design.waveforms import frequency_sweep
+from skinsource.specs.fields import ChoiceSpec, ListSpec, NumberSpec
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.fields.typed_numbers import number_of, numbers_text

@@ -3,8 +3,8 @@
 import re
 from itertools import pairwise
 
-from skinsource.errors import InvalidInputError
-from skinsource.fields import ListSpec, NumberSpec, PointsSpec
+from skinsource.base.errors import InvalidInputError
+from skinsource.specs.fields import ListSpec, NumberSpec, PointsSpec
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.fields.units import display_unit, parse_number
 

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 
-from skinsource.chain import ARBITRARY_UNIT
-from skinsource.errors import InvalidInputError
-from skinsource.fields import NumberSpec
-from skinsource.quoting import sentence
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.quoting import sentence
+from skinsource.design.amplitudes import ARBITRARY_UNIT
+from skinsource.specs.fields import NumberSpec
 from skinsource_gui.widgets.fields.level_text import minus
 
 #: Significant digits of a number that is shown, and of one that is being edited.

@@ -6,7 +6,7 @@ import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 
-from skinsource.arrays import Floats
+from skinsource.base.arrays import Floats
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.figure.shrunk import shrunk
 from skinsource_gui.widgets.plot.ranges import Range

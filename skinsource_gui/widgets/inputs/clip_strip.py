@@ -9,10 +9,10 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from skinsource.arrays import Floats
-from skinsource.clips import Clip, Fragment
-from skinsource.effects import Effect, played
-from skinsource.waveforms import Waveform
+from skinsource.base.arrays import Floats
+from skinsource.design.clips import Clip, Fragment
+from skinsource.design.effects import Effect, played
+from skinsource.design.waveforms import Waveform
 from skinsource_gui.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.widgets.fields.units import axis_unit
 from skinsource_gui.widgets.inputs.swatch import paint_swatch

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from skinsource.arrays import Floats
+from skinsource.base.arrays import Floats
 
 
 def waveforms_of(results: Mapping[str, Any]) -> dict[int, Floats]:

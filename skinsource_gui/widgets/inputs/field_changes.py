@@ -2,10 +2,10 @@
 
 from typing import Any
 
-from skinsource import edits
-from skinsource.design import Design
-from skinsource.edits import Edit, Refusal
-from skinsource.view import View
+from skinsource.design import edits
+from skinsource.design.design import Design
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.view import View
 
 
 class FieldChanges:

@@ -1,18 +1,11 @@
 """An input in a few words."""
 
-from skinsource.clips import Clip
-from skinsource.effects import stretched_by
-from skinsource.fields import (
-    ListSpec,
-    NumberSpec,
-    PointsSpec,
-    RecipeSpec,
-    TextSpec,
-    specs_of,
-)
-from skinsource.quoting import printable
-from skinsource.signals import sample_count
-from skinsource.waveforms import Waveform
+from skinsource.base.quoting import printable
+from skinsource.design.clips import Clip
+from skinsource.design.effects import stretched_by
+from skinsource.design.waveforms import Waveform
+from skinsource.signals.generators import sample_count
+from skinsource.specs.fields import ListSpec, NumberSpec, PointsSpec, RecipeSpec, TextSpec, specs_of
 from skinsource_gui.widgets.fields.units import LONG_S, number_text, value_text
 
 DURATION_FIELD = "duration_s"

@@ -6,10 +6,10 @@ from functools import partial
 
 from PySide6.QtWidgets import QMenu
 
-from skinsource import edits
-from skinsource.design import Design, Input
-from skinsource.edits import Edit, Refusal
-from skinsource.view import View
+from skinsource.design import edits
+from skinsource.design.design import Design, Input
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.view import View
 from skinsource_gui.widgets.keys import KEYS, key_text
 
 #: What is done to the inputs of these ids.

@@ -3,8 +3,8 @@
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QMenu, QWidget
 
-from skinsource.fields import ChoiceSpec
-from skinsource.waveforms import kinds
+from skinsource.design.waveforms import kinds
+from skinsource.specs.fields import ChoiceSpec
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.inputs.kind_menu import fill_kind_menu
 from skinsource_gui.widgets.inputs.waveform_picture import PICTURE_PX, waveform_icon

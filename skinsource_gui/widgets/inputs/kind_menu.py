@@ -6,7 +6,7 @@ from functools import partial
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu
 
-from skinsource.waveforms import COMMON, Waveform, kinds
+from skinsource.design.waveforms import COMMON, Waveform, kinds
 from skinsource_gui.widgets.inputs.waveform_picture import PICTURE_PX, waveform_icon
 
 MORE = "More"

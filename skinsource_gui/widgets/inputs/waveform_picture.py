@@ -17,11 +17,10 @@ from PySide6.QtGui import (
     QPolygonF,
 )
 
-from skinsource.arrays import Floats
-from skinsource.errors import InvalidInputError
-from skinsource.limb import SAMPLE_RATE_HZ
-from skinsource.samples import Samples
-from skinsource.waveforms import (
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import SAMPLE_RATE_HZ
+from skinsource.design.waveforms import (
     AmplitudeModulated,
     Chirp,
     Chirplet,
@@ -42,6 +41,7 @@ from skinsource.waveforms import (
     Waveform,
     WaveletTrain,
 )
+from skinsource.specs.samples import Samples
 from skinsource_gui.theme import current_theme
 
 #: Size of the pictures, in px.

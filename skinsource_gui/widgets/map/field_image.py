@@ -5,9 +5,9 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QImage
 
-from skinsource.arrays import Floats
-from skinsource.limb import Limb
-from skinsource.surface import SurfaceOperator
+from skinsource.base.arrays import Floats
+from skinsource.limbs.limb import Limb
+from skinsource.limbs.surface.operator import SurfaceOperator
 from skinsource_gui.widgets.map.colour_maps import colour_indices
 
 # The picture goes on this many pixels outside the mask, in the colours of the rim, so that

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QLineF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
-from skinsource.own_limbs import facts_of
+from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.theme import Theme, scaled
 from skinsource_gui.widgets.map.small_map import SmallMap, small_frame
 from skinsource_gui.widgets.paper import is_on_paper

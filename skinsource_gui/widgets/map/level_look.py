@@ -2,10 +2,10 @@
 
 from dataclasses import dataclass, replace
 
-from skinsource import fields
-from skinsource.fields import ChoiceSpec, Range, RangeSpec
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.view import View
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
+from skinsource.specs import fields
+from skinsource.specs.fields import ChoiceSpec, Range, RangeSpec
 from skinsource_gui.widgets.map.colour_maps import VIRIDIS
 
 #: Said where the colours span what was chosen, and do not follow the design.
@@ -36,7 +36,7 @@ class LevelLook:
     ----------
     map_range_db
         Levels of the ends of the colour bar, dB re 1 m/s²; ``None``: each map follows what it
-        shows (`skinsource.map_range.map_range_db`).
+        shows (`skinsource.signals.map_range.map_range_db`).
     colours
         Colour map of levels.
     """

@@ -6,9 +6,9 @@ import numpy as np
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
-from skinsource.arrays import Floats
-from skinsource.decibels import FLOOR_DB
-from skinsource.map_range import MAP_RANGE_DB, map_range_db
+from skinsource.base.arrays import Floats
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.signals.map_range import MAP_RANGE_DB, map_range_db
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.map.colour_maps import VIRIDIS, colour_table

@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF
 
-from skinsource.arrays import Floats
-from skinsource.design import Design, audible_indices
-from skinsource.limb import LimbMap
-from skinsource.map_range import map_range_db
-from skinsource.surface import SurfaceOperator
+from skinsource.base.arrays import Floats
+from skinsource.design.design import Design, audible_indices
+from skinsource.limbs.limb import LimbMap
+from skinsource.limbs.surface.operator import SurfaceOperator
+from skinsource.signals.map_range import map_range_db
 from skinsource_gui.theme import Theme
 from skinsource_gui.widgets.frame import Frame, fitted
 from skinsource_gui.widgets.map.colour_maps import colour_table, level_colours

@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QObject, QPointF, QRectF, Signal
 
-from skinsource.arrays import Floats
+from skinsource.base.arrays import Floats
 from skinsource_gui.widgets.outputs.picking import (
     Outputs,
     joined,

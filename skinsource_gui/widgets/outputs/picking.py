@@ -3,7 +3,7 @@
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF
 
-from skinsource.arrays import Floats
+from skinsource.base.arrays import Floats
 
 Outputs = tuple[int, ...]
 

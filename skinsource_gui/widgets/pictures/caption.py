@@ -7,10 +7,10 @@ from math import ceil
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
-from skinsource import scenes
-from skinsource.choice_words import SCALINGS, limb_word, word_of
-from skinsource.design import Design
-from skinsource.quoting import sentence
+from skinsource.base.quoting import sentence
+from skinsource.design.design import Design
+from skinsource.design.labels import SCALINGS, limb_word, word_of
+from skinsource.studies import scenes
 from skinsource_gui.theme import LIGHT, Theme
 from skinsource_gui.widgets.fields.level_text import minus
 from skinsource_gui.widgets.pictures.picture_file import Draw
@@ -47,7 +47,8 @@ def caption_of(
     limbs
         Names of limbs on which something is shown beside the design's own.
     notes
-        Sentences on these limbs, and on what it is not good for; see `skinsource.validity.judged`.
+        Sentences on these limbs, and on what it is not good for; see
+        `skinsource.perception.validity`.
     """
     named = compared or [("", design)]
     designs = [one for _, one in named]

@@ -8,8 +8,8 @@ from PySide6.QtCore import QBuffer, QIODevice, QMarginsF, QRect, QSize, QSizeF
 from PySide6.QtGui import QImage, QPageSize, QPainter, QPdfWriter, QPixmap
 from PySide6.QtSvg import QSvgGenerator
 
-from skinsource.errors import StorageError
-from skinsource.files import write_bytes
+from skinsource.base.errors import StorageError
+from skinsource.base.files import write_bytes
 from skinsource_gui.widgets.pictures.layouts import PER_INCH
 from skinsource_gui.widgets.pictures.searchable import searchable
 

@@ -8,8 +8,8 @@ from PySide6.QtCore import QEvent, QObject
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLabel, QWidget
 
-from skinsource import fields
-from skinsource.fields import ChoiceSpec, NumberSpec, Spec, specs_of
+from skinsource.specs import fields
+from skinsource.specs.fields import ChoiceSpec, NumberSpec, Spec, specs_of
 from skinsource_gui.theme import LIGHT, THEMES, Theme, set_tone, theme_words
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.number_field import NumberField

@@ -3,12 +3,12 @@
 import re
 from collections.abc import Sequence
 
-from skinsource.chain import amplitude_text
-from skinsource.clips import Clip
-from skinsource.counting import counted
-from skinsource.design import Design, Input, audible_inputs
-from skinsource.effects import Effect, Envelope, Stretch
-from skinsource.effects.envelope import UNCHANGED
+from skinsource.base.work import counted
+from skinsource.design.amplitudes import amplitude_text
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input, audible_inputs
+from skinsource.design.effects import Effect, Envelope, Stretch
+from skinsource.design.effects.level import UNCHANGED
 from skinsource_gui.widgets.inputs.input_words import duration_text, told_text
 
 # Clips of one input, and inputs, that are told apart; more are counted.

@@ -5,7 +5,7 @@ from math import floor, log10
 
 import numpy as np
 
-from skinsource.arrays import Floats
+from skinsource.base.arrays import Floats
 from skinsource_gui.widgets.plot.ranges import Kind, Range
 from skinsource_gui.widgets.plot.ticks import Tick, log_ticks, number_text, readable_ticks
 

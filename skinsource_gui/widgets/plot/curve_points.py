@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from PySide6.QtCore import QRectF
 
-from skinsource.arrays import Floats
-from skinsource.resampling import Extremes
+from skinsource.base.arrays import Floats
+from skinsource.signals.resampling import Extremes
 from skinsource_gui.widgets.plot.curves import Curves
 from skinsource_gui.widgets.plot.decimation import (
     Columns,

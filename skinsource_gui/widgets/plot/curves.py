@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from skinsource.arrays import Floats
-from skinsource.locations import PlaceWords, output_words
+from skinsource.base.arrays import Floats
+from skinsource.limbs.locations import PlaceWords, output_words
 from skinsource_gui.widgets.plot.axis_spec import ValueUnit, value_unit
 from skinsource_gui.widgets.plot.ranges import Kind, Range
 from skinsource_gui.widgets.plot.ticks import significant

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.arrays import Floats
-from skinsource.resampling import Extremes
+from skinsource.base.arrays import Floats
+from skinsource.signals.resampling import Extremes
 from skinsource_gui.widgets.plot.ranges import Range
 
 #: Up to so many samples in a column of pixels, each is drawn.

@@ -4,8 +4,8 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
 
-from skinsource.choice_words import limb_word, signal_words
-from skinsource.export.description import describe_levels, describe_played, describe_projection
+from skinsource.design.labels import limb_word, signal_words
+from skinsource.export.exported_design import describe_levels, describe_played, describe_projection
 
 #: What a panel has to ask for to be able to say it.
 NEEDS = frozenset(

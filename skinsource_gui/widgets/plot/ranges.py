@@ -4,7 +4,7 @@ from copy import copy
 from math import ceil, floor, isfinite, log10
 from typing import Literal
 
-from skinsource.decibels import FLOOR_DB
+from skinsource.base.decibels import FLOOR_DB
 
 Range = tuple[float, float]
 #: ``"amplitude"``: linear, includes zero; ``"level"``: dB, 80 dB from top to bottom;

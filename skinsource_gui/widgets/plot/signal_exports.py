@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QApplication, QFileDialog, QWidget
 
-from skinsource.errors import SkinSourceError
+from skinsource.base.errors import SkinSourceError
 from skinsource_gui.widgets.pictures.caption import caption_px, with_caption
 from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
 from skinsource_gui.widgets.pictures.picture_options import PictureOptions, ask_picture_options

@@ -5,10 +5,10 @@ from pathlib import Path
 
 import numpy as np
 
-from skinsource.decibels import in_tables
-from skinsource.export.csv_table import CsvTable
-from skinsource.export.output_file import output_file
-from skinsource.job import never
+from skinsource.base.decibels import in_tables
+from skinsource.base.job import never
+from skinsource.export.exported_design import output_file
+from skinsource.export.tables import CsvTable
 from skinsource_gui.widgets.plot.plot import Plot
 from skinsource_gui.widgets.plot.ranges import Kind
 

@@ -6,8 +6,8 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from skinsource.arrays import Floats
-from skinsource.limb import SAMPLE_RATE_HZ, Band
+from skinsource.base.arrays import Floats
+from skinsource.base.published import SAMPLE_RATE_HZ, Band
 from skinsource_gui.theme import current_theme, tabular
 from skinsource_gui.widgets.paper import thin_pen
 

@@ -4,8 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
-from skinsource.arrays import Floats
-from skinsource.resampling import Extremes, extremes_between, finer
+from skinsource.base.arrays import Floats
+from skinsource.signals.resampling import Extremes, extremes_between, finer
 
 #: Of so many samples that are seen at once, how far the wave reaches is found while they are drawn;
 #: of more, each takes but a part of a pixel, and they are joined on the screen as in pictures.

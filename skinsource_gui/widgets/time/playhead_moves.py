@@ -5,7 +5,7 @@ from bisect import bisect_left, bisect_right
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 
-from skinsource.design import Design
+from skinsource.design.design import Design
 from skinsource_gui.widgets.keys import meaning_of
 
 #: Where these keys stand in the table of keys.

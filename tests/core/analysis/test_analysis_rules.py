@@ -8,12 +8,11 @@ import pytest
 import scipy
 
 import skinsource as ss
-from skinsource.analysis.settings import SpectrogramSettings
-from skinsource.analysis.spectrogram import spectrogram
-from skinsource.panel_settings import with_settings
-from skinsource.quantities import new_graph, sources
-from skinsource.scaling.calibration import per_probe_acceleration
-from skinsource.view import View
+from skinsource.design.panel_settings import SpectrogramSettings, with_settings
+from skinsource.design.view import View
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.limbs.scaling import per_probe_acceleration
+from skinsource.signals.analysis.spectrogram import spectrogram
 
 TONE = ss.waveforms.Tone(frequency_hz=120.0, duration_s=0.1)
 DESIGN = ss.Design(

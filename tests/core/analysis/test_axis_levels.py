@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.design import Design, track
-from skinsource.evaluation import evaluate
-from skinsource.quantities import new_graph, sources
-from skinsource.spectra import rms
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.engine.evaluation import evaluate
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.signals.spectra import rms
 from tests.core.own_limbs.lab_bench import installed
 
 PLAYED = Design(

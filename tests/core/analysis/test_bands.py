@@ -3,15 +3,15 @@
 import numpy as np
 import pytest
 
-from skinsource.analysis import bands
-from skinsource.limb import BAND_HZ
-from skinsource.validation.linearity import linear_fit, straight_lines
+from skinsource.base.published import BAND_HZ
+from skinsource.signals.analysis import statistics
+from skinsource.studies.validation import linear_fit, straight_lines
 
 RATE_HZ = 1300.0
 
 
 def band_rms(signals, band_hz=BAND_HZ):
-    return bands.band_rms(np.fft.rfft(signals), signals.shape[-1], RATE_HZ, band_hz)
+    return statistics.band_rms(np.fft.rfft(signals), signals.shape[-1], RATE_HZ, band_hz)
 
 
 def tone(frequency_hz, n_times):

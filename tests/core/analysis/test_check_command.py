@@ -6,13 +6,20 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.checking import Recorded, condition_of, report
-from skinsource.checking.report import html_of, quartiles, round_ticks, summary_lines
-from skinsource.choice_words import SCALINGS, word_of
-from skinsource.commands.command_line import main
-from skinsource.design_file import save_design
-from skinsource.errors import InvalidInputError, RecordingError
-from skinsource.view import View
+from skinsource.base.errors import InvalidInputError, RecordingError
+from skinsource.cli.command_line import main
+from skinsource.design.design_file import save_design
+from skinsource.design.labels import SCALINGS, word_of
+from skinsource.design.view import View
+from skinsource.studies import checking
+from skinsource.studies.checking import (
+    Recorded,
+    condition_of,
+    html_of,
+    quartiles,
+    round_ticks,
+    summary_lines,
+)
 
 
 @pytest.fixture
@@ -157,10 +164,10 @@ def test_whiskers_end_at_data_within_one_and_a_half_boxes():
     values = np.array([0.0, 1.0, 2.0, 3.0, 4.0, 100.0])
     assert quartiles(values) == (0.0, 1.25, 2.5, 3.75, 4.0)
     # What is not drawn is said: not the one at the end of a whisker.
-    drawn = report._boxes([("100 Hz", values), ("200 Hz", values[:5])])
+    drawn = checking._boxes([("100 Hz", values), ("200 Hz", values[:5])])
     assert "1 of 11 channels lie beyond the whiskers" in drawn
     assert "all lie from 0 to 100" in drawn
-    assert "beyond" not in report._boxes([("200 Hz", values[:5])])
+    assert "beyond" not in checking._boxes([("200 Hz", values[:5])])
 
 
 @pytest.mark.parametrize(

@@ -6,15 +6,20 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.analysis_rules.perception_rules import SILENT_DB
-from skinsource.errors import FileFormatError
-from skinsource.panel_settings import with_settings
-from skinsource.perception import site_offsets_db, threshold_rms
+from skinsource.base.errors import FileFormatError
+from skinsource.design.panel_settings import with_settings
+from skinsource.design.view import View
+from skinsource.engine.analysis_rules import SILENT_DB
+from skinsource.engine.quantities import new_graph, sources
 from skinsource.perception.hand_arm import daily_exposure, hand_arm_weighting, weighted_rms
-from skinsource.perception.settings import PerceptionSettings, held
-from skinsource.perception.threshold_table import read_threshold_table, table_threshold
-from skinsource.quantities import new_graph, sources
-from skinsource.view import View
+from skinsource.perception.sensation import site_offsets_db
+from skinsource.perception.thresholds import (
+    PerceptionSettings,
+    held,
+    read_threshold_table,
+    table_threshold,
+    threshold_rms,
+)
 
 RATE = 1300.0
 

@@ -6,9 +6,16 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.evaluation import evaluate
-from skinsource.validity import Finding, found_in_drives, found_in_outputs, found_in_setup
-from skinsource.validity.judged import Judged, in_full, in_short
+from skinsource.engine.evaluation import evaluate
+from skinsource.perception.validity import (
+    Finding,
+    Judged,
+    found_in_drives,
+    found_in_outputs,
+    found_in_setup,
+    in_full,
+    in_short,
+)
 
 FAST = Finding(name="drive", state="left", sentence="Fast, and more.", in_short="Fast.")
 HALF, MOST = (

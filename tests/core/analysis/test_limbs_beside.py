@@ -5,13 +5,8 @@ import statistics
 import numpy as np
 import pytest
 
-from skinsource.comparing import (
-    end_db,
-    limbs_beside,
-    mean_and_spread_over,
-    same_outputs,
-)
-from skinsource.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.comparing import end_db, limbs_beside, mean_and_spread_over, same_outputs
 from tests.core.own_limbs.lab_bench import N_OUTPUTS, installed
 
 

@@ -7,12 +7,11 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.analysis import Windows
-from skinsource.analysis.noise import predicted_noise_energy
-from skinsource.analysis.windowed_noise import windowed_noise_energy
-from skinsource.analysis_rules.window_noise_rules import noise_rms_of_windows, windows_in_noise
-from skinsource.errors import InvalidInputError
-from skinsource.export import export_windows
+from skinsource.base.errors import InvalidInputError
+from skinsource.engine.analysis_rules import noise_rms_of_windows, windows_in_noise
+from skinsource.export.tables import export_windows
+from skinsource.signals.analysis.noise import predicted_noise_energy, windowed_noise_energy
+from skinsource.signals.analysis.windows import Windows
 
 TRAIN = ss.Design(
     limb="measured-4", inputs=(ss.track(7, ss.waveforms.WaveletTrain()),), scaling="upstream"

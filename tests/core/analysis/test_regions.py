@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from skinsource.comparing.regions import REGION_OUTPUTS, mean_and_spread, region_levels_db
-from skinsource.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.comparing import REGION_OUTPUTS, mean_and_spread, region_levels_db
 
 
 def test_each_output_of_a_limb_belongs_to_one_region_besides_all_digits():

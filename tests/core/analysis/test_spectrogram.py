@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from skinsource.analysis.spectrogram import MOST_COLUMNS, spectrogram
-from skinsource.errors import InvalidInputError, Stopped
+from skinsource.base.errors import InvalidInputError, Stopped
+from skinsource.signals.analysis.spectrogram import MOST_COLUMNS, spectrogram
 
 RATE = 1300.0
 

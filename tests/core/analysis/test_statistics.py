@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 import scipy
 
-from skinsource.analysis.noise import noise_rms, predicted_noise_energy, quiet_rms
-from skinsource.analysis.statistics import crest_factor, dominant_frequency, onset_time
-from skinsource.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError
+from skinsource.signals.analysis.noise import noise_rms, predicted_noise_energy, quiet_rms
+from skinsource.signals.analysis.statistics import crest_factor, dominant_frequency, onset_time
 
 RATE = 1300.0
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError, RecordingError
-from skinsource.resampling import resample
-from skinsource.validation import (
+from skinsource.base.errors import InvalidInputError, RecordingError
+from skinsource.signals.resampling import resample
+from skinsource.studies.validation import (
     agreement,
     aligned,
     linear_fit,

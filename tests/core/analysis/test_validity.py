@@ -7,15 +7,20 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource import catalogue, edits
-from skinsource.edits import Edit, Refusal
-from skinsource.export import export_levels
-from skinsource.quantities import new_graph, sources
-from skinsource.stimulus_export.validity import about_validity
-from skinsource.validity import Finding, found_in_outputs, probe_velocity
-from skinsource.validity.finding import words_of
-from skinsource.validity.judging import listed
-from skinsource.view import View
+from skinsource.design import edits
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.view import View
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.export.stimulus_export.sidecar import about_validity
+from skinsource.export.tables import export_levels
+from skinsource.limbs import catalogue
+from skinsource.perception.validity import (
+    Finding,
+    found_in_outputs,
+    listed,
+    probe_velocity,
+    words_of,
+)
 
 RATE = 1300.0
 

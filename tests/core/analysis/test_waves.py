@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from skinsource.analysis.main_axes import ellipse, main_axes
-from skinsource.analysis.transfer import transfer_function
-from skinsource.analysis.travelling import line_distances_mm, straightness, travelling_wave
-from skinsource.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError
+from skinsource.signals.analysis.transfer import transfer_function
+from skinsource.signals.analysis.wave_speed import line_distances_mm, straightness, travelling_wave
+from skinsource.signals.projection import ellipse, main_axes
 
 RATE = 1300.0
 

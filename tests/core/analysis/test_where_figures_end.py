@@ -6,19 +6,17 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.analysis.transfer import transfer_function
-from skinsource.analysis.travelling import travelling_wave
-from skinsource.analysis_rules.noise_rules import output_noise_rms
-from skinsource.analysis_rules.perception_rules import contact_weighted_rms
-from skinsource.analysis_rules.wave_rules import line_wave
-from skinsource.catalogue import load_limb
-from skinsource.chain import Actuation, ActuatorAt
-from skinsource.job import never
+from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.base.job import never
+from skinsource.design.view import View
+from skinsource.engine.analysis_rules import contact_weighted_rms, line_wave, output_noise_rms
+from skinsource.engine.moments import Projection
+from skinsource.limbs.catalogue import load_limb
 from skinsource.perception.hand_arm import hand_arm_weighting, weighted_rms
-from skinsource.perception.threshold_table import table_threshold
-from skinsource.rendering.projecting import Projection
-from skinsource.validity import found_in_drives
-from skinsource.view import View
+from skinsource.perception.thresholds import table_threshold
+from skinsource.perception.validity import found_in_drives
+from skinsource.signals.analysis.transfer import transfer_function
+from skinsource.signals.analysis.wave_speed import travelling_wave
 from tests.core.own_limbs.lab_bench import installed
 
 RATE = 1300.0

@@ -8,11 +8,12 @@ from math import isfinite
 from hypothesis import reject
 from hypothesis import strategies as st
 
-from skinsource import fields
-from skinsource.chain import Actuation
-from skinsource.design import Design, Input
-from skinsource.errors import InvalidInputError
-from skinsource.fields import (
+from skinsource.actuators.actuation import Actuation
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import LIMB_NAMES
+from skinsource.design.design import Design, Input
+from skinsource.specs import fields
+from skinsource.specs.fields import (
     SEGMENTS,
     BreakpointsSpec,
     BytesSpec,
@@ -30,8 +31,7 @@ from skinsource.fields import (
     TextSpec,
     specs_of,
 )
-from skinsource.limb import LIMB_NAMES
-from skinsource.samples import Samples
+from skinsource.specs.samples import Samples
 
 
 def numbers(spec: NumberSpec) -> st.SearchStrategy:

@@ -1,8 +1,8 @@
 """The design, the view and the arrangement that the tests save."""
 
-from skinsource.design import Design, track
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tap, Tone
 
 DESIGN = Design(
     limb="measured-1",

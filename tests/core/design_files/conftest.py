@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from skinsource.design_file import save_design
+from skinsource.design.design_file import save_design
 from tests.core.design_files.bench import DESIGN, LAYOUT, VIEW
 
 

@@ -9,10 +9,10 @@ import h5py
 import numpy as np
 import pytest
 
-from skinsource.design import Design, track
-from skinsource.design_file import open_design, save_design
-from skinsource.errors import DesignFileError, StorageError
-from skinsource.waveforms import KINDS
+from skinsource.base.errors import DesignFileError, StorageError
+from skinsource.design.design import Design, track
+from skinsource.design.design_file import open_design, save_design
+from skinsource.design.waveforms import KINDS
 
 
 def test_every_flipped_bit_is_refused(tmp_path):

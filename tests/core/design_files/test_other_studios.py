@@ -8,20 +8,20 @@ from typing import Any
 import numpy as np
 import pytest
 
-from skinsource import codec, design_file, fields
-from skinsource.codec import image
-from skinsource.design import Input
-from skinsource.design_file import DesignFile, open_design, save_design
-from skinsource.errors import DesignFileError
-from skinsource.fields import NumberSpec, SamplesSpec, TextSpec
-from skinsource.samples import Samples
-from skinsource.view import View
+from skinsource.base.errors import DesignFileError
+from skinsource.design import design_file
+from skinsource.design.design import Input
+from skinsource.design.design_file import DesignFile, open_design, save_design
+from skinsource.design.view import View
+from skinsource.specs import fields, image, models
+from skinsource.specs.fields import NumberSpec, SamplesSpec, TextSpec
+from skinsource.specs.samples import Samples
 from tests.core.design_files.bench import DESIGN, VIEW
 
 
 def rewritten(path: Path, change) -> None:
     """Write what another studio would have written: another tree, with its checksum."""
-    tree = codec.encode(DesignFile(design=DESIGN, view=VIEW))
+    tree = models.encode(DesignFile(design=DESIGN, view=VIEW))
     change(tree)
     path.write_bytes(image.to_image(tree, design_file.VERSION))
 
@@ -105,7 +105,7 @@ def test_what_every_version_writes_may_not_be_missing(saved):
     ],
 )
 def test_a_file_of_another_version_is_refused_in_one_sentence(saved, version, studio):
-    saved.write_bytes(image.to_image(codec.encode(DesignFile(design=DESIGN)), version))
+    saved.write_bytes(image.to_image(models.encode(DesignFile(design=DESIGN)), version))
     with pytest.raises(DesignFileError) as caught:
         open_design(saved)
     assert str(caught.value) == (
@@ -152,8 +152,8 @@ def tomorrow(monkeypatch) -> dict[str, Any]:
     """A studio whose views and inputs have more fields; nothing else of it is different."""
     view = dataclasses.make_dataclass("View", [], bases=(WiderView,), frozen=True, kw_only=True)
     one = dataclasses.make_dataclass("Input", [], bases=(RicherInput,), frozen=True, kw_only=True)
-    monkeypatch.setattr("skinsource.design_file.View", view)
-    monkeypatch.setattr("skinsource.design.Input", one)
+    monkeypatch.setattr("skinsource.design.view.View", view)
+    monkeypatch.setattr("skinsource.design.design.Input", one)
     return {"View": view, "Input": one}
 
 

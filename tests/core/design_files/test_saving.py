@@ -9,15 +9,15 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, given, settings
 
-from skinsource import design_file
-from skinsource.clips import Clip, Marker
-from skinsource.codec import image
-from skinsource.design import MAX_INPUTS, Design, Input, track
-from skinsource.design_file import DesignFile, open_design, save_design
-from skinsource.errors import InvalidInputError, StorageError
-from skinsource.fields import specs_of
-from skinsource.view import View
-from skinsource.waveforms import KINDS, Tone
+from skinsource.base.errors import InvalidInputError, StorageError
+from skinsource.design import design_file
+from skinsource.design.clips import Clip, Marker
+from skinsource.design.design import MAX_INPUTS, Design, Input, track
+from skinsource.design.design_file import DesignFile, open_design, save_design
+from skinsource.design.view import View
+from skinsource.design.waveforms import KINDS, Tone
+from skinsource.specs import image
+from skinsource.specs.fields import specs_of
 from tests.core.design_files.any_recipe import recipes
 from tests.core.design_files.bench import DESIGN, LAYOUT, VIEW
 

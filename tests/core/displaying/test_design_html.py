@@ -5,7 +5,7 @@ from xml.etree import ElementTree
 import pytest
 
 import skinsource as ss
-from skinsource.samples import Samples
+from skinsource.specs.samples import Samples
 from tests.core.own_limbs.lab_bench import installed
 
 SVG = "{http://www.w3.org/2000/svg}"

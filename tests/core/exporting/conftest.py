@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource import stimulus
+from skinsource.engine import stimulus
 
 
 def silence_after(end_s: float) -> ss.Clip:

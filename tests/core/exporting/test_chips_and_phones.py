@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.stimulus_formats.envelopes import envelope_of
+from skinsource.export.formats.chips import envelope_of
 
 FLAGS = ("-Wall", "-Wextra", "-Werror", "-pedantic")
 

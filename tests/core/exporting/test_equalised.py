@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.equalising import RegularisedInverse, equalised
-from skinsource.rigs import Rig, RigChannel
+from skinsource.actuators.equalising import RegularisedInverse, equalised
+from skinsource.actuators.rigs import Rig, RigChannel
 from tests.core.exporting.export_bench import read, sidecar
 
 RATE_HZ = 8000

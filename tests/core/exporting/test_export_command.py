@@ -6,7 +6,7 @@ import pytest
 import soundfile
 
 import skinsource as ss
-from skinsource.commands.command_line import main
+from skinsource.cli.command_line import main
 
 #: Formats that cannot hold a drive as it is.
 LOSSY = ("c-header", "drv2605l", "bos1901", "drv2665", "haptic", "ahap", "pwle")

@@ -6,13 +6,9 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.errors import (
-    InvalidInputError,
-    NotConfirmedError,
-    Stopped,
-    StorageError,
-)
-from skinsource.stimulus_formats import FORMATS, formats
+from skinsource.base.errors import InvalidInputError, NotConfirmedError, Stopped, StorageError
+from skinsource.export.formats import formats
+from skinsource.export.formats.formats import FORMATS
 from tests.core.exporting.export_bench import read, sidecar
 
 

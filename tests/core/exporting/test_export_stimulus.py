@@ -8,10 +8,8 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.errors import (
-    InvalidInputError,
-)
-from skinsource.stimulus_formats import FORMATS
+from skinsource.base.errors import InvalidInputError
+from skinsource.export.formats.formats import FORMATS
 from tests.core.exporting.export_bench import exported, read, sidecar
 
 

@@ -3,8 +3,9 @@
 import pytest
 
 import skinsource as ss
-from skinsource.stimulus_export import overview_of, prepared, written_files
-from skinsource.stimulus_formats import format_named
+from skinsource.export.formats.formats import format_named
+from skinsource.export.stimulus_export.options import written_files
+from skinsource.export.stimulus_export.preparing import overview_of, prepared
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.05)
 DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(8, TONE), ss.track(13, TONE)))

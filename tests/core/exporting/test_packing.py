@@ -10,18 +10,18 @@ from dataclasses import replace
 import pytest
 
 import skinsource as ss
-from skinsource.commands.command_line import main
-from skinsource.design_file import open_design, save_design
-from skinsource.errors import MissingExtraError, Stopped, StorageError
-from skinsource.own_limbs import facts_of
-from skinsource.packing import citation, data_of, pack
-from skinsource.rigs import Rig, save_rig
+from skinsource.actuators.rigs import Rig, save_rig
+from skinsource.base.errors import MissingExtraError, Stopped, StorageError
+from skinsource.cli.command_line import main
+from skinsource.design.design_file import open_design, save_design
+from skinsource.design.view import View
+from skinsource.export.packing import citation, data_of, pack
+from skinsource.limbs.own_limbs import facts_of
 from skinsource.version import __version__
-from skinsource.view import View
 from tests.core.own_limbs.lab_bench import installed
 
 # The package has a function of the same name.
-packing_module = importlib.import_module("skinsource.packing.design_pack")
+packing_module = importlib.import_module("skinsource.export.packing")
 DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7),), title="One tone")
 VIEW = View(outputs=(29,))
 

@@ -12,7 +12,7 @@ import pytest
 import soundfile
 
 import skinsource as ss
-from skinsource.errors import StorageError
+from skinsource.base.errors import StorageError
 
 LATENCY_S = 0.0125
 DELAY = 321

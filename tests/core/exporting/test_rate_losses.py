@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.commands.command_line import main
-from skinsource.errors import NotConfirmedError
+from skinsource.base.errors import NotConfirmedError
+from skinsource.cli.command_line import main
 from tests.core.exporting.export_bench import read, sidecar
 
 ACCEPTED = ss.StimulusOptions(accept_loss=True)

@@ -3,10 +3,10 @@
 import pytest
 
 import skinsource as ss
-from skinsource.stimulus_export import overview_of, prepared
-from skinsource.stimulus_formats import hdf5_file
-from skinsource.stimulus_formats.csv_text import CSV
-from skinsource.stimulus_formats.hdf5_file import HDF5
+from skinsource.export.formats import arrays
+from skinsource.export.formats.arrays import HDF5
+from skinsource.export.formats.text import CSV
+from skinsource.export.stimulus_export.preparing import overview_of, prepared
 
 DESIGN = ss.Design(
     limb="synthetic-1",
@@ -25,7 +25,7 @@ def test_a_table_is_about_as_large_as_told_in_each_layout(tmp_path, layout, rate
 
 
 def test_what_is_predicted_does_not_count_where_it_is_too_much_to_be_written(tmp_path, monkeypatch):
-    monkeypatch.setattr(hdf5_file, "_MOST_RESPONSE_BYTES", 1e5)
+    monkeypatch.setattr(arrays, "_MOST_RESPONSE_BYTES", 1e5)
     path = tmp_path / "drive.h5"
     told = overview_of(prepared(DESIGN, path, HDF5, None, ss.StimulusOptions())).n_bytes
     ss.export_stimulus(DESIGN, path)

@@ -8,11 +8,12 @@ import pytest
 import soundfile
 
 import skinsource as ss
-from skinsource.actuators import Limits, MeasuredResponse
-from skinsource.commands.command_line import main
-from skinsource.equalising import RegularisedInverse
-from skinsource.errors import InvalidInputError, NotConfirmedError
-from skinsource.rigs import Rig, RigChannel, save_rig
+from skinsource.actuators.equalising import RegularisedInverse
+from skinsource.actuators.measured_response import MeasuredResponse
+from skinsource.actuators.prediction import Limits
+from skinsource.actuators.rigs import Rig, RigChannel, save_rig
+from skinsource.base.errors import InvalidInputError, NotConfirmedError
+from skinsource.cli.command_line import main
 
 RATE_HZ = 8000
 #: As strong at all frequencies: 50 and 20 m/s² for each volt.

@@ -3,7 +3,7 @@
 import pytest
 
 import skinsource as ss
-from skinsource.figures.writing import about, draw_figure
+from skinsource.studies.figures.writing import about, draw_figure
 
 SPACING = "where waves are too short for the spacing of the outputs"
 

@@ -7,11 +7,10 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.commands.command_line import main
-from skinsource.errors import InvalidInputError, StorageError
-from skinsource.figures import FIGURES, write_figures
-from skinsource.figures.check_figures import lines_of
-from skinsource.figures.writing import draw_figure
+from skinsource.base.errors import InvalidInputError, StorageError
+from skinsource.cli.command_line import main
+from skinsource.studies.figures.figures import FIGURES, lines_of
+from skinsource.studies.figures.writing import draw_figure, write_figures
 
 
 def table(path):

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.errors import InvalidInputError
-from skinsource.figures.check_figures import swept_hz
-from skinsource.figures.writing import draw_figure
+from skinsource.base.errors import InvalidInputError
+from skinsource.studies.figures.figures import swept_hz
+from skinsource.studies.figures.writing import draw_figure
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed
 
 BAND = (40.0, 1500.0)

@@ -3,8 +3,8 @@
 import numpy as np
 
 import skinsource as ss
-from skinsource import evaluation
-from skinsource.figures.writing import draw_figure
+from skinsource.engine import evaluation
+from skinsource.studies.figures.writing import draw_figure
 from tests.core.own_limbs.lab_bench import installed, keep
 
 

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import pytest
 
-from skinsource.design import Design, track
-from skinsource.design_file import DesignFile
-from skinsource.keeping.owner import this_process, to_bytes
-from skinsource.keeping.session import OWNER, Session
+from skinsource.base.lock import this_process, to_bytes
+from skinsource.design.design import Design, track
+from skinsource.design.design_file import DesignFile
+from skinsource.design.recovery import OWNER, Session
 
 
 @pytest.fixture

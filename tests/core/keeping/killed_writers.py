@@ -15,10 +15,10 @@ from pathlib import Path
 
 import numpy as np
 
-from skinsource.design import Design, track
-from skinsource.design_file import DesignFile
-from skinsource.keeping.owner import this_process
-from skinsource.keeping.session import Session
+from skinsource.base.lock import this_process
+from skinsource.design.design import Design, track
+from skinsource.design.design_file import DesignFile
+from skinsource.design.recovery import Session
 
 EDIT = struct.Struct("<qd")
 MOST_EDITS = 4000

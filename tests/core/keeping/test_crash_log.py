@@ -8,12 +8,12 @@ import threading
 
 import pytest
 
-from skinsource.keeping.crash_log import MOST_LOGS, CrashLog, crashed_logs, note_offered
+from skinsource.base.crash_log import MOST_LOGS, CrashLog, crashed_logs, note_offered
 
 PROGRAM = """
 import faulthandler, logging, os, sys
 from pathlib import Path
-from skinsource.keeping.crash_log import CrashLog
+from skinsource.base.crash_log import CrashLog
 log = CrashLog(Path(sys.argv[1]))
 log.open()
 exec(sys.argv[2])

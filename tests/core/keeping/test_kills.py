@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from skinsource.design_file import open_design
-from skinsource.keeping import left_over
+from skinsource.design import recovery
+from skinsource.design.design_file import open_design
 
 KILLS, INTERVAL_S, SEED = 200, 0.2, 20_261_122
 
@@ -23,7 +23,7 @@ def test_of_200_killed_writers_none_loses_more_than_one_interval(tmp_path):
     assert done.returncode == 0, done.stderr
     told = json.loads(done.stdout)
     assert len(told) == KILLS
-    found = left_over.find(tmp_path)
+    found = recovery.find(tmp_path)
     assert found.set_aside == ()
     left = {int(one.copies[0].parent.name.split("-")[2]): one for one in found.left}
     for writer in told:
@@ -43,5 +43,5 @@ def test_of_200_killed_writers_none_loses_more_than_one_interval(tmp_path):
     files = [path for path in tmp_path.rglob("*") if path.is_file()]
     assert [path for path in files if path.name.endswith((".part", ".opening"))] == []
     for one in found.left:
-        left_over.discard(one)
+        recovery.discard(one)
     assert [path for path in tmp_path.rglob("*") if path.is_file()] == []

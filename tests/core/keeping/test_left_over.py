@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from skinsource.design_file import open_design
-from skinsource.keeping import left_over
-from skinsource.keeping.owner import to_bytes
-from skinsource.keeping.session import OWNER, Session
+from skinsource.base.lock import to_bytes
+from skinsource.design import recovery
+from skinsource.design.design_file import open_design
+from skinsource.design.recovery import OWNER, Session
 
 
 def test_the_newest_copy_comes_first_with_its_picture_name_and_file(
@@ -16,7 +16,7 @@ def test_the_newest_copy_comes_first_with_its_picture_name_and_file(
 ):
     file = tmp_path / "tap.skinsource"
     left_by_a_killed_studio(3, file)
-    (one,) = left_over.find(tmp_path).left
+    (one,) = recovery.find(tmp_path).left
     numbers = [open_design(copy).design.inputs[0].amplitude for copy in one.copies]
     assert numbers == [3.0, 2.0, 1.0]
     assert one.picture() == b"picture 3"
@@ -27,14 +27,14 @@ def test_the_newest_copy_comes_first_with_its_picture_name_and_file(
 def test_work_of_a_studio_that_runs_is_not_offered(tmp_path, work):
     session = Session(tmp_path)
     session.keep(work(1))
-    assert left_over.find(tmp_path).left == ()
+    assert recovery.find(tmp_path).left == ()
     assert len(list(session.folder.iterdir())) == 3
 
 
 def test_work_on_another_computer_is_left_alone(tmp_path, left_by_a_killed_studio, elsewhere):
     folder = left_by_a_killed_studio()
     (folder / OWNER).write_bytes(to_bytes(elsewhere))
-    assert left_over.find(tmp_path).left == ()
+    assert recovery.find(tmp_path).left == ()
 
 
 def test_several_are_found_the_newest_first(tmp_path, left_by_a_killed_studio):
@@ -42,48 +42,48 @@ def test_several_are_found_the_newest_first(tmp_path, left_by_a_killed_studio):
         folder = left_by_a_killed_studio(1, tmp_path / f"{'abc'[k]}.skinsource")
         (copy,) = folder.glob("*.skinsource")
         os.utime(copy, (1000.0 * k, 1000.0 * k))
-    assert [one.name for one in left_over.find(tmp_path).left] == ["c", "b", "a"]
+    assert [one.name for one in recovery.find(tmp_path).left] == ["c", "b", "a"]
 
 
 def test_a_copy_whose_opening_never_ended_is_set_aside_and_the_one_before_is_offered(
     tmp_path, left_by_a_killed_studio, ended
 ):
     left_by_a_killed_studio(2)
-    newest, before = left_over.find(tmp_path).left[0].copies
+    newest, before = recovery.find(tmp_path).left[0].copies
     content = newest.read_bytes()
-    left_over.mark_opening(newest)
+    recovery.mark_opening(newest)
     mark = newest.with_name(f"{newest.name}.opening")
-    assert left_over.find(tmp_path).left[0].copies == (before,)  # it is being opened now
+    assert recovery.find(tmp_path).left[0].copies == (before,)  # it is being opened now
     assert newest.exists()
     mark.write_bytes(to_bytes(ended))
-    found = left_over.find(tmp_path)
+    found = recovery.find(tmp_path)
     assert [one.copies for one in found.left] == [(before,)]
     assert [path.read_bytes() for path in found.set_aside] == [content]
     assert not mark.exists()
-    assert left_over.find(tmp_path).set_aside == ()
+    assert recovery.find(tmp_path).set_aside == ()
 
 
 def test_a_mark_that_is_damaged_counts_as_one(tmp_path, left_by_a_killed_studio):
     left_by_a_killed_studio(1)
-    copy = left_over.find(tmp_path).left[0].copies[0]
+    copy = recovery.find(tmp_path).left[0].copies[0]
     copy.with_name(f"{copy.name}.opening").write_bytes(b"")
-    found = left_over.find(tmp_path)
+    found = recovery.find(tmp_path)
     assert (found.left, len(found.set_aside)) == ((), 1)
 
 
 def test_what_was_opened_well_is_offered_as_before(tmp_path, left_by_a_killed_studio):
     left_by_a_killed_studio(1)
-    before = left_over.find(tmp_path)
-    left_over.mark_opening(before.left[0].copies[0])
-    left_over.mark_opened(before.left[0].copies[0])
-    assert left_over.find(tmp_path) == before
+    before = recovery.find(tmp_path)
+    recovery.mark_opening(before.left[0].copies[0])
+    recovery.mark_opened(before.left[0].copies[0])
+    assert recovery.find(tmp_path) == before
 
 
 def test_copies_of_one_name_are_set_aside_beside_each_other(tmp_path, left_by_a_killed_studio):
     moved = []
     for _ in range(3):
         left_by_a_killed_studio(1)
-        moved.append(left_over.set_aside(left_over.find(tmp_path).left[0].copies[0]))
+        moved.append(recovery.set_aside(recovery.find(tmp_path).left[0].copies[0]))
     assert len({path.name for path in moved}) == 3
     assert all(path.is_file() for path in moved)
 
@@ -96,20 +96,20 @@ def test_what_killed_writers_left_is_cleared_away(tmp_path, left_by_a_killed_stu
     (empty / ".owner.0123abcd.part").write_bytes(b"")
     begun = folder.with_name(f"20260101-000000-{os.getpid()}-abcdef")
     begun.mkdir()
-    left_over.find(tmp_path)
+    recovery.find(tmp_path)
     assert list(tmp_path.rglob("*.part")) == []
     assert not empty.exists()
     assert begun.exists()  # its studio runs, and is about to write
 
 
 def test_where_nothing_was_ever_kept_nothing_is_found(tmp_path):
-    assert left_over.find(tmp_path / "none") == left_over.Found()
+    assert recovery.find(tmp_path / "none") == recovery.Found()
 
 
 def test_a_file_of_another_system_that_cannot_be_told_is_none(tmp_path, left_by_a_killed_studio):
     folder = left_by_a_killed_studio(1, Path("/a/tap.skinsource"))
     (folder / "file").unlink()
-    assert left_over.find(tmp_path).left[0].file is None
+    assert recovery.find(tmp_path).left[0].file is None
 
 
 @pytest.mark.parametrize(
@@ -125,4 +125,4 @@ def test_a_file_of_another_system_that_cannot_be_told_is_none(tmp_path, left_by_
     ],
 )
 def test_ages_are_told_in_whole_units(seconds, words):
-    assert left_over.age_words(seconds) == words
+    assert recovery.age_words(seconds) == words

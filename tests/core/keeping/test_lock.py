@@ -8,14 +8,13 @@ from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
-from skinsource.errors import StorageError
-from skinsource.keeping.lock import Lock
-from skinsource.keeping.owner import read_owner, still_runs, this_process, to_bytes
+from skinsource.base.errors import StorageError
+from skinsource.base.lock import Lock, read_owner, still_runs, this_process, to_bytes
 
 OTHER_STUDIO = """
 import sys
 from pathlib import Path
-from skinsource.keeping.lock import Lock
+from skinsource.base.lock import Lock
 print(Lock(Path(sys.argv[1])).take(), flush=True)
 sys.stdin.readline()
 """

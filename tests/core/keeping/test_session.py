@@ -2,9 +2,9 @@
 
 import pytest
 
-from skinsource.design_file import open_design
-from skinsource.errors import StorageError
-from skinsource.keeping.session import MOST_COPIES, Session
+from skinsource.base.errors import StorageError
+from skinsource.design.design_file import open_design
+from skinsource.design.recovery import MOST_COPIES, Session
 
 
 def amplitudes(session):

@@ -11,16 +11,23 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.errors import FileFormatError, InvalidInputError, StorageError
-from skinsource.matching import MatchingRun, Procedure, Strengths, add_match, read_matches
-from skinsource.matching.procedure import HIGHEST_DB, LOWEST_DB
+from skinsource.base.errors import FileFormatError, InvalidInputError, StorageError
+from skinsource.lab.matching import (
+    HIGHEST_DB,
+    LOWEST_DB,
+    MatchingRun,
+    Procedure,
+    Strengths,
+    add_match,
+    read_matches,
+)
 
 ANNA = Procedure(person="Anna", frequencies_hz=(50.0, 250.0), places=(3, 7), seed=4)
 
 ADDING = """
 import sys
 from pathlib import Path
-from skinsource.matching import MatchingRun, Procedure
+from skinsource.lab.matching import MatchingRun, Procedure
 frequencies_hz = tuple(float(hz) for hz in range(50, 100))
 procedure = Procedure(person=sys.argv[2], frequencies_hz=frequencies_hz, places=(3,))
 run = MatchingRun(procedure, Path(sys.argv[1]))

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.matching import MatchingRun, Procedure
+from skinsource.lab.matching import MatchingRun, Procedure
 from tests.core.playing import file_card
 from tests.core.playing.file_card import CYCLE, MATCHED, RATE_HZ
 

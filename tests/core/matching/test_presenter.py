@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.actuators import Limits
-from skinsource.errors import NothingToPlayOnError
-from skinsource.matching import MatchingRun, Presenter, Procedure
-from skinsource.playing import Output
-from skinsource.playing import session as session_module
-from skinsource.rigs import Rig, RigChannel
+from skinsource.actuators.prediction import Limits
+from skinsource.actuators.rigs import Rig, RigChannel
+from skinsource.base.errors import NothingToPlayOnError
+from skinsource.lab.matching import MatchingRun, Presenter, Procedure
+from skinsource.lab.playing import session as session_module
+from skinsource.lab.playing.devices import Output
 from tests.core.playing.made_up_sound import MadeUpLibrary, use
 
 PROCEDURE = Procedure(

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from skinsource import evaluation
-from skinsource.own_limbs import OwnLimb, install_limb
+from skinsource.engine import evaluation
+from skinsource.limbs.own_limbs import OwnLimb, install_limb
 
 N_INPUTS, N_OUTPUTS, N_TAPS, RATE_HZ = 7, 31, 90, 4000.0
 

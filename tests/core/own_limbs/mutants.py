@@ -10,11 +10,11 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from skinsource.errors import SkinSourceError
-from skinsource.limb_import import LimbSource, prepared
-from skinsource.limb_import import importing as importing_module
-from skinsource.own_limbs.limb_file import LimbFile
-from skinsource.recordings.reading_process import ReadingProcess
+from skinsource.base.errors import SkinSourceError
+from skinsource.limbs import limb_import as importing_module
+from skinsource.limbs.limb_import import LimbSource, prepared
+from skinsource.limbs.own_limbs import LimbFile
+from skinsource.readers.reading_process import ReadingProcess
 from tests.core.recordings.mutants import Tally, mutant
 
 FORMATS = ("limb", "kept limb")

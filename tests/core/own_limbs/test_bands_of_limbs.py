@@ -7,20 +7,22 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource import edits
-from skinsource.analysis_rules.perception_rules import Sensation
-from skinsource.design import Design, track
-from skinsource.errors import InvalidInputError, RecordingError
-from skinsource.evaluation import Evaluator
-from skinsource.fields import specs_of
-from skinsource.limb import BAND_HZ
-from skinsource.limb_import import LimbSource, export_limb, import_limb
-from skinsource.own_limbs import facts_of
-from skinsource.panel_settings import with_settings
-from skinsource.perception.settings import PerceptionSettings, held
-from skinsource.stimulus import stimulus_of, wiring
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tone, WaveletTrain
+from skinsource.base.errors import InvalidInputError, RecordingError
+from skinsource.base.published import BAND_HZ
+from skinsource.design import edits
+from skinsource.design.design import Design, track
+from skinsource.design.panel_settings import with_settings
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tone, WaveletTrain
+from skinsource.engine import stimulus
+from skinsource.engine.analysis_rules import Sensation
+from skinsource.engine.evaluation import Evaluator
+from skinsource.engine.stimulus import stimulus_of
+from skinsource.limbs.limb_import import LimbSource, import_limb
+from skinsource.limbs.limb_layout import export_limb
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.perception.thresholds import PerceptionSettings, held
+from skinsource.specs.fields import specs_of
 from tests.core.own_limbs.lab_bench import installed, own_limb
 from tests.core.own_limbs.mutants import whole_file
 
@@ -118,7 +120,7 @@ def test_what_plays_is_judged_mended_drawn_and_written_in_the_band_of_the_limb(u
     assert stimulus_of(PLAYED).band_hz == (0.0, pytest.approx(2000.0 * 12 / 13))
     # At a higher rate there is no more to follow.
     for rate_hz, top_hz in ((None, 2000.0), (48_000, 2000.0), (1000, 500.0)):
-        followed = wiring._band_of(stimulus_of(PLAYED, rate_hz))
+        followed = stimulus._band_of(stimulus_of(PLAYED, rate_hz))
         assert followed == (25.0, pytest.approx(top_hz * 12 / 13))
 
 

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.commands.command_line import main
-from skinsource.design import Design, track
-from skinsource.design_file import save_design
-from skinsource.errors import InvalidInputError
-from skinsource.view import View, view_on
-from skinsource.waveforms import Impulse, Noise, Tone
+from skinsource.base.errors import InvalidInputError
+from skinsource.cli.command_line import main
+from skinsource.design.design import Design, track
+from skinsource.design.design_file import save_design
+from skinsource.design.view import View, view_on
+from skinsource.design.waveforms import Impulse, Noise, Tone
 from tests.core.own_limbs.lab_bench import installed, keep
 
 

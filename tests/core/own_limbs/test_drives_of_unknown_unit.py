@@ -6,17 +6,17 @@ from dataclasses import replace
 import pytest
 
 import skinsource as ss
-from skinsource.chain import amplitude_meaning, amplitude_unit, drive_unit
-from skinsource.commands.command_line import main
-from skinsource.design import amplitude_spec
-from skinsource.design_file import save_design
-from skinsource.equalising import RegularisedInverse
-from skinsource.errors import InvalidInputError
-from skinsource.export import export_traces
-from skinsource.figures import draw_figure
-from skinsource.own_limbs import drive_unit_known, facts_of, remove_limb
-from skinsource.scaling.response_scaling import SCALINGS
-from skinsource.view import View
+from skinsource.actuators.equalising import RegularisedInverse
+from skinsource.base.errors import InvalidInputError
+from skinsource.cli.command_line import main
+from skinsource.design.amplitudes import amplitude_meaning, amplitude_unit, drive_unit
+from skinsource.design.design import amplitude_spec
+from skinsource.design.design_file import save_design
+from skinsource.design.view import View
+from skinsource.export.tables import export_traces
+from skinsource.limbs.own_limbs import drive_unit_known, facts_of, remove_limb
+from skinsource.limbs.scaling import SCALINGS
+from skinsource.studies.figures.writing import draw_figure
 from tests.core.own_limbs.lab_bench import installed
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.05)

@@ -7,11 +7,12 @@ import numpy as np
 import pytest
 import scipy.io
 
-from skinsource.catalogue import load_limb
-from skinsource.commands.command_line import main
-from skinsource.errors import SkinSourceError
-from skinsource.limb_import import LimbSource, export_limb, import_limb
-from skinsource.own_limbs import facts_of, own_limb_names, own_limb_path
+from skinsource.base.errors import SkinSourceError
+from skinsource.cli.command_line import main
+from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.limb_import import LimbSource, import_limb
+from skinsource.limbs.limb_layout import export_limb
+from skinsource.limbs.own_limbs import facts_of, own_limb_names, own_limb_path
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, RATE_HZ, response
 
 OUTLINE = [[0, 0], [60, 0], [60, 100], [0, 100]]
@@ -270,9 +271,9 @@ def test_a_damaged_limb_too_is_replaced_only_where_that_is_asked_for(user_data, 
 
 
 def test_the_largest_limb_is_computed_as_a_job(user_data, tmp_path):
-    from skinsource.design import Design, track
-    from skinsource.export import export_levels
-    from skinsource.view import View
+    from skinsource.design.design import Design, track
+    from skinsource.design.view import View
+    from skinsource.export.tables import export_levels
 
     array = RNG.standard_normal((256, 512, 1, 40)).astype("f4")
     np.save(tmp_path / "large.npy", array)

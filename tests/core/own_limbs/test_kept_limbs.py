@@ -8,17 +8,21 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource import edits
-from skinsource.catalogue import available_limbs, load_limb
-from skinsource.choice_words import limb_word
-from skinsource.design import Design, track
-from skinsource.design_file import open_design, save_design
-from skinsource.errors import FileFormatError, InvalidInputError, UnknownLimbError
-from skinsource.evaluation import evaluate
-from skinsource.export import export_field, export_levels, export_map, export_traces
-from skinsource.levelling.wavelet_levels import wavelet_levels_db
-from skinsource.locations import input_words, output_words
-from skinsource.own_limbs import (
+from skinsource.base.errors import FileFormatError, InvalidInputError, UnknownLimbError
+from skinsource.design import edits
+from skinsource.design.design import Design, track
+from skinsource.design.design_file import open_design, save_design
+from skinsource.design.labels import limb_word
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone, WaveletTrain
+from skinsource.engine.evaluation import evaluate
+from skinsource.engine.levelling import wavelet_levels_db
+from skinsource.export.map_files import export_map
+from skinsource.export.stimulus_export.export import export_stimulus
+from skinsource.export.tables import export_field, export_levels, export_traces
+from skinsource.limbs.catalogue import available_limbs, load_limb
+from skinsource.limbs.locations import input_words, output_words
+from skinsource.limbs.own_limbs import (
     facts_of,
     install_limb,
     mirror_limb,
@@ -27,10 +31,7 @@ from skinsource.own_limbs import (
     own_limb_path,
     remove_limb,
 )
-from skinsource.stimulus_export import export_stimulus
-from skinsource.sweeps import sweep
-from skinsource.view import View
-from skinsource.waveforms import Tone, WaveletTrain
+from skinsource.studies.sweeps import sweep
 from tests.core.own_limbs.lab_bench import (
     N_INPUTS,
     N_OUTPUTS,

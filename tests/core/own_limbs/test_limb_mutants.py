@@ -4,12 +4,12 @@ import h5py
 import numpy as np
 import pytest
 
-from skinsource.catalogue import load_limb
-from skinsource.errors import SkinSourceError
-from skinsource.limb_import import LimbSource, import_limb, prepared
-from skinsource.limb_import import importing as importing_module
-from skinsource.own_limbs import own_limb_names, own_limb_path
-from skinsource.recordings.reading_process import ReadingProcess
+from skinsource.base.errors import SkinSourceError
+from skinsource.limbs import limb_import as importing_module
+from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.limb_import import LimbSource, import_limb, prepared
+from skinsource.limbs.own_limbs import own_limb_names, own_limb_path
+from skinsource.readers.reading_process import ReadingProcess
 from tests.core.own_limbs.mutants import try_kept, try_layout, whole_file
 
 N_MUTANTS = 300

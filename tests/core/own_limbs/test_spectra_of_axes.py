@@ -3,8 +3,8 @@
 import numpy as np
 
 import skinsource as ss
-from skinsource.spectra import magnitude_spectrum, peak_hold_spectrum
-from skinsource.view import View
+from skinsource.design.view import View
+from skinsource.signals.spectra import magnitude_spectrum, peak_hold_spectrum
 from tests.core.own_limbs.lab_bench import RATE_HZ
 
 

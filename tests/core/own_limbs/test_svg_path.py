@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from skinsource.limb_import.svg_path import outline_of, path_lines
+from skinsource.limbs.svg_path import outline_of, path_lines
 
 
 @pytest.mark.parametrize(

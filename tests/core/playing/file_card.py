@@ -16,8 +16,8 @@ from time import perf_counter, sleep
 import numpy as np
 import pytest
 
-from skinsource.errors import SkinSourceError
-from skinsource.playing.portaudio import sound_library
+from skinsource.base.errors import SkinSourceError
+from skinsource.lab.playing.devices import sound_library
 
 RATE_HZ = 48_000
 N_OUTPUTS = 3
@@ -133,9 +133,9 @@ class PacedCard:
 
 def opened(of_mix, at, gain_db=0.0):
     """A stream on the card, and what tells that it has finished."""
-    from skinsource.playing import Deck, Output
-    from skinsource.playing.devices import device_of, devices
-    from skinsource.playing.stream import Stream
+    from skinsource.lab.playing.devices import Output, device_of, devices
+    from skinsource.lab.playing.mix import Deck
+    from skinsource.lab.playing.stream import Stream
 
     device = device_of(Output(device="card"), devices())
     deck, finished = Deck(N_OUTPUTS, RATE_HZ, gain_db), threading.Event()
@@ -145,7 +145,7 @@ def opened(of_mix, at, gain_db=0.0):
 
 def mix(samples, loop_s=None):
     """All rows, one output each."""
-    from skinsource.playing import mix_of
+    from skinsource.lab.playing.mix import mix_of
 
     numbers = range(1, N_OUTPUTS + 1)
     titles = [f"place {number}" for number in numbers]
@@ -203,8 +203,8 @@ def pulled(folder: Path) -> dict:
 
 def matching(folder: Path) -> dict:
     """Two presses of an arrow, while reference and test alternate; then Esc."""
-    from skinsource.matching import MatchingRun, Presenter, Procedure
-    from skinsource.playing import Output
+    from skinsource.lab.matching import MatchingRun, Presenter, Procedure
+    from skinsource.lab.playing.devices import Output
 
     configure(folder, folder / "pipe")
     card = PacedCard(folder, n_outputs=2)

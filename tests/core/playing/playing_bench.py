@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from skinsource.playing import Deck, Mix, mix_of, next_block
+from skinsource.lab.playing.mix import Deck, Mix, mix_of
+from skinsource.lab.playing.stream import next_block
 
 RATE_HZ = 8000
 #: Samples of a fade at that rate, and of the fall to silence.

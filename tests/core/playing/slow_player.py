@@ -1,4 +1,5 @@
-"""The same as `skinsource.playing.next_block`, one sample after the other and in plain numbers."""
+"""The same as `skinsource.lab.playing.stream.next_block`, one sample after the other and in plain
+numbers."""
 
 from math import cos, pi
 

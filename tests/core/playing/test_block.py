@@ -186,7 +186,7 @@ def test_nothing_grows_while_it_plays():
 
     live = playing(mix(tone(4000), loop=(0, 4000)))
     out = np.zeros((240, 1), np.float32)
-    from skinsource.playing import next_block
+    from skinsource.lab.playing.stream import next_block
 
     def play(n):
         for _ in range(n):

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.playing.device_rows import DeviceRows
+from skinsource.lab.playing.devices import DeviceRows
 
 FROM_HZ = 1300
 

@@ -8,9 +8,12 @@ from types import SimpleNamespace
 
 import pytest
 
-from skinsource.errors import NothingToPlayOnError, PlaybackError, SkinSourceError
-from skinsource.extras import extra_line
-from skinsource.playing import Deck, Output, devices, portaudio, stream
+from skinsource.base.errors import NothingToPlayOnError, PlaybackError, SkinSourceError
+from skinsource.base.extras import extra_line
+from skinsource.lab.playing import devices, stream
+from skinsource.lab.playing import devices as portaudio
+from skinsource.lab.playing.devices import Output
+from skinsource.lab.playing.mix import Deck
 
 CARDS = (("Built-in", 0, 2, 44100.0), ("Microphone", 0, 0, 44100.0), ("Eight", 1, 8, 48000.0))
 
@@ -145,9 +148,9 @@ def test_without_portaudio_the_package_of_the_system_is_said(monkeypatch):
 
 
 def test_nothing_of_sound_is_imported_before_somebody_asks():
-    words = "import sys, skinsource.playing, skinsource.playing.stream; print(*sys.modules)"
+    words = "import sys, skinsource.lab.playing.session; print(*sys.modules)"
     found = subprocess.run([sys.executable, "-c", words], capture_output=True, text=True)
     assert found.returncode == 0, found.stderr
-    assert "skinsource.playing.stream" in found.stdout
+    assert "skinsource.lab.playing.stream" in found.stdout
     assert "sounddevice" not in found.stdout.split()
     assert issubclass(PlaybackError, SkinSourceError)

@@ -1,9 +1,8 @@
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.playing import mix_of
-from skinsource.playing.tones import FREQUENCY_HZ, tone_of
+from skinsource.base.errors import InvalidInputError
+from skinsource.lab.playing.mix import FREQUENCY_HZ, mix_of, tone_of
 from tests.core.playing.playing_bench import FADE, RATE_HZ, mix
 
 

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.errors import InvalidInputError, UnknownLimbError
-from skinsource.playing import Output
-from skinsource.playing.mixer import MOST_SAMPLES, Mixer
+from skinsource.base.errors import InvalidInputError, UnknownLimbError
+from skinsource.lab.playing.devices import Output
+from skinsource.lab.playing.mixer import MOST_SAMPLES, Mixer
 
 TWO = ss.Design(
     limb="synthetic-1",

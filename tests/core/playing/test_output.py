@@ -2,8 +2,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skinsource.errors import InvalidInputError
-from skinsource.playing import Output, output_from_text
+from skinsource.base.errors import InvalidInputError
+from skinsource.lab.playing.devices import Output, output_from_text
 
 
 def test_a_place_without_an_output_of_its_own_takes_the_next_free_one():

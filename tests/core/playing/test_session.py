@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.errors import NothingToPlayOnError, PlaybackError, Stopped
-from skinsource.playing import Output
-from skinsource.playing.session import Session
+from skinsource.base.errors import NothingToPlayOnError, PlaybackError, Stopped
+from skinsource.lab.playing.devices import Output
+from skinsource.lab.playing.session import Session
 from tests.core.playing.made_up_sound import MadeUpLibrary, use
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.5)

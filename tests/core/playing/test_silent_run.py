@@ -1,6 +1,6 @@
 import pytest
 
-from skinsource.playing.silent_run import SilentRun
+from skinsource.lab.playing.session import SilentRun
 
 
 class Clock:

@@ -1,8 +1,7 @@
 import numpy as np
 import pytest
 
-from skinsource.playing import Delay
-from skinsource.playing.timing import DeviceClock, HeardPosition
+from skinsource.lab.playing.mix import Delay, DeviceClock, HeardPosition
 from tests.core.playing.playing_bench import mix
 
 RATE_HZ = 8000

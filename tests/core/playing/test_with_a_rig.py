@@ -7,11 +7,12 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.actuators import Limits, MeasuredResponse
-from skinsource.errors import InvalidInputError, PlaybackError
-from skinsource.playing import Output
-from skinsource.playing.session import Session
-from skinsource.rigs import Margin, Rig, RigChannel, highest_gain, rig_breaches
+from skinsource.actuators.measured_response import MeasuredResponse
+from skinsource.actuators.prediction import Limits
+from skinsource.actuators.rigs import Margin, Rig, RigChannel, highest_gain, rig_breaches
+from skinsource.base.errors import InvalidInputError, PlaybackError
+from skinsource.lab.playing.devices import Output
+from skinsource.lab.playing.session import Session
 from tests.core.playing.made_up_sound import MadeUpLibrary, use
 
 RATE_HZ = 48_000

@@ -12,11 +12,10 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 import skinsource as ss
-from skinsource.errors import InvalidInputError, MissingExtraError
-from skinsource.extras import extra_line
-from skinsource.plot.levels import common_range, levels_of
-from skinsource.plot.maps import draw_map
-from skinsource.resampling import FINER
+from skinsource.base.errors import InvalidInputError, MissingExtraError
+from skinsource.base.extras import extra_line
+from skinsource.export.plot import common_range, draw_map, levels_of
+from skinsource.signals.resampling import FINER
 
 DESIGN = ss.Design(
     limb="synthetic-1",

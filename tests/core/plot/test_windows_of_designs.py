@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.analysis import Windows
-from skinsource.export import export_windows
-from skinsource.quantities import new_graph, sources
-from skinsource.rendering.in_windows.window_energy import WindowEnergy
-from skinsource.rendering.segments import Blocks
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.engine.transforms import Blocks
+from skinsource.engine.window_rules import WindowEnergy
+from skinsource.export.tables import export_windows
+from skinsource.signals.analysis.windows import Windows
 
 TRAIN = ss.Design(
     limb="synthetic-4",
@@ -63,7 +63,7 @@ def test_a_long_design_is_cut_block_by_block_into_the_same_windows(monkeypatch):
     )
     view = ss.View(method="mag", windows_cut="length", window_s=0.77)
     at_once = ss.evaluate(long, *WANTED, view=view)
-    monkeypatch.setattr("skinsource.rendering.voice_rules.length_at_once", lambda *_: None)
+    monkeypatch.setattr("skinsource.engine.transforms.length_at_once", lambda *_: None)
     graph = new_graph()
     found = graph.evaluate({*WANTED, "streamed_vibration"}, sources(long, view))
     assert found["streamed_vibration"] is not None

@@ -3,8 +3,8 @@
 import pytest
 
 import skinsource as ss
-from skinsource.analysis import MOST_WINDOWS, Windows, windows_over
-from skinsource.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError
+from skinsource.signals.analysis.windows import MOST_WINDOWS, Windows, windows_over
 
 RATE_HZ = 1300.0
 

@@ -10,7 +10,7 @@ import pytest
 import scipy.io
 import soundfile
 
-from skinsource.recordings.reading_process import ReadingProcess
+from skinsource.readers.reading_process import ReadingProcess
 
 RATE_HZ = 2000
 

@@ -12,10 +12,10 @@ from pathlib import Path
 
 import numpy as np
 
-from skinsource.errors import RecordingError
-from skinsource.recordings import limits
-from skinsource.recordings.found import Found
-from skinsource.recordings.reading_process import ReadingProcess
+from skinsource.base.errors import RecordingError
+from skinsource.readers import limits
+from skinsource.readers.reader import Found
+from skinsource.readers.reading_process import ReadingProcess
 from tests.core.recordings.conftest import WRITERS
 
 FORMATS = ("WAV", "text", "NPY", "NPZ", "MATLAB", "MATLAB 7.3", "HDF5")

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import soundfile
 
-from skinsource.errors import RecordingError
+from skinsource.base.errors import RecordingError
 
 
 def npy_header(shape, dtype="<f8", more=b""):

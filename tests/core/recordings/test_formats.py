@@ -9,9 +9,9 @@ import pytest
 import scipy.io
 import soundfile
 
-from skinsource.errors import RecordingError, StorageError
-from skinsource.recordings import suggested
-from skinsource.recordings.readers import endings
+from skinsource.base.errors import RecordingError, StorageError
+from skinsource.design.recordings import suggested
+from skinsource.readers.readers import endings
 from tests.core.recordings.conftest import RATE_HZ, WRITERS, write_wav
 
 

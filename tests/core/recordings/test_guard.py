@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from skinsource.errors import RecordingError, Stopped, StorageError
-from skinsource.recordings import limits, process_memory
-from skinsource.recordings.reading_process import ReadingProcess
+from skinsource.base.errors import RecordingError, Stopped, StorageError
+from skinsource.readers import limits, reading_process
+from skinsource.readers.reading_process import ReadingProcess
 from tests.core.recordings.conftest import talker
 
 FILE = Path("some") / "tap.wav"
@@ -133,17 +133,17 @@ def test_what_takes_too_much_memory_is_ended_where_the_system_does_not_limit(tmp
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no ps")
 def test_the_memory_of_a_process_is_known():
-    own = process_memory.resident_bytes(os.getpid())
+    own = reading_process.resident_bytes(os.getpid())
     assert own > 10 * 2**20
     if Path("/bin/ps").exists():
-        assert process_memory.of_ps(os.getpid()) == pytest.approx(own, rel=0.2)
-    assert process_memory.resident_bytes(2**22 + 5) is None
+        assert reading_process.of_ps(os.getpid()) == pytest.approx(own, rel=0.2)
+    assert reading_process.resident_bytes(2**22 + 5) is None
 
 
 def test_libraries_that_print_do_not_disturb_the_answers(tmp_path):
     script = (
         "import os, sys\n"
-        "from skinsource.recordings import child, readers\n"
+        "from skinsource.design.recordings import child, readers\n"
         "plain = readers.look\n"
         "def loud(path):\n"
         "    os.write(1, b'hello from a library\\n'); print('and another'); return plain(path)\n"

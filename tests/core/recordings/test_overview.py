@@ -8,7 +8,7 @@ import soundfile
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from skinsource.recordings.overview import Overview
+from skinsource.readers.reader import Overview
 
 
 @given(

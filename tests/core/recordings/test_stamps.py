@@ -5,8 +5,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError
-from skinsource.recordings.stamps import at_steady_rate, pace_of
+from skinsource.base.errors import InvalidInputError
+from skinsource.readers.timestamps import at_steady_rate, pace_of
 
 
 @pytest.mark.parametrize("rate_hz", [100, 1300, 5988, 6000, 48_000])

@@ -8,8 +8,8 @@ import pytest
 import soundfile
 
 import skinsource as ss
-from skinsource.errors import InvalidInputError, RecordingError, Stopped
-from skinsource.recordings import ImportChoice, look, suggested, take, taken
+from skinsource.base.errors import InvalidInputError, RecordingError, Stopped
+from skinsource.design.recordings import ImportChoice, look, suggested, take, taken
 from tests.core.recordings.conftest import write_wav
 
 KEEP = ImportChoice(series="0", rate_hz=1300.0, scale="keep", remove_offset=False)

@@ -5,9 +5,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from skinsource.errors import RecordingError
-from skinsource.recordings import text_table
-from skinsource.recordings.text_layout import layout_of
+from skinsource.base.errors import RecordingError
+from skinsource.readers import text as text_table
+from skinsource.readers.text import layout_of
 
 NUMBERS = [[0.0, 1.5], [0.001, -2.25], [0.002, 1e-3]]
 
@@ -111,7 +111,7 @@ def test_commas_between_whole_numbers_are_said_to_be_a_guess():
 
 
 def test_parts_are_those_of_the_whole(tmp_path, monkeypatch):
-    monkeypatch.setattr("skinsource.recordings.limits.BLOCK", 16)
+    monkeypatch.setattr("skinsource.readers.limits.BLOCK", 16)
     values = np.random.default_rng(0).standard_normal((100, 3))
     path = tmp_path / "a.txt"
     np.savetxt(path, values)

@@ -9,9 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from skinsource.errors import InvalidInputError, RecordingError
-from skinsource.recordings import Found, ImportChoice, Series, suggested, take, taken
-from skinsource.recordings.three_axes import dft321, other_axes
+from skinsource.base.errors import InvalidInputError, RecordingError
+from skinsource.design.recordings import Found, ImportChoice, Series, suggested, take, taken
+from skinsource.readers.reader import dft321, other_axes
 
 WORDS = "(DFT321, Landin et al. 2010)"
 

@@ -3,13 +3,7 @@
 import numpy as np
 import pytest
 
-from skinsource.recordings.units import (
-    UNITS,
-    differentiated,
-    split_heading,
-    time_unit_s,
-    unit_named,
-)
+from skinsource.readers.units import UNITS, differentiated, split_heading, time_unit_s, unit_named
 
 RATE_HZ = 1300.0
 

@@ -12,12 +12,11 @@ from pathlib import Path
 import numpy as np
 import scipy
 
-from skinsource.playing import Output
-from skinsource.playing.gain import factor_of
-from skinsource.playing.mix import fade_samples
-from skinsource.rig_measuring import measure, one_channel
-from skinsource.rig_measuring.duplex import Duplex
-from skinsource.rigs import Rig, RigChannel
+from skinsource.actuators.rigs import Rig, RigChannel
+from skinsource.lab.playing.devices import Output
+from skinsource.lab.playing.mix import factor_of, fade_samples
+from skinsource.lab.rig_measuring import duplex, measure
+from skinsource.lab.rig_measuring.duplex import Duplex
 
 sys.path.insert(0, str(Path(__file__).parents[3]))
 from tests.core.playing.file_card import configure_duplex
@@ -53,7 +52,7 @@ def main(folder: Path) -> dict:
             noise.astype(np.float32).tofile(came)
             super().__init__(deck, card, n_samples)
 
-    one_channel.Duplex = Prepared
+    duplex.Duplex = Prepared
     rig = Rig(channels=(RigChannel(place=7, device="card", full_scale_v=VOLTS),))
     setup = replace(SETUP, repeats=2)
     found = measure(rig, 7, setup, output=Output(sample_rate_hz=RATE_HZ))

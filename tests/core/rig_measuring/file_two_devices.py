@@ -17,9 +17,9 @@ from time import sleep
 import numpy as np
 from scipy.signal import fftconvolve
 
-from skinsource.playing import Output
-from skinsource.rig_measuring import measure
-from skinsource.rigs import Rig, RigChannel
+from skinsource.actuators.rigs import Rig, RigChannel
+from skinsource.lab.playing.devices import Output
+from skinsource.lab.rig_measuring import measure
 
 sys.path.insert(0, str(Path(__file__).parents[3]))
 from tests.core.playing.file_card import ALSA_SETTINGS

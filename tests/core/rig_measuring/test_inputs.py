@@ -2,8 +2,8 @@
 
 import pytest
 
-from skinsource.playing.devices import Device
-from skinsource.rig_measuring.inputs import InputDevice, input_device_of
+from skinsource.lab.playing.devices import Device
+from skinsource.lab.rig_measuring.duplex import InputDevice, input_device_of
 
 PLAYED_ON = Device(
     index=2, name="Card", host_api="ALSA", n_outputs=4, sample_rate_hz=48_000, is_default=False

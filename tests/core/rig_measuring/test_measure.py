@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.actuators import Limits
-from skinsource.commands.command_line import main
-from skinsource.errors import InvalidInputError, PlaybackError, Stopped
-from skinsource.playing import Output
-from skinsource.rig_measuring import kept, measure
-from skinsource.rigs import Rig, RigChannel
+from skinsource.actuators.prediction import Limits
+from skinsource.actuators.rigs import Rig, RigChannel
+from skinsource.base.errors import InvalidInputError, PlaybackError, Stopped
+from skinsource.cli.command_line import main
+from skinsource.lab.playing.devices import Output
+from skinsource.lab.rig_measuring import kept, measure
 from tests.core.rig_measuring.bench_top import (
     BLOCK_S,
     COIL,

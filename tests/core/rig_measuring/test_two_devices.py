@@ -5,13 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.errors import InvalidInputError, PlaybackError, Stopped
-from skinsource.measuring.clock_ratio import clock_ratio
-from skinsource.measuring.exponential_sweep import exponential_sweep
-from skinsource.playing import Output
-from skinsource.playing.ending import Ending
-from skinsource.rig_measuring import duplex, measure
-from skinsource.rigs import Rig, RigChannel
+from skinsource.actuators.measuring import clock_ratio, exponential_sweep
+from skinsource.actuators.rigs import Rig, RigChannel
+from skinsource.base.errors import InvalidInputError, PlaybackError, Stopped
+from skinsource.lab.playing.devices import Output
+from skinsource.lab.playing.mix import Ending
+from skinsource.lab.rig_measuring import duplex, measure
 from tests.core.rig_measuring.bench_top import (
     COIL,
     DELAY_S,

@@ -3,13 +3,13 @@
 import pytest
 
 import skinsource as ss
-from skinsource.commands.command_line import main
-from skinsource.comparing import shown
-from skinsource.design_file import open_design
-from skinsource.errors import InvalidInputError
-from skinsource.limb import LIMB_NAMES
-from skinsource.scenes.shelf import path_of
-from skinsource.scenes.shipped import SHIPPED
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import LIMB_NAMES
+from skinsource.cli.command_line import main
+from skinsource.design.comparing import shown
+from skinsource.design.design_file import open_design
+from skinsource.studies.scenes.catalog import path_of
+from skinsource.studies.scenes.shipped import SHIPPED
 from tests.core.scenes.scenes_bench import PANELS
 
 MEASURED = tuple(name for name in LIMB_NAMES if name.startswith("measured"))
@@ -24,7 +24,7 @@ def test_the_files_are_what_the_script_makes():
     found = {path.stem: open_design(path) for path in ss.scenes.scenes_folder().iterdir()}
     made = {one.scene.name: one.content for one in SHIPPED}
     assert found == made, (
-        "data/scenes is out of date; write it anew with 'python -m skinsource.scenes.shipped'"
+        "data/scenes is out of date; write it anew with 'python -m skinsource.studies.scenes'"
     )
 
 

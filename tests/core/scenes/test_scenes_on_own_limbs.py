@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.commands.command_line import main
-from skinsource.design_file import open_design
-from skinsource.errors import InvalidInputError
-from skinsource.figures import draw_figure, write_figures
-from skinsource.own_limbs import facts_of
+from skinsource.base.errors import InvalidInputError
+from skinsource.cli.command_line import main
+from skinsource.design.design_file import open_design
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.studies.figures.writing import draw_figure, write_figures
 from tests.core.own_limbs.lab_bench import N_INPUTS, installed
 from tests.core.scenes.scenes_bench import PANELS
 
@@ -118,8 +118,9 @@ def test_without_names_those_figures_are_drawn_that_apply(user_data, tmp_path, m
     installed()
     drawn = []
     monkeypatch.setattr(
-        "skinsource.figures.writing._write", lambda folder, opened, *_: drawn.append(opened) or []
+        "skinsource.studies.figures.writing._write",
+        lambda folder, opened, *_: drawn.append(opened) or [],
     )
-    monkeypatch.setattr("skinsource.figures.writing.draw_figure", lambda opened: None)
+    monkeypatch.setattr("skinsource.studies.figures.writing.draw_figure", lambda opened: None)
     write_figures(tmp_path, limb="lab-1")
     assert [one.scene.name for one in drawn] == APPLYING

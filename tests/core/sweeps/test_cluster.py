@@ -7,11 +7,11 @@ import signal
 import pytest
 
 import skinsource as ss
-from skinsource.errors import SkinSourceError
-from skinsource.sweeps import Plan, Sweep, run
+from skinsource.base.errors import SkinSourceError
+from skinsource.studies.sweeps import Plan, Sweep, run
 
 distributed = pytest.importorskip("distributed", reason="the extra cluster is not installed")
-cluster = pytest.importorskip("skinsource.sweeps.cluster")
+cluster = pytest.importorskip("skinsource.studies.sweeps.cluster")
 
 pytestmark = pytest.mark.filterwarnings("ignore")
 

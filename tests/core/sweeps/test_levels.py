@@ -7,15 +7,15 @@ import pytest
 
 import skinsource as ss
 from skinsource import actuators
-from skinsource.actuators import Limits
-from skinsource.chain import Actuation, ActuatorAt
-from skinsource.equalising import RegularisedInverse, equalised
-from skinsource.errors import FileFormatError, InvalidInputError
-from skinsource.matching import MatchingRun, Procedure
-from skinsource.perception import sensation_levels_db
-from skinsource.sweeps import Measurer, Plan, read_sweep
-from skinsource.sweeps.actuator_metrics import ACTUATOR_METRICS
-from skinsource.sweeps.plan import plan_of
+from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.actuators.equalising import RegularisedInverse, equalised
+from skinsource.actuators.prediction import Limits
+from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.lab.matching import MatchingRun, Procedure
+from skinsource.perception.sensation import sensation_levels_db
+from skinsource.studies.sweeps import Measurer, Plan, read_sweep
+from skinsource.studies.sweeps.metrics import ACTUATOR_METRICS
+from skinsource.studies.sweeps.plan import plan_of
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.3)
 DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE), ss.track(3, TONE, amplitude=0.5)))

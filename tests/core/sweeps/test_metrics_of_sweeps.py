@@ -7,8 +7,8 @@ import pytest
 from scipy.signal import fftconvolve
 
 import skinsource as ss
-from skinsource.spectra import share_outside_band
-from skinsource.sweeps import Measurer, Plan
+from skinsource.signals.spectra import share_outside_band
+from skinsource.studies.sweeps import Measurer, Plan
 
 RATE_HZ = 1300.0
 

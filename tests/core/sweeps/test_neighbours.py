@@ -4,14 +4,13 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.job import never
-from skinsource.shared import Shared
-from skinsource.sweeps import Measurer, Plan, products
-from skinsource.sweeps.main_axes import main_axes
-from skinsource.sweeps.measuring import METRICS
-from skinsource.sweeps.neighbours import Together
-from skinsource.sweeps.plan import TOGETHER
-from skinsource.sweeps.prepared import Preparing
+from skinsource.base.job import never
+from skinsource.engine.shared import Shared
+from skinsource.studies.sweeps import Measurer, Plan, neighbours
+from skinsource.studies.sweeps.measuring import METRICS
+from skinsource.studies.sweeps.metrics import Preparing, main_axes
+from skinsource.studies.sweeps.neighbours import Together
+from skinsource.studies.sweeps.plan import TOGETHER
 
 PLACES = (3, 7, 7, 18)
 FREQUENCIES = (40.0, 75.0, 110.0, 240.0, 390.0)
@@ -142,11 +141,11 @@ def test_what_has_little_in_common_is_measured_one_by_one():
 
 
 def test_products_in_parts_are_those_of_the_whole(monkeypatch):
-    monkeypatch.setattr(products, "_NUMBERS_AT_ONCE", 500)
+    monkeypatch.setattr(neighbours, "_NUMBERS_AT_ONCE", 500)
     rng = np.random.default_rng(2)
     matrix, columns = rng.standard_normal((6, 11, 130)), rng.standard_normal((5, 130))
     expected = np.einsum("pon,cn->cpo", matrix, columns)
-    np.testing.assert_allclose(products.multiplied(matrix, columns), expected, atol=1e-12)
+    np.testing.assert_allclose(neighbours.multiplied(matrix, columns), expected, atol=1e-12)
 
 
 def test_main_axes_lie_along_the_largest_eigenvalue():

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.errors import InvalidInputError
-from skinsource.sweeps import Order, Plan, trials, varied
-from skinsource.sweeps.plan import plan_of
+from skinsource.base.errors import InvalidInputError
+from skinsource.studies.sweeps import Order, Plan, trials, varied
+from skinsource.studies.sweeps.plan import plan_of
 
 
 def design(*locations):

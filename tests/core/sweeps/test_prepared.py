@@ -5,11 +5,11 @@ from dataclasses import replace
 import pytest
 
 import skinsource as ss
-from skinsource.errors import InvalidInputError
-from skinsource.job import never
-from skinsource.limb import BAND_HZ
-from skinsource.shared import Shared
-from skinsource.sweeps.prepared import Preparing
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.job import never
+from skinsource.base.published import BAND_HZ
+from skinsource.engine.shared import Shared
+from skinsource.studies.sweeps.metrics import Preparing
 from tests.core.own_limbs.lab_bench import installed
 
 # 10.5 turns of 20 Hz: 16 ms of velocity are left, as much as a tone of 10 Hz has.

@@ -12,12 +12,11 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.errors import InvalidInputError, Stopped, StorageError
-from skinsource.keeping.lock import Lock
-from skinsource.sweeps import Order, Plan, Sweep, run
-from skinsource.sweeps.folder import JOURNAL
-from skinsource.sweeps.journal import Journal
-from skinsource.sweeps.workers import measured
+from skinsource.base.errors import InvalidInputError, Stopped, StorageError
+from skinsource.base.lock import Lock
+from skinsource.studies.sweeps import Order, Plan, Sweep, run
+from skinsource.studies.sweeps.table import JOURNAL, Journal
+from skinsource.studies.sweeps.workers import measured
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.05)
 DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE),))
@@ -168,7 +167,7 @@ def test_a_folder_of_another_sweep_is_refused(tmp_path):
 
 def test_two_sweeps_do_not_write_to_one_folder(tmp_path):
     code = (
-        "import sys; from skinsource.keeping.lock import Lock; from pathlib import Path\n"
+        "import sys; from skinsource.base.lock import Lock; from pathlib import Path\n"
         f"Lock(Path({str(tmp_path / JOURNAL)!r})).take(); print('taken', flush=True)\n"
         "sys.stdin.read()"
     )
@@ -207,7 +206,7 @@ def _kill_a_worker():
     import psutil
 
     for child in psutil.Process().children():
-        if any("skinsource.sweeps.worker" in part for part in child.cmdline()):
+        if any("skinsource.studies.sweeps.worker" in part for part in child.cmdline()):
             child.kill()
             return True
     return False

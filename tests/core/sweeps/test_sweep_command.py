@@ -3,9 +3,9 @@
 import pytest
 
 import skinsource as ss
-from skinsource.__main__ import main
-from skinsource.errors import FileFormatError
-from skinsource.sweeps import Order, read_sweep
+from skinsource.base.errors import FileFormatError
+from skinsource.cli.command_line import main
+from skinsource.studies.sweeps import Order, read_sweep
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.05)
 

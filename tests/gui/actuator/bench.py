@@ -1,9 +1,9 @@
 """The panel of the actuator in a window, and what it shows."""
 
-from skinsource.actuator_demand import ActuatorSettings
-from skinsource.design import Design, track
-from skinsource.panel_settings import settings_of
-from skinsource.waveforms import Tone
+from skinsource.design.design import Design, track
+from skinsource.design.panel_settings import settings_of
+from skinsource.design.waveforms import Tone
+from skinsource.engine.actuator_demand import ActuatorSettings
 
 TONE = track(7, Tone(frequency_hz=100.0, duration_s=0.3), amplitude=10.0)
 

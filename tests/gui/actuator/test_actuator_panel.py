@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource import edits
-from skinsource.actuator_demand import LONGEST_S, ActuatorSettings, drive_at, strongest
-from skinsource.design import track
-from skinsource.limb import BAND_HZ
-from skinsource.quantities import new_graph, sources
-from skinsource.view import View
-from skinsource.waveforms import CentredTap, Tap
-from skinsource.work import counting
+from skinsource.base.published import BAND_HZ
+from skinsource.base.work import counting
+from skinsource.design import edits
+from skinsource.design.design import track
+from skinsource.design.view import View
+from skinsource.design.waveforms import CentredTap, Tap
+from skinsource.engine.actuator_demand import LONGEST_S, ActuatorSettings, drive_at, strongest
+from skinsource.engine.quantities import new_graph, sources
 from skinsource_gui.panels.actuator.demand_curves import (
     frequencies_of,
     frequency_axis,

@@ -7,9 +7,9 @@ import pytest
 from PySide6.QtWidgets import QFileDialog
 
 import skinsource as ss
-from skinsource.actuator_demand import ActuatorSettings
-from skinsource.panel_settings import with_settings
-from skinsource.view import View
+from skinsource.design.panel_settings import with_settings
+from skinsource.design.view import View
+from skinsource.engine.actuator_demand import ActuatorSettings
 from tests.gui.actuator.bench import (
     TONE,
     brought_forward,

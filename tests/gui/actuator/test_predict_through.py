@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.actuator_demand import actuation_of
-from skinsource.design import Design, track
-from skinsource.view import View
-from skinsource.waveforms import CentredTap, Tap, Tone
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import CentredTap, Tap, Tone
+from skinsource.engine.actuator_demand import actuation_of
 from tests.gui.actuator.bench import brought_forward, choose, settle
 
 TONE = track(7, Tone(frequency_hz=40.0, duration_s=0.3), amplitude=2.0)
@@ -165,6 +165,6 @@ def test_pictures_and_tables_say_what_they_went_through(window, panel, qtbot):
 
 
 def ss_sources(window):
-    from skinsource.quantities import sources
+    from skinsource.engine.quantities import sources
 
     return sources(window.document.design, window.document.view)

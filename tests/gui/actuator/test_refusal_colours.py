@@ -1,6 +1,6 @@
 """What is wrong is red; what is only not known yet is not."""
 
-from skinsource.actuator_demand import ActuatorSettings, Demand
+from skinsource.engine.actuator_demand import ActuatorSettings, Demand
 from skinsource_gui.panel import PREPARING
 from skinsource_gui.panels.actuator.figures_view import FiguresView
 from skinsource_gui.theme import DARK

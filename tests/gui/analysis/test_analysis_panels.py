@@ -8,12 +8,11 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
-from skinsource.analysis.settings import SpectrogramSettings
-from skinsource.design import Design, track
-from skinsource.edits import Edit
-from skinsource.evaluation import evaluate
-from skinsource.panel_settings import settings_of
-from skinsource.waveforms import Tap
+from skinsource.design.design import Design, track
+from skinsource.design.edits import Edit
+from skinsource.design.panel_settings import SpectrogramSettings, settings_of
+from skinsource.design.waveforms import Tap
+from skinsource.engine.evaluation import evaluate
 from skinsource_gui.figure_panel import SILENT
 from skinsource_gui.state.engine import FIRST_SLOT
 

@@ -7,11 +7,11 @@ import pytest
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QScrollArea
 
-from skinsource.analysis_rules.perception_rules import Sensation
-from skinsource.edits import Edit
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.perception import LIMITS
-from skinsource.perception.settings import PerceptionSettings
+from skinsource.design.edits import Edit
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.engine.analysis_rules import Sensation
+from skinsource.perception.sensation import LIMITS
+from skinsource.perception.thresholds import PerceptionSettings
 from skinsource_gui.panels.perception.contact import contact_list, contact_table, contact_words
 from skinsource_gui.panels.perception.rows import rows, tab_separated
 from skinsource_gui.panels.skin.settings import SkinSettings

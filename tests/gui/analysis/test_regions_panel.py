@@ -6,12 +6,11 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QGuiApplication
 
-from skinsource.comparing import Snapshot
-from skinsource.comparing.regions import region_levels_db
-from skinsource.decibels import decibels
-from skinsource.design import Design, track
-from skinsource.edits import Edit
-from skinsource.evaluation import evaluate
+from skinsource.base.decibels import decibels
+from skinsource.design.comparing import Snapshot, region_levels_db
+from skinsource.design.design import Design, track
+from skinsource.design.edits import Edit
+from skinsource.engine.evaluation import evaluate
 from skinsource_gui.compared import Compared
 from skinsource_gui.panels.regions.columns import columns_of_people, tab_separated
 from skinsource_gui.state.engine import Slot

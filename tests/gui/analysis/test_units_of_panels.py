@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor, QGuiApplication
 
-from skinsource.evaluation import evaluate
+from skinsource.engine.evaluation import evaluate
 from skinsource_gui.panels.spectrogram.picture import scale_words
 from skinsource_gui.panels.statistics.rows import Row
 from skinsource_gui.theme import current_theme

@@ -8,8 +8,8 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
-from skinsource.edits import Edit
-from skinsource.validity import Finding
+from skinsource.design.edits import Edit
+from skinsource.perception.validity import Finding
 from skinsource_gui.state.engine import FIRST_SLOT
 from skinsource_gui.status.validity_card import ValidityCard
 from skinsource_gui.status.validity_lamps import ValidityLamps, _words_of

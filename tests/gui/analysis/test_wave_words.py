@@ -4,10 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from skinsource.analysis.travelling import travelling_wave
-from skinsource.design import Design, track
-from skinsource.evaluation import evaluate
-from skinsource.view import View
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.engine.evaluation import evaluate
+from skinsource.signals.analysis.wave_speed import travelling_wave
 from skinsource_gui.panels.wave.panel import wave_words
 
 

@@ -3,10 +3,10 @@
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from skinsource.clips import Clip
-from skinsource.design import Design, Input
-from skinsource.edits import Refusal
-from skinsource.view import View
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.edits import Refusal
+from skinsource.design.view import View
 from skinsource_gui.panels.clip_editor.panel import ClipEditorPanel
 
 LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from skinsource.samples import Samples
-from skinsource.waveforms import Drawn, Tone
+from skinsource.design.waveforms import Drawn, Tone
+from skinsource.specs.samples import Samples
 from tests.gui.clip_editor.bench import RATE_HZ, Bench
 
 

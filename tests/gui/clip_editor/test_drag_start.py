@@ -1,7 +1,7 @@
 """What a drag is given up to."""
 
-from skinsource.design import Design
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.view import View
 from skinsource_gui.panels.clip_editor.drag_start import DragStart
 
 

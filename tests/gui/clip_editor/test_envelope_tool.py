@@ -7,7 +7,7 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from skinsource.effects import Envelope
+from skinsource.design.effects import Envelope
 from skinsource_gui.panels.clip_editor.tools import points_box
 from skinsource_gui.widgets.fitting_label import FittingLabel
 from tests.gui.clip_editor.bench import ALT, LEFT, NONE, RIGHT, SHIFT, whole

@@ -5,11 +5,11 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox
 
-from skinsource.clips import Clip
-from skinsource.design import Design, Input
-from skinsource.effects import Envelope
-from skinsource.samples import Samples
-from skinsource.waveforms import Drawn, Recording, Tone
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.effects import Envelope
+from skinsource.design.waveforms import Drawn, Recording, Tone
+from skinsource.specs.samples import Samples
 from tests.gui.clip_editor.bench import RATE_HZ, Bench
 
 ESCAPE = Qt.Key.Key_Escape

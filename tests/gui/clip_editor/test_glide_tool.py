@@ -6,8 +6,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
-from skinsource.synthesis.glide_curves import curve_of
-from skinsource.waveforms import Glide, Tone
+from skinsource.design.waveforms import Glide, Tone
+from skinsource.signals.synthesis import curve_of
 from skinsource_gui.panels.clip_editor.tools.glide import of_column
 from tests.gui.clip_editor.bench import LEFT, NONE, SHIFT, Bench, whole
 

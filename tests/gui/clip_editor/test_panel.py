@@ -6,10 +6,10 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMessageBox
 
-from skinsource.design import Design
-from skinsource.effects import Envelope
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.design.design import Design
+from skinsource.design.effects import Envelope
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
 from skinsource_gui.panels.clip_editor.editor_item import EditorItem
 from skinsource_gui.panels.clip_editor.spectrum_strip import spectrum_db
 from skinsource_gui.theme import DARK

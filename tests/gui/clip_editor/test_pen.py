@@ -6,9 +6,9 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtWidgets import QApplication, QMenu, QMessageBox
 
-from skinsource.evaluation import evaluate
-from skinsource.samples import Samples
-from skinsource.waveforms import Drawn, Tone
+from skinsource.design.waveforms import Drawn, Tone
+from skinsource.engine.evaluation import evaluate
+from skinsource.specs.samples import Samples
 from tests.gui.clip_editor.bench import RATE_HZ, RIGHT, SHIFT, Bench
 
 

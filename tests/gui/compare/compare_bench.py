@@ -3,7 +3,7 @@
 from PySide6.QtCore import Qt
 
 import skinsource as ss
-from skinsource.design import track
+from skinsource.design.design import track
 
 KEY, CTRL, ALT = Qt.Key, Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier
 

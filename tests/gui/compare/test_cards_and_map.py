@@ -9,9 +9,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
-from skinsource.comparing import end_db
-from skinsource.design import Design, track
-from skinsource.waveforms import Tone
+from skinsource.design.comparing import end_db
+from skinsource.design.design import Design, track
+from skinsource.design.waveforms import Tone
 from skinsource_gui.compared import ELSEWHERE
 from skinsource_gui.widgets.map.small_map import small_frame
 from tests.core.own_limbs.lab_bench import installed

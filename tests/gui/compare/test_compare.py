@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtTest import QTest
 
-from skinsource.comparing import loudest_db
+from skinsource.design.comparing import loudest_db
 from skinsource_gui.state.engine import FIRST_SLOT
 from tests.gui.compare.compare_bench import (
     ALT,

@@ -7,7 +7,7 @@ from PySide6.QtCore import QEvent
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design import Design, track
+from skinsource.design.design import Design, track
 from skinsource_gui.compared import SILENCE, is_silent
 from skinsource_gui.panels.compare.card_words import matching_words
 from skinsource_gui.widgets.map.colour_maps import colour_table

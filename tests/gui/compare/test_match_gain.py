@@ -6,10 +6,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.comparing import louder, match_words
-from skinsource.design import Design, track
-from skinsource.design_file import open_design
-from skinsource.evaluation import evaluate
+from skinsource.design.comparing import louder, match_words
+from skinsource.design.design import Design, track
+from skinsource.design.design_file import open_design
+from skinsource.engine.evaluation import evaluate
 from skinsource_gui.state.playing.played_of import played_of
 from tests.gui.compare.compare_bench import edit, levels, show_matched, shown_levels
 

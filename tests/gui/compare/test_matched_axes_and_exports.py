@@ -8,8 +8,8 @@ import pytest
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from skinsource.comparing import louder, match_words
-from skinsource.panel_settings import settings_of, with_settings
+from skinsource.design.comparing import louder, match_words
+from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.skin.scale.colour_scale import fitting_title
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.state.playing.played_of import played_of

@@ -1,7 +1,7 @@
 """Storing a snapshot: beside the history, kept with the file, never lost unasked."""
 
-from skinsource import edits
-from skinsource.design_file import open_design
+from skinsource.design import edits
+from skinsource.design.design_file import open_design
 from tests.gui.compare.compare_bench import edit
 
 

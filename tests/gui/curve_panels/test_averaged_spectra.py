@@ -5,8 +5,8 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QMenu, QToolButton
 
-from skinsource.panel_settings import settings_of
-from skinsource.spectra import MEAN_OF_BINS, magnitude_spectrum, mean_of_bins
+from skinsource.design.panel_settings import settings_of
+from skinsource.signals.spectra import MEAN_OF_BINS, magnitude_spectrum, mean_of_bins
 from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.widgets.plot.signal_table import save_table
 from skinsource_gui.widgets.plot.signal_view import SignalView

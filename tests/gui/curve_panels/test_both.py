@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import pytest
 
-from skinsource.quantities import RULES, sources
-from skinsource.view import View
+from skinsource.design.view import View
+from skinsource.engine.quantities import RULES, sources
 from skinsource_gui.panels.spectra.panel import SpectraPanel
 from skinsource_gui.panels.traces.panel import TracesPanel
 from skinsource_gui.state.start_design import start_design

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.panel_settings import with_settings
+from skinsource.design.panel_settings import with_settings
 from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.state.start_design import start_design
 from skinsource_gui.widgets.plot.curves import Curves, output_names

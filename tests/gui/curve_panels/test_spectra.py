@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QFont, QFontMetricsF
 from PySide6.QtTest import QTest
 
-from skinsource.panel_settings import settings_of, with_settings
+from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.state.start_design import start_design

@@ -7,9 +7,9 @@ import pytest
 from PySide6.QtCore import QSize
 from PySide6.QtGui import QColor, QImage, QPainter
 
-from skinsource.evaluation import evaluate
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.spectra import magnitude_spectrum
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.engine.evaluation import evaluate
+from skinsource.signals.spectra import magnitude_spectrum
 from skinsource_gui.panels.spectra.settings import SpectraSettings
 from skinsource_gui.theme import current_theme
 from skinsource_gui.widgets.plot.signal_table import save_table

@@ -8,8 +8,8 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.view import View
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
 from skinsource_gui.panels.traces.settings import TracesSettings
 from skinsource_gui.state.start_design import start_design
 from skinsource_gui.widgets.plot.signal_picture import copy_of

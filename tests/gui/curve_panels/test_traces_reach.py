@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.design import Design, track
-from skinsource.evaluation import evaluate
-from skinsource.panel_settings import with_settings
-from skinsource.resampling import EXTREMES_ERROR, finer
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.design.design import Design, track
+from skinsource.design.panel_settings import with_settings
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
+from skinsource.engine.evaluation import evaluate
+from skinsource.signals.resampling import EXTREMES_ERROR, finer
 from skinsource_gui.panels.traces.panel import TracesPanel
 from skinsource_gui.panels.traces.settings import TracesSettings
 

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from skinsource.rendering.projecting import Projection
-from skinsource.resampling import extremes_between
-from skinsource.view import View
+from skinsource.design.view import View
+from skinsource.engine.moments import Projection
+from skinsource.signals.resampling import extremes_between
 from skinsource_gui.panels.traces.panel import TracesPanel
 from skinsource_gui.state.start_design import start_design
 from tests.gui.curve_panels.bench import whose

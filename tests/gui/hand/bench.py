@@ -5,10 +5,10 @@ from PySide6.QtGui import QAction, QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from skinsource.design import Design, Input
-from skinsource.edits import Edit, Refusal
-from skinsource.locations import input_place
-from skinsource.view import View
+from skinsource.design.design import Design, Input
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.view import View
+from skinsource.limbs.locations import input_place
 from skinsource_gui.panels.hand.panel import HandPanel
 
 KEY, LEFT = Qt.Key, Qt.MouseButton.LeftButton

@@ -6,10 +6,10 @@ from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QTransform
 from PySide6.QtTest import QTest
 
-from skinsource import evaluation
-from skinsource.design import Design
-from skinsource.own_limbs import install_limb
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.view import View
+from skinsource.engine import evaluation
+from skinsource.limbs.own_limbs import install_limb
 from skinsource_gui.panels.hand import site_marker
 from skinsource_gui.panels.hand.hand_layout import HandLayout
 from skinsource_gui.panels.hand.panel import HandPanel

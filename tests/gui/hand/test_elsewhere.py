@@ -2,7 +2,7 @@
 
 from PySide6.QtTest import QTest
 
-from skinsource.design import track
+from skinsource.design.design import track
 from tests.gui.hand.bench import KEY, SHIFT
 
 

@@ -5,7 +5,7 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF
 from PySide6.QtGui import QColor, QFontMetricsF, QHelpEvent, QImage, QPainter
 from PySide6.QtWidgets import QApplication, QToolTip
 
-from skinsource.design import track
+from skinsource.design.design import track
 from skinsource_gui.panels.hand import site_marker
 from skinsource_gui.panels.hand.site_marker import Place, contrast, paint_occupied, readable_on
 from skinsource_gui.theme import DARK, LIGHT, Theme

@@ -6,8 +6,8 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF
 from PySide6.QtTest import QTest
 
-from skinsource.design import MAX_INPUTS, track
-from skinsource.waveforms import Noise, Tone
+from skinsource.design.design import MAX_INPUTS, track
+from skinsource.design.waveforms import Noise, Tone
 from tests.gui.hand.bench import CONTROL, KEY, LEFT, NONE, SHIFT
 
 # Placing and selecting

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtGui import QContextMenuEvent
 
-from skinsource.design import track
+from skinsource.design.design import track
 from tests.gui.hand.bench import CONTROL, KEY
 
 # Removing, muting

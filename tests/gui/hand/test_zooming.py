@@ -3,8 +3,8 @@
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 
-from skinsource.design import track
-from skinsource.synthetic import standard_hand
+from skinsource.design.design import track
+from skinsource.limbs.synthetic import standard_hand
 from skinsource_gui.panels.hand.hand_drawing import palmar_drawing
 from skinsource_gui.widgets.pan_zoom import FREE, WHOLE
 from tests.gui.hand.bench import KEY, LEFT

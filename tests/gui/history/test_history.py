@@ -7,8 +7,8 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design import Design, track
-from skinsource.view import View
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.panels.history.panel import HistoryPanel
 from skinsource_gui.panels.history.step_delegate import told_in

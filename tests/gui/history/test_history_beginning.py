@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from skinsource.view import View
+from skinsource.design.view import View
 from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.historian import Historian

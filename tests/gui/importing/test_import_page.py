@@ -6,9 +6,9 @@ import soundfile
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QWidget
 
-from skinsource import edits
-from skinsource.recordings import take
-from skinsource.recordings.three_axes import dft321
+from skinsource.design import edits
+from skinsource.design.recordings import take
+from skinsource.readers.reader import dft321
 from skinsource_gui.import_page import placing
 from skinsource_gui.import_page.reading_worker import ReadingWorker
 from skinsource_gui.widgets.drop_place import DropPlace

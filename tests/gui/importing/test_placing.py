@@ -1,6 +1,6 @@
 """Where a recording goes when one is selected."""
 
-from skinsource import edits
+from skinsource.design import edits
 from skinsource_gui.import_page import placing
 
 

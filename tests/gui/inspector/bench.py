@@ -6,9 +6,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
-from skinsource.design import Design, track
-from skinsource.edits import Refusal
-from skinsource.view import View
+from skinsource.design.design import Design, track
+from skinsource.design.edits import Refusal
+from skinsource.design.view import View
 from skinsource_gui.panels.inspector.panel import InspectorPanel
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField

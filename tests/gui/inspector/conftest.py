@@ -1,6 +1,6 @@
 import pytest
 
-from skinsource.waveforms import Impulse, Noise, Tap, Tone
+from skinsource.design.waveforms import Impulse, Noise, Tap, Tone
 from tests.gui.inspector.bench import Bench, design_of
 
 

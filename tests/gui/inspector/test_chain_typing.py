@@ -4,11 +4,11 @@ import pytest
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource import edits
-from skinsource.clips import Clip
-from skinsource.design import Design, Input
-from skinsource.effects import Fade
-from skinsource.waveforms import Tone
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.effects import Fade
+from skinsource.design.waveforms import Tone
 from tests.gui.inspector.test_effect_chain import ChainBench
 
 

@@ -7,10 +7,10 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QCheckBox, QScrollArea, QToolButton
 
-from skinsource.clips import Clip
-from skinsource.design import Design, Input
-from skinsource.effects import EFFECTS, BandLimit, Envelope, Fade, Repeat, Reverse
-from skinsource.waveforms import Tone
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.effects import EFFECTS, BandLimit, Envelope, Fade, Repeat, Reverse
+from skinsource.design.waveforms import Tone
 from skinsource_gui.panels.inspector.effects.effect_chain import EffectChain
 from skinsource_gui.widgets.fields.curve_field import CurveField
 from skinsource_gui.widgets.fields.number_field import NumberField

@@ -5,11 +5,11 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from skinsource.design import Design
-from skinsource.edits.kinds import as_kind
-from skinsource.effects import Stretch, Trim
-from skinsource.samples import Samples
-from skinsource.waveforms import KINDS, Noise, Recording, Tone
+from skinsource.design.design import Design
+from skinsource.design.edits.edit import as_kind
+from skinsource.design.effects import Stretch, Trim
+from skinsource.design.waveforms import KINDS, Noise, Recording, Tone
+from skinsource.specs.samples import Samples
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
 

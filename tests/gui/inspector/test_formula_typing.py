@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtTest import QTest
 
-from skinsource.waveforms import Formula
+from skinsource.design.waveforms import Formula
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.live_text import LiveText
 from tests.gui.inspector.bench import Bench, design_of

@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton
 
-from skinsource.waveforms import Noise, Recording
+from skinsource.design.waveforms import Noise, Recording
 from skinsource_gui.theme import DARK
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
 from skinsource_gui.widgets.inputs.letter_button import LetterButton

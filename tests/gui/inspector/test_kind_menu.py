@@ -10,9 +10,9 @@ from PySide6.QtGui import QIcon
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu, QWidget
 
-from skinsource import waveforms
-from skinsource.edits.kinds import kind_spec
-from skinsource.waveforms import COMMON, KINDS, MORE, Tone
+from skinsource.design import waveforms
+from skinsource.design.edits.edit import kind_spec
+from skinsource.design.waveforms import COMMON, KINDS, MORE, Tone
 from skinsource_gui.theme import LIGHT, THEMES
 from skinsource_gui.widgets.inputs import waveform_picture
 from skinsource_gui.widgets.inputs.kind_field import KindField

@@ -4,18 +4,19 @@ from typing import ClassVar
 import numpy as np
 import pytest
 
-from skinsource import fields, waveforms
-from skinsource.catalogue import load_limb
-from skinsource.design import track
-from skinsource.design_file import open_design, save_design
-from skinsource.errors import InvalidInputError
-from skinsource.fields import ChoiceSpec, NumberSpec, specs_of
-from skinsource.projection import project_axes
-from skinsource.quantities import new_graph, sources
-from skinsource.response import predict
-from skinsource.spectra import rms
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.base.errors import InvalidInputError
+from skinsource.design import waveforms
+from skinsource.design.design import track
+from skinsource.design.design_file import open_design, save_design
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
+from skinsource.engine.prediction import predict
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.limbs.catalogue import load_limb
+from skinsource.signals.projection import project_axes
+from skinsource.signals.spectra import rms
+from skinsource.specs import fields
+from skinsource.specs.fields import ChoiceSpec, NumberSpec, specs_of
 from skinsource_gui.widgets.fields.field_grid import FieldGrid
 from skinsource_gui.widgets.fields.units import value_text
 from skinsource_gui.widgets.inputs.input_words import figure_text, told_text

@@ -9,13 +9,13 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QMenu, QToolButton
 
-from skinsource.clips import Clip
-from skinsource.design import track
-from skinsource.effects import Fade
-from skinsource.fields.recipes import nesting
-from skinsource.fields.spec import MAX_DEPTH
-from skinsource.waveforms import Chirp, Formula, Layers, Noise, Tone
-from skinsource.waveforms.layers import MAX_PARTS
+from skinsource.design.clips import Clip
+from skinsource.design.design import track
+from skinsource.design.effects import Fade
+from skinsource.design.waveforms import Chirp, Formula, Layers, Noise, Tone
+from skinsource.design.waveforms.samples import MAX_PARTS
+from skinsource.specs.models import nesting
+from skinsource.specs.spec import MAX_DEPTH
 from skinsource_gui.theme import DARK
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.parts.parts_editor import PartsEditor

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from skinsource.waveforms import Tone
+from skinsource.design.waveforms import Tone
 from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
 
 

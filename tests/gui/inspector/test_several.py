@@ -3,7 +3,7 @@
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from skinsource.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms import Noise, Tap, Tone
 from skinsource_gui.panels.inspector.input_heading import InputHeading
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.inputs.letter_button import LetterButton

@@ -3,8 +3,8 @@
 import pytest
 
 import skinsource as ss
-from skinsource.clips import Clip
-from skinsource.effects import Fade, Stretch
+from skinsource.design.clips import Clip
+from skinsource.design.effects import Fade, Stretch
 from skinsource_gui.widgets.inputs.input_words import clip_text
 from skinsource_gui.widgets.pictures.stimulus_words import stimulus_words
 

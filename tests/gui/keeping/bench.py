@@ -2,7 +2,7 @@
 
 from contextlib import suppress
 
-from skinsource.design_file import open_design
+from skinsource.design.design_file import open_design
 
 
 def edit(window, amplitude):

@@ -6,9 +6,9 @@ import pytest
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QMessageBox
 
-from skinsource.design import Design, track
-from skinsource.design_file import open_design, save_design
-from skinsource.job import Job
+from skinsource.base.job import Job
+from skinsource.design.design import Design, track
+from skinsource.design.design_file import open_design, save_design
 from skinsource_gui.files.autosave import FIRST_S
 from skinsource_gui.state.preferences import AUTOSAVE_S, Preferences
 from tests.gui.keeping.bench import copies, edit, kept_amplitudes

@@ -4,9 +4,9 @@ import shutil
 
 import pytest
 
-from skinsource.design_file import save_design
-from skinsource.keeping.lock import Lock
-from skinsource.keeping.session import Session
+from skinsource.base.lock import Lock
+from skinsource.design.design_file import save_design
+from skinsource.design.recovery import Session
 from skinsource_gui.files import autosave
 from tests.gui.keeping.bench import copies, edit, kept_amplitudes
 from tests.gui.keeping.test_left_over import leave

@@ -6,9 +6,9 @@ from dataclasses import replace
 import pytest
 from PySide6.QtWidgets import QFileDialog, QPushButton
 
-from skinsource.keeping import left_over
-from skinsource.keeping.owner import this_process, to_bytes
-from skinsource.keeping.session import OWNER
+from skinsource.base.lock import this_process, to_bytes
+from skinsource.design import recovery as left_over
+from skinsource.design.recovery import OWNER
 from skinsource_gui.shell.keeping.left_over_page import LeftOverPage
 from tests.gui.keeping.bench import copies, edit, kept_amplitudes
 

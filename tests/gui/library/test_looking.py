@@ -5,7 +5,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource.presets.shipped import SHIPPED
+from skinsource.design.presets.shipped import SHIPPED
 from tests.gui.library.bench import KEY, names
 
 

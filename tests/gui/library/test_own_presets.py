@@ -7,11 +7,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMessageBox
 
-from skinsource import presets
-from skinsource.clips import Clip, Fragment, Lane
-from skinsource.presets import Preset
-from skinsource.presets.shipped import SHIPPED
-from skinsource.waveforms import Tap
+from skinsource.design.clips import Clip, Fragment, Lane
+from skinsource.design.presets import presets
+from skinsource.design.presets.presets import Preset
+from skinsource.design.presets.shipped import SHIPPED
+from skinsource.design.waveforms import Tap
 from skinsource_gui.panels.library.presets_model import OWN
 from tests.gui.library.bench import KEY, go_to, names
 

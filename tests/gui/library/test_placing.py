@@ -8,7 +8,7 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource import edits
+from skinsource.design import edits
 from tests.gui.library.bench import KEY, go_to, labels, names
 
 

@@ -4,11 +4,11 @@ from dataclasses import replace
 
 from PySide6.QtWidgets import QDialogButtonBox
 
-from skinsource import presets
-from skinsource.clips import Clip
-from skinsource.design import Design, track
-from skinsource.view import View
-from skinsource.waveforms import Tap, Tone
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, track
+from skinsource.design.presets import presets
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tap, Tone
 from skinsource_gui.library_page.preset_choices import choices
 from tests.gui.library.bench import labels, names
 

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.evaluation import evaluate
-from skinsource.figures.check_figures import lines_of
-from skinsource.panel_settings import settings_of
+from skinsource.design.panel_settings import settings_of
+from skinsource.engine.evaluation import evaluate
+from skinsource.studies.figures.figures import lines_of
 from skinsource_gui.panels.linearity.content import diagrams_of_proportion
 from skinsource_gui.panels.linearity.settings import LinearitySettings
 from skinsource_gui.panels.linearity.strength import of_amplitudes

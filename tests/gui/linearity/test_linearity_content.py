@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from skinsource.checking import proportion, superposition
+from skinsource.studies.checking import proportion, superposition
 from skinsource_gui.panels.linearity.content import (
     diagrams_of_proportion,
     diagrams_of_superposition,

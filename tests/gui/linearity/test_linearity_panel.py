@@ -9,10 +9,10 @@ from PySide6.QtGui import QFontInfo, QFontMetricsF
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
-from skinsource.checking import Proportion, Superposition
-from skinsource.comparing import Snapshot
-from skinsource.edits import remove_delay
-from skinsource.view import View
+from skinsource.design.comparing import Snapshot
+from skinsource.design.edits import remove_delay
+from skinsource.design.view import View
+from skinsource.studies.checking import Proportion, Superposition
 from skinsource_gui.compared import Compared
 from skinsource_gui.figure_panel import SILENT
 from skinsource_gui.panels.linearity.diagram import font_in

@@ -9,10 +9,10 @@ from PySide6.QtGui import QFont, QFontMetricsF
 from PySide6.QtTest import QTest
 
 import skinsource as ss
-from skinsource.evaluation import evaluate
-from skinsource.figures.check_figures import lines_of
-from skinsource.panel_settings import settings_of
-from skinsource.validity import probe_velocity
+from skinsource.design.panel_settings import settings_of
+from skinsource.engine.evaluation import evaluate
+from skinsource.perception.validity import probe_velocity
+from skinsource.studies.figures.figures import lines_of
 from skinsource_gui.panels.linearity.settings import LinearitySettings
 from skinsource_gui.widgets.figure.axes import Axis, fitted_axes
 from tests.gui.linearity.test_linearity_panel import OUTPUTS, PARTS, STRENGTHS, kept, settled, show

@@ -8,8 +8,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 
-from skinsource.actuators import Limits
-from skinsource.rigs import Rig, RigChannel, save_rig
+from skinsource.actuators.prediction import Limits
+from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from tests.core.playing.made_up_sound import MadeUpLibrary, use
 
 

@@ -11,8 +11,8 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.view import View
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
 from skinsource_gui.history import MOST_STEPS
 from skinsource_gui.panels.skin.map_quantity import LEVELS
 from skinsource_gui.panels.skin.settings import SkinSettings

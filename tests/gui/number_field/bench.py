@@ -7,7 +7,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
 
-from skinsource.fields import NumberSpec
+from skinsource.specs.fields import NumberSpec
 from skinsource_gui.widgets.fields.number_field import NumberField
 from tests.gui.wheel import NOTCH, turn_wheel
 

@@ -5,8 +5,8 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
-from skinsource.errors import InvalidInputError
-from skinsource.fields import NumberSpec
+from skinsource.base.errors import InvalidInputError
+from skinsource.specs.fields import NumberSpec
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.fields.shown_number import ShownNumber

@@ -3,7 +3,7 @@
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from skinsource.effects.stretch import TO
+from skinsource.design.effects.time import TO
 
 
 def test_words_stand_in_place_of_a_0_that_is_none(bench):

@@ -2,7 +2,7 @@
 
 from PySide6.QtWidgets import QLabel, QPushButton
 
-from skinsource.own_limbs import own_limb_names
+from skinsource.limbs.own_limbs import own_limb_names
 
 
 def words(page):

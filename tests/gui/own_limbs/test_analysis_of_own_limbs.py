@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from skinsource import edits
-from skinsource.analysis_rules.perception_rules import Sensation
-from skinsource.design import Design, track
-from skinsource.evaluation import evaluate
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.design import edits
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
+from skinsource.engine.analysis_rules import Sensation
+from skinsource.engine.evaluation import evaluate
 from skinsource_gui.figure_panel import FigurePanel
 from tests.core.own_limbs.lab_bench import N_OUTPUTS, installed
 
@@ -87,7 +87,7 @@ def test_each_panel_of_analysis_says_what_the_limb_says(window, qtbot):
 
 
 def test_as_many_outputs_do_not_make_an_own_limb_a_published_one(user_data):
-    from skinsource.own_limbs import install_limb
+    from skinsource.limbs.own_limbs import install_limb
     from tests.core.own_limbs.lab_bench import own_limb
 
     rng = np.random.default_rng(2)

@@ -3,11 +3,11 @@
 import pytest
 from PySide6.QtWidgets import QLabel, QToolButton
 
-from skinsource import edits
-from skinsource.design import Design, track
-from skinsource.presets.shelf import read_shelf, shipped_folder
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.design import edits
+from skinsource.design.design import Design, track
+from skinsource.design.presets.presets import read_shelf, shipped_folder
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
 from tests.core.own_limbs.lab_bench import installed
 
 PLAYED = Design(limb="synthetic-1", inputs=(track(5, Tone(frequency_hz=900.0, duration_s=0.1)),))

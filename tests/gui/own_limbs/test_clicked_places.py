@@ -5,8 +5,8 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QImage
 
-from skinsource.catalogue import load_limb
-from skinsource.limb_import import export_limb
+from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.limb_layout import export_limb
 from skinsource_gui.limb_page.canvas import spacing_of
 from tests.core.own_limbs.lab_bench import N_TAPS, RATE_HZ, installed
 from tests.gui.own_limbs.limb_page_bench import button, imported, opened, words

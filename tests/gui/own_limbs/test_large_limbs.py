@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource import edits
-from skinsource.design import Design, track
-from skinsource.own_limbs import install_limb
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tone
+from skinsource.design import edits
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tone
+from skinsource.limbs.own_limbs import install_limb
 from skinsource_gui.state.engine import FIRST_SLOT, Purpose
 from tests.core.own_limbs.lab_bench import own_limb, response
 

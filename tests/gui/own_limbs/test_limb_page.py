@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 from PySide6.QtWidgets import QDialog, QLabel, QMessageBox
 
-from skinsource.catalogue import load_limb
-from skinsource.job import Job, stop_if
-from skinsource.limb_import import LimbSource, export_limb, import_limb
-from skinsource.own_limbs import facts_of, own_limb_names, remove_limb
+from skinsource.base.job import Job, stop_if
+from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.limb_import import LimbSource, import_limb
+from skinsource.limbs.limb_layout import export_limb
+from skinsource.limbs.own_limbs import facts_of, own_limb_names, remove_limb
 from skinsource_gui.widgets.name_line import NameLine
 from tests.core.own_limbs.lab_bench import installed
 from tests.gui.own_limbs.limb_page_bench import button, imported, opened, words

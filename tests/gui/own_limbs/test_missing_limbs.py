@@ -6,10 +6,10 @@ import pytest
 from PySide6.QtCore import QEvent, QPoint
 from PySide6.QtWidgets import QApplication, QLabel
 
-from skinsource.design import Design, track
-from skinsource.locations import input_words, output_words
-from skinsource.own_limbs import facts_of, remove_limb
-from skinsource.view import View
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.limbs.locations import input_words, output_words
+from skinsource.limbs.own_limbs import facts_of, remove_limb
 from skinsource_gui.status.limb_note import LimbNote
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from tests.core.own_limbs.lab_bench import installed

@@ -7,12 +7,12 @@ import pytest
 from PySide6.QtCore import QEvent, QPointF
 from PySide6.QtWidgets import QApplication
 
-from skinsource import edits
-from skinsource.design import Design, track
-from skinsource.design_file import save_design
-from skinsource.own_limbs import facts_of, install_limb, mirror_limb, remove_limb
-from skinsource.view import View
-from skinsource.waveforms import Noise, Tone
+from skinsource.design import edits
+from skinsource.design.design import Design, track
+from skinsource.design.design_file import save_design
+from skinsource.design.view import View
+from skinsource.design.waveforms import Noise, Tone
+from skinsource.limbs.own_limbs import facts_of, install_limb, mirror_limb, remove_limb
 from skinsource_gui.status.limb_note import LimbNote
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed, own_limb, response
@@ -213,7 +213,7 @@ def test_a_limb_too_large_to_follow_edits_shows_its_own_places_and_why_there_is_
     assert skin.map.content.limb == "synthetic-1"
     edit = edits.change_limb(document.design, document.view, "lab-1")
     with monkeypatch.context() as fewer:
-        fewer.setattr("skinsource.limb.facts.LIVE_INPUTS", 5)
+        fewer.setattr("skinsource.limbs.limb.LIVE_INPUTS", 5)
         document.apply(edit)
         rested(window, qtbot)
         content = skin.map.content

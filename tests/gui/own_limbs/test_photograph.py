@@ -6,7 +6,7 @@ import zlib
 import pytest
 from PySide6.QtGui import QColor, QImage
 
-from skinsource.errors import RecordingError
+from skinsource.base.errors import RecordingError
 from skinsource_gui.limb_page import photograph
 
 

@@ -6,16 +6,16 @@ import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QApplication, QLabel
 
-from skinsource import edits
-from skinsource.actuators import load
-from skinsource.chain import Actuation, ActuatorAt
-from skinsource.comparing import Snapshot
-from skinsource.design import Design, track
-from skinsource.equalising import RegularisedInverse
-from skinsource.errors import InvalidInputError
-from skinsource.own_limbs import facts_of, remove_limb
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.actuators.catalog import load
+from skinsource.actuators.equalising import RegularisedInverse
+from skinsource.base.errors import InvalidInputError
+from skinsource.design import edits
+from skinsource.design.comparing import Snapshot
+from skinsource.design.design import Design, track
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
+from skinsource.limbs.own_limbs import facts_of, remove_limb
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 from skinsource_gui.widgets.fields.number_field import NumberField
 from skinsource_gui.widgets.fields.units import parse_number

@@ -2,8 +2,8 @@
 
 import pytest
 
-from skinsource.design import Design, track
-from skinsource.waveforms import Tone
+from skinsource.design.design import Design, track
+from skinsource.design.waveforms import Tone
 from tests.core.playing.made_up_sound import MadeUpLibrary, use
 
 TONE = Tone(frequency_hz=100.0, duration_s=0.5)

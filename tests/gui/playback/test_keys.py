@@ -3,7 +3,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QMenu, QPushButton
 
-from skinsource.waveforms import Noise
+from skinsource.design.waveforms import Noise
 from skinsource_gui.shell.playing.escape_twice import EscapeTwice
 
 LEFT = Qt.MouseButton.LeftButton

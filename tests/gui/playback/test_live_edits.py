@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 from PySide6.QtCore import QObject
 
-from skinsource.playing import Output
+from skinsource.lab.playing.devices import Output
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.playing import live_edits
 from skinsource_gui.state.playing.live_edits import LiveEdits

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PySide6.QtWidgets import QLabel, QToolButton
 
-from skinsource.playing import Output
+from skinsource.lab.playing.devices import Output
 
 WAIT = {"timeout": 20_000}
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.playing import START_DB
+from skinsource.lab.playing.mix import START_DB
 from tests.gui.playback.conftest import DESIGN
 
 WAIT = {"timeout": 20_000}

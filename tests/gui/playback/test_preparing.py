@@ -5,7 +5,7 @@ import threading
 import pytest
 from PySide6.QtWidgets import QPushButton
 
-from skinsource.playing import session
+from skinsource.lab.playing import mixer
 
 WAIT = {"timeout": 20_000}
 
@@ -13,13 +13,13 @@ WAIT = {"timeout": 20_000}
 @pytest.fixture
 def made(monkeypatch):
     """Lets a mix be made once it is set, at the latest at the end of the test."""
-    ready, mix = threading.Event(), session.Mixer.mix
+    ready, mix = threading.Event(), mixer.Mixer.mix
 
     def slowly(self, *given, **more):
         assert ready.wait(20)
         return mix(self, *given, **more)
 
-    monkeypatch.setattr(session.Mixer, "mix", slowly)
+    monkeypatch.setattr(mixer.Mixer, "mix", slowly)
     yield ready
     ready.set()
 

@@ -4,8 +4,9 @@ from dataclasses import replace
 
 import pytest
 
-from skinsource.actuators import Limits, MeasuredResponse
-from skinsource.rigs import Rig, RigChannel, save_rig
+from skinsource.actuators.measured_response import MeasuredResponse
+from skinsource.actuators.prediction import Limits
+from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource_gui.panels.playback.panel import PlaybackPanel
 
 WAIT = {"timeout": 20_000}

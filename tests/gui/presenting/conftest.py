@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 import skinsource as ss
-from skinsource.design_file import save_design
+from skinsource.design.design_file import save_design
 
 
 @pytest.fixture

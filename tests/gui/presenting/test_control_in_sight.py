@@ -5,7 +5,7 @@ from PySide6.QtCore import QRect
 from PySide6.QtGui import QFont, QFontMetrics, QRegion
 from PySide6.QtWidgets import QAbstractButton, QApplication
 
-from skinsource.scenes import all_scenes
+from skinsource.studies.scenes import all_scenes
 from skinsource_gui.panels.frequency_and_amplitude.heading import Heading
 from skinsource_gui.panels.side_by_side.view import MapsView
 from skinsource_gui.widgets.fields.field_cell import FieldCell

@@ -7,9 +7,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QMessageBox
 
-from skinsource.design_file import save_design
-from skinsource.scenes import all_scenes, open_scene
-from skinsource.view import View
+from skinsource.design.design_file import save_design
+from skinsource.design.view import View
+from skinsource.studies.scenes import all_scenes, open_scene
 from skinsource_gui.panels.skin.settings import use_colours
 from skinsource_gui.shell.presenting.notes_window import NotesWindow
 from skinsource_gui.state.historian import Historian

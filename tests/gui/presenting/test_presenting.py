@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 import skinsource as ss
-from skinsource.design_file import save_design
+from skinsource.design.design_file import save_design
 from skinsource_gui.theme import CONTRAST, current_theme
 from skinsource_gui.widgets.over.cover import COVERED
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 from PySide6.QtWidgets import QLabel
 
 import skinsource as ss
-from skinsource.panel_settings import with_settings
+from skinsource.design.panel_settings import with_settings
 from skinsource_gui.panels.frequency_and_amplitude.settings import ControlSettings
 from skinsource_gui.widgets.fields.choice_field import ChoiceField
 

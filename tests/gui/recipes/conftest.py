@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
-from skinsource.design import Design, track
-from skinsource.design_file import save_design
-from skinsource.view import View
+from skinsource.design.design import Design, track
+from skinsource.design.design_file import save_design
+from skinsource.design.view import View
 
 PROJECT = Path(__file__).parents[3]
 

@@ -17,7 +17,7 @@ SETTINGS = '''
 from dataclasses import dataclass
 
 from skinsource import fields
-from skinsource.fields import NumberSpec
+from skinsource.specs.fields import NumberSpec
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -34,7 +34,7 @@ PANEL = '''
 
 from PySide6.QtWidgets import QLabel, QVBoxLayout
 
-from skinsource.panel_settings import settings_of
+from skinsource.design.panel_settings import settings_of
 from skinsource_gui.panel import Panel
 from skinsource_gui.panels.loudest.settings import LoudestSettings
 
@@ -64,8 +64,8 @@ class LoudestPanel(Panel):
 EXPORT = '''
 """The level of the loudest output, as a file."""
 
-from skinsource.job import never, silent
-from skinsource.evaluation import Evaluator
+from skinsource.base.job import never, silent
+from skinsource.engine.evaluation import Evaluator
 
 
 def export_loudest(path, design, view, *, progress=silent, stop=never, largest_error=0.0):
@@ -83,8 +83,8 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QMenu, QTextBrowser
 
 import skinsource as ss
 from skinsource_gui.state.start_design import start_design
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.view import View
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
 from skinsource_gui.panels.loudest.settings import LoudestSettings
 from skinsource_gui.shell.app import make_application
 from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS
@@ -226,13 +226,13 @@ def facts(make_copy, tmp_path_factory, older_design):
     copy.insert(
         export / "__init__.py",
         "from skinsource.export.map_files",
-        "from skinsource.export.loudest import export_loudest\n",
+        "from skinsource.export.exported_design.loudest import export_loudest\n",
     )
     exports = copy.studio / "files" / "exports.py"
     copy.insert(
         exports,
-        "from skinsource.job import Progress, Stop\n",
-        "from skinsource.export import export_loudest\n",
+        "from skinsource.base.job import Progress, Stop\n",
+        "from skinsource.export.exported_design import export_loudest\n",
     )
     copy.insert(exports, '    ExportSpec(\n        name="field"', EXPORTED)
     # An entry.

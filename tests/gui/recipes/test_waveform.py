@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource import fields
-from skinsource.fields import CurveSpec, NumberSpec, OptionalSpec, SamplesSpec, TextSpec
-from skinsource.samples import Samples
+from skinsource.specs.fields import CurveSpec, NumberSpec, OptionalSpec, SamplesSpec, TextSpec
+from skinsource.specs.samples import Samples
 
 LEVEL = NumberSpec(label="Level", minimum=0.0, maximum=1.0)
 TIME = NumberSpec(label="Time", unit="s", minimum=0.0, maximum=1.0)
@@ -53,13 +53,13 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design import Design, Input, track
-from skinsource.design_file import open_design, save_design
-from skinsource.edits import change_kind
-from skinsource.quantities import new_graph, sources
-from skinsource.samples import Samples
-from skinsource.view import View
-from skinsource.waveforms.clicks import Clicks
+from skinsource.design.design import Design, Input, track
+from skinsource.design.design_file import open_design, save_design
+from skinsource.design.edits import change_kind
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.specs.samples import Samples
+from skinsource.design.view import View
+from skinsource.design.waveforms.clicks import Clicks
 from skinsource_gui.panels.inspector.panel import InspectorPanel
 from skinsource_gui.widgets.fields.field_cell import FieldCell
 
@@ -98,8 +98,8 @@ def test_a_new_waveform_is_a_file_and_a_name_and_a_new_field_is_a_line(
     # A file in waveforms and a name in MORE.
     copy.write(copy.library / "waveforms" / "clicks.py", CLICKS)
     kinds = copy.library / "waveforms" / "every_kind.py"
-    line = "from skinsource.waveforms.impulse import Impulse\n"
-    copy.insert(kinds, line, "from skinsource.waveforms.clicks import Clicks\n")
+    line = "from skinsource.design.waveforms.pulses import Impulse\n"
+    copy.insert(kinds, line, "from skinsource.design.waveforms.clicks import Clicks\n")
     copy.insert(kinds, "    Impulse,\n", "    Clicks,\n")
     # A line in Input and one in View.
     label = 'label: str = fields.text("", TextSpec(label="Label", longest=20))\n'

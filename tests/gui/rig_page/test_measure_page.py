@@ -9,8 +9,8 @@ from PySide6.QtTest import QTest
 from shiboken6 import isValid
 
 import skinsource as ss
-from skinsource.playing import Output
-from skinsource.rig_measuring import MeasuringSetup
+from skinsource.lab.playing.devices import Output
+from skinsource.lab.rig_measuring import MeasuringSetup
 from skinsource_gui.rig_page.measure_fields import setup_of, setup_text
 from skinsource_gui.rig_page.measure_page import MeasurePage
 from skinsource_gui.rig_page.page import RigPage

@@ -8,11 +8,11 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox
 from shiboken6 import isValid
 
 import skinsource as ss
-from skinsource import edits
-from skinsource.actuators import MeasuredResponse
-from skinsource.locations import input_words
-from skinsource.rigs import Rig, RigChannel, open_rig, save_rig
-from skinsource.view import View
+from skinsource.actuators.measured_response import MeasuredResponse
+from skinsource.actuators.rigs import Rig, RigChannel, open_rig, save_rig
+from skinsource.design import edits
+from skinsource.design.view import View
+from skinsource.limbs.locations import input_words
 from skinsource_gui.rig_page.channel_fields import title_of
 from skinsource_gui.rig_page.draft import RigDraft
 from skinsource_gui.rig_page.page import RigPage

@@ -5,12 +5,12 @@ from dataclasses import replace
 import pytest
 from PySide6.QtWidgets import QApplication
 
-from skinsource.catalogue import default_limb
-from skinsource.design import Design
-from skinsource.design_file import save_design
-from skinsource.edits.setup import change_limb
-from skinsource.panel_settings import with_settings
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.design_file import save_design
+from skinsource.design.edits.setup import change_limb
+from skinsource.design.panel_settings import with_settings
+from skinsource.design.view import View
+from skinsource.limbs.catalogue import default_limb
 from skinsource_gui.files import file_actions
 from skinsource_gui.panels.skin.settings import SkinSettings
 

@@ -6,9 +6,9 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from skinsource.design import Design, track
-from skinsource.map_range import map_range_db
-from skinsource.panel_settings import with_settings
+from skinsource.design.design import Design, track
+from skinsource.design.panel_settings import with_settings
+from skinsource.signals.map_range import map_range_db
 from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 from tests.core.own_limbs.lab_bench import installed
 from tests.gui.side_by_side.side_by_side_bench import point_at, shown

@@ -5,13 +5,13 @@ from dataclasses import replace
 import pytest
 from PySide6.QtWidgets import QFileDialog
 
-from skinsource import edits
-from skinsource.design import Design, track
-from skinsource.design_file import save_design
-from skinsource.evaluation import evaluate
-from skinsource.panel_settings import with_settings
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.design import edits
+from skinsource.design.design import Design, track
+from skinsource.design.design_file import save_design
+from skinsource.design.panel_settings import with_settings
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
+from skinsource.engine.evaluation import evaluate
 from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 from tests.core.own_limbs.lab_bench import installed
 from tests.gui.side_by_side.side_by_side_bench import shown

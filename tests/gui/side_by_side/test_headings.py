@@ -5,8 +5,8 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFontMetricsF, QImage, QPainter
 
 import skinsource as ss
-from skinsource.comparing import Snapshot
-from skinsource.design import Design
+from skinsource.design.comparing import Snapshot
+from skinsource.design.design import Design
 from skinsource_gui.compared import Compared
 from skinsource_gui.panels.side_by_side.content import Cell, Content
 from skinsource_gui.panels.side_by_side.headings import bold, paint_heading, places_for

@@ -1,6 +1,6 @@
 """Limbs side by side: which of them are chosen, and those that cannot be predicted."""
 
-from skinsource.design import track
+from skinsource.design.design import track
 from skinsource_gui.state.engine import Purpose
 from tests.core.own_limbs.lab_bench import installed
 from tests.gui.side_by_side.side_by_side_bench import choose, shown
@@ -46,8 +46,8 @@ def test_a_limb_that_is_too_large_missing_or_otherwise_laid_out_says_so_and_runs
     assert "other places" in panel.maps.content.cells[1].words
     choose(window, shown="mean")
     assert shown(panel, qtbot, 2)[0].heading == "Mean of 2 of 3: Synthetic 1, Synthetic 2"
-    monkeypatch.setattr("skinsource.limb.facts.LIVE_INPUTS", 5)
-    monkeypatch.setattr("skinsource_gui.state.predicting.LIVE_INPUTS", 5)
+    monkeypatch.setattr("skinsource.limbs.limb.LIVE_INPUTS", 5)
+    monkeypatch.setattr("skinsource.limbs.limb.LIVE_INPUTS", 5)
     asked = []
     ask = window.engine.request
     monkeypatch.setattr(window.engine, "request", lambda one: (asked.append(one), ask(one)))

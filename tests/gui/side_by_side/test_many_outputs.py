@@ -4,9 +4,9 @@ import numpy as np
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QImage, QPainter
 
-from skinsource.comparing import Snapshot
-from skinsource.design import Design, track
-from skinsource.evaluation import evaluate
+from skinsource.design.comparing import Snapshot
+from skinsource.design.design import Design, track
+from skinsource.engine.evaluation import evaluate
 from skinsource_gui.compared import Compared
 from skinsource_gui.panels.side_by_side.cells import Cells
 from skinsource_gui.panels.transfer.picture import bar_sizes

@@ -8,9 +8,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
-from skinsource.decibels import FLOOR_DB
-from skinsource.map_range import MAP_RANGE_DB
-from skinsource.panel_settings import settings_of
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.design.panel_settings import settings_of
+from skinsource.signals.map_range import MAP_RANGE_DB
 from skinsource_gui.panels.side_by_side.cells import Cells
 from skinsource_gui.panels.side_by_side.settings import SideBySideSettings
 from skinsource_gui.panels.skin.settings import SkinSettings
@@ -99,7 +99,7 @@ def test_an_output_that_is_silent_is_no_level_below_the_maximum(panel, qtbot):
 def test_a_range_that_was_fixed_is_that_of_the_shared_scale(window, panel, qtbot):
     shown(panel, qtbot, 4)
     view = window.document.view
-    from skinsource.panel_settings import with_settings
+    from skinsource.design.panel_settings import with_settings
 
     fixed = replace(settings_of(view, "skin", SkinSettings), map_range_db=(-30.0, -10.0))
     window.document.look(with_settings(view, "skin", fixed))

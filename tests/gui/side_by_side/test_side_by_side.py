@@ -9,10 +9,10 @@ from PySide6.QtGui import QGuiApplication, QImage, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource.comparing import end_db
-from skinsource.evaluation import evaluate
-from skinsource.map_range import map_range_db
-from skinsource.panel_settings import with_settings
+from skinsource.design.comparing import end_db
+from skinsource.design.panel_settings import with_settings
+from skinsource.engine.evaluation import evaluate
+from skinsource.signals.map_range import map_range_db
 from skinsource_gui.panels.side_by_side.painter import fitting
 from skinsource_gui.panels.skin.settings import SkinSettings
 from tests.gui.side_by_side.side_by_side_bench import choose, point_at, shown

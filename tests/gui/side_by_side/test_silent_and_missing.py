@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.design import Design, track
+from skinsource.design.design import Design, track
 from skinsource_gui.compared import SILENCE
 from skinsource_gui.panels.side_by_side.table import tab_separated
 from tests.gui.compare.compare_bench import levels, show_matched, two_places

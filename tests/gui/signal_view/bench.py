@@ -3,9 +3,7 @@
 import numpy as np
 from PySide6.QtCore import QPointF
 
-from skinsource_gui.widgets.plot.axis_spec import (
-    XAxis,
-)
+from skinsource_gui.widgets.plot.axis_spec import XAxis
 from skinsource_gui.widgets.plot.curves import Curves, output_names
 from tests.gui import wheel
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QPainter, QPicture
 
-from skinsource.resampling import EXTREMES_ERROR
+from skinsource.signals.resampling import EXTREMES_ERROR
 from skinsource_gui.widgets.plot import signal_picture
 from skinsource_gui.widgets.plot.curves import Curves, output_names
 from skinsource_gui.widgets.plot.plot import Plot

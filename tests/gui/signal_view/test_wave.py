@@ -6,9 +6,9 @@ from functools import partial
 import numpy as np
 import pytest
 
-from skinsource.evaluation import evaluate
-from skinsource.resampling import FINER, finer
-from skinsource.view import View
+from skinsource.design.view import View
+from skinsource.engine.evaluation import evaluate
+from skinsource.signals.resampling import FINER, finer
 from skinsource_gui.panels.traces.panel import TracesPanel
 from skinsource_gui.state.start_design import start_design
 from skinsource_gui.theme import current_theme

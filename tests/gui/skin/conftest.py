@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from skinsource.catalogue import load_limb
-from skinsource.surface import surface_operator
+from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.surface.surface import surface_operator
 from skinsource_gui.panels.skin.panel import SkinPanel
 from tests.gui.skin.bench import (
     SEED,

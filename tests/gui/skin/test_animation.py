@@ -9,13 +9,13 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QLabel
 
 import skinsource as ss
-from skinsource.errors import InvalidInputError, Stopped, StorageError
+from skinsource.base.errors import InvalidInputError, Stopped, StorageError
+from skinsource.base.job import never
+from skinsource.design.panel_settings import with_settings
+from skinsource.design.view import View
 from skinsource.export.video import video_file
-from skinsource.job import never
-from skinsource.limb import PUBLISHED
-from skinsource.panel_settings import with_settings
-from skinsource.validity import Finding
-from skinsource.view import View
+from skinsource.limbs.limb import PUBLISHED
+from skinsource.perception.validity import Finding
 from skinsource_gui.panels.skin.map_quantity import MAGNITUDE, RMS, Z
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.stage.map_layout import SeenPart

@@ -5,7 +5,7 @@ from PySide6.QtGui import QContextMenuEvent, QFontMetrics
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from skinsource.map_range import map_range_db
+from skinsource.signals.map_range import map_range_db
 from skinsource_gui.panels.skin.map_quantity import MapQuantity
 from skinsource_gui.panels.skin.scale.colour_scale import fitting_title
 from skinsource_gui.panels.skin.scale.level_range import tick_levels

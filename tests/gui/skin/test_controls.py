@@ -4,7 +4,7 @@ from PySide6.QtGui import QColor, QHelpEvent, QRegion
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
-from skinsource.choice_words import TRIAD_SENTENCE
+from skinsource.design.labels import TRIAD_SENTENCE
 from skinsource_gui.panels.skin.map_picture import heading_of
 from skinsource_gui.panels.skin.scale.colour_strip import ColourStrip
 from skinsource_gui.theme import DARK, LIGHT

@@ -10,8 +10,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 
 import skinsource as ss
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.view import View
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.stage.map_layout import SeenPart
 from skinsource_gui.panels.skin.time import animation, film_words

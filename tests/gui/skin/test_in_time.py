@@ -9,10 +9,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
-from skinsource.limb import PRE_TRIGGER_DELAY_S
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.quantities import new_graph, sources
-from skinsource.rendering.in_time import BLOCK_S
+from skinsource.base.published import PRE_TRIGGER_DELAY_S
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.engine.time_rules import BLOCK_S
 from skinsource_gui.panels.skin.map_quantity import LEVELS, MAGNITUDE, RMS, Z
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.time.frames import NEEDS

@@ -7,7 +7,7 @@ from PySide6.QtCore import QPoint, QPointF, QRectF, QTimer
 from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
-from skinsource.limb import LimbMap
+from skinsource.limbs.limb import LimbMap
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_painter import small_font
 from skinsource_gui.panels.skin.map_words import message_card, message_place, paint_words

@@ -3,7 +3,7 @@ from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QFontMetricsF
 from PySide6.QtTest import QTest
 
-from skinsource.limb import VOLAR_OUTPUTS
+from skinsource.base.published import VOLAR_OUTPUTS
 from skinsource_gui.panels.skin import map_painter
 from skinsource_gui.panels.skin.map_painter import ring_radius, small_font
 from skinsource_gui.panels.skin.output_labels import output_labels, square

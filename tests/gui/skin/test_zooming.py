@@ -6,7 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QScrollArea
 
 from skinsource_gui.panels.skin import map_picture
-from skinsource_gui.panels.skin.skin_map import HAND
+from skinsource_gui.panels.skin.stage.map_layout import HAND
 from skinsource_gui.theme import LIGHT
 from skinsource_gui.widgets.pan_zoom import FREE, WHOLE
 from skinsource_gui.widgets.wheel import PAUSE_S, ScrollingOn

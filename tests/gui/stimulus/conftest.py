@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtWidgets import QFileDialog
 
 import skinsource as ss
-from skinsource.view import View
+from skinsource.design.view import View
 from tests.gui.stimulus.stimulus_bench import WAIT_MS
 
 GABOR = ss.waveforms.Gabor(frequency_hz=200.0)

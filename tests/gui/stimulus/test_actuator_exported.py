@@ -5,11 +5,11 @@ import json
 import pytest
 
 import skinsource as ss
-from skinsource.actuator_demand import ActuatorSettings, actuation_of
-from skinsource.actuators import load
-from skinsource.equalising import PolePairReplacement, RegularisedInverse, resonance_of
-from skinsource.panel_settings import with_settings
-from skinsource.view import View
+from skinsource.actuators.catalog import load
+from skinsource.actuators.equalising import PolePairReplacement, RegularisedInverse, resonance_of
+from skinsource.design.panel_settings import with_settings
+from skinsource.design.view import View
+from skinsource.engine.actuator_demand import ActuatorSettings, actuation_of
 from skinsource_gui.stimulus_page.remembering import recall, remembered
 from skinsource_gui.stimulus_page.stimulus_form import StimulusForm
 from tests.gui.actuator.bench import brought_forward

@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtWidgets import QCheckBox
 
 import skinsource as ss
-from skinsource.view import View
+from skinsource.design.view import View
 from tests.gui.stimulus.conftest import opened
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
 

@@ -8,8 +8,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QProgressBar
 
 import skinsource as ss
-from skinsource.errors import Stopped
-from skinsource.job import stop_if
+from skinsource.base.errors import Stopped
+from skinsource.base.job import stop_if
 from skinsource_gui.stimulus_page import preparing_worker
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, label
 

@@ -6,8 +6,8 @@ import pytest
 from PySide6.QtWidgets import QFileDialog
 
 import skinsource as ss
-from skinsource.rigs import Rig, RigChannel, save_rig
-from skinsource.view import View
+from skinsource.actuators.rigs import Rig, RigChannel, save_rig
+from skinsource.design.view import View
 from skinsource_gui.stimulus_page.channels_view import words_of
 from skinsource_gui.stimulus_page.page import StimulusPage, calibration_of, summary_of
 from skinsource_gui.stimulus_page.remembering import recall, remembered

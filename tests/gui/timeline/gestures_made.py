@@ -6,7 +6,7 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from skinsource import edits
+from skinsource.design import edits
 from skinsource_gui.panels.timeline.settings import show_gain_curves
 from skinsource_gui.widgets.drop_place import DropPlace
 from tests.gui.timeline.lanes_bench import LEFT

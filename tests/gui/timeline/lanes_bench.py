@@ -3,9 +3,9 @@
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 
-from skinsource.clips import Clip
-from skinsource.design import Design, Input
-from skinsource.waveforms import Tap, Tone
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.waveforms import Tap, Tone
 from skinsource_gui.panels.timeline.lanes_view import LanesView
 from tests.gui.timeline.bench import Bench, results_of
 

@@ -4,8 +4,8 @@ import pytest
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 
-from skinsource import edits
-from skinsource.errors import InvalidInputError
+from skinsource.base.errors import InvalidInputError
+from skinsource.design import edits
 from skinsource_gui.panels.timeline import clipboard
 from tests.gui.timeline.lanes_bench import NONE, LanesBench
 

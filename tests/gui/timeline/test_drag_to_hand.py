@@ -6,10 +6,10 @@ from PySide6.QtGui import QContextMenuEvent, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from skinsource.clips import Clip
-from skinsource.design import Design, Input
-from skinsource.view import View
-from skinsource.waveforms import Tone
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
 from skinsource_gui.panels.timeline.lanes_view import LanesView
 
 LEFT, NO_BUTTON = Qt.MouseButton.LeftButton, Qt.MouseButton.NoButton

@@ -6,8 +6,8 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design import MAX_INPUTS
-from skinsource.waveforms import Noise, Tap
+from skinsource.design.design import MAX_INPUTS
+from skinsource.design.waveforms import Noise, Tap
 from tests.gui.timeline.bench import Bench, click, design_of
 
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from skinsource.view import View
+from skinsource.design.view import View
 from skinsource_gui.widgets.inputs.field_changes import FieldChanges
 from tests.gui.timeline.bench import design_of
 

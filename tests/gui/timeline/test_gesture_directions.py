@@ -4,8 +4,8 @@ import pytest
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 
-from skinsource.clips import Marker
-from skinsource.design import Design
+from skinsource.design.clips import Marker
+from skinsource.design.design import Design
 from tests.gui.timeline.lanes_bench import LEFT, NONE, LanesBench
 
 CONTROL, ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier

@@ -6,9 +6,9 @@ from PySide6.QtGui import QHelpEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QToolTip
 
-from skinsource.clips import Clip
-from skinsource.design import Input
-from skinsource.waveforms import Tone
+from skinsource.design.clips import Clip
+from skinsource.design.design import Input
+from skinsource.design.waveforms import Tone
 from skinsource_gui.panels.timeline import lanes_item, overlaps
 from skinsource_gui.panels.timeline.overlaps import Overlaps, Stretch, overlapping, stretches
 from tests.gui.timeline.lanes_bench import LEFT, LanesBench

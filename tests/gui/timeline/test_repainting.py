@@ -9,11 +9,11 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 from PySide6.QtWidgets import QApplication, QScrollBar
 
-from skinsource.clips import Clip
-from skinsource.design import Design, Input
-from skinsource.effects import Fade
-from skinsource.voices import UnplayableInput
-from skinsource.waveforms import Tap, Tone
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.effects import Fade
+from skinsource.design.signal_path import UnplayableInput
+from skinsource.design.waveforms import Tap, Tone
 from skinsource_gui.panels.timeline.clip_lengths import ClipLengths
 from skinsource_gui.panels.timeline.clip_painter import mark_clip
 from skinsource_gui.panels.timeline.gestures.gesture import Shown

@@ -5,9 +5,9 @@ import pytest
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
-from skinsource.design import Design, track
-from skinsource.samples import Samples
-from skinsource.waveforms import Recording, Tone
+from skinsource.design.design import Design, track
+from skinsource.design.waveforms import Recording, Tone
+from skinsource.specs.samples import Samples
 from skinsource_gui.panels.timeline.heads.row_places import row_places
 from tests.gui.timeline.bench import PLACES, Bench, click, design_of, results_of
 

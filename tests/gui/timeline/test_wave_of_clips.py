@@ -8,9 +8,9 @@ from PySide6.QtCore import QSizeF
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication
 
-from skinsource.clips import Clip
-from skinsource.design import Design, Input
-from skinsource.waveforms import Tone
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.waveforms import Tone
 from skinsource_gui.panels.timeline.clip_pictures import ClipPictures, Look, Played
 from skinsource_gui.widgets.plot.wave import MOST_WHILE_DRAWN
 from tests.gui.timeline.bench import results_of

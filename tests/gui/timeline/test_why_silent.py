@@ -6,9 +6,9 @@ import pytest
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter
 
-from skinsource.clips import Clip
-from skinsource.design import Design, Input
-from skinsource.waveforms import Tap
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.waveforms import Tap
 from skinsource_gui.theme import LIGHT
 from tests.gui.timeline.lanes_bench import LanesBench
 

@@ -4,8 +4,8 @@ import pytest
 from PySide6.QtCore import QRectF
 
 import skinsource as ss
-from skinsource.design import Design, track
-from skinsource.waveforms import WaveletTrain
+from skinsource.design.design import Design, track
+from skinsource.design.waveforms import WaveletTrain
 from skinsource_gui.panels.windowed.strip_layout import least_height, strip_layout
 from skinsource_gui.panels.windowed.strip_painter import curve_names
 from skinsource_gui.shell.appearance import LARGEST_TEXT

@@ -7,10 +7,10 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QImage, QPainter
 
 import skinsource as ss
-from skinsource.design import Design, track
-from skinsource.panel_settings import with_settings
-from skinsource.rendering.in_windows import rules
-from skinsource.waveforms import WaveletTrain
+from skinsource.design.design import Design, track
+from skinsource.design.panel_settings import with_settings
+from skinsource.design.waveforms import WaveletTrain
+from skinsource.engine import window_rules
 from skinsource_gui.panels.skin.settings import SkinSettings
 
 TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))
@@ -94,7 +94,9 @@ def test_hidden_it_costs_nothing(panel, studio, qtbot, monkeypatch):
     settle(studio, qtbot)
     content = panel.strip.content
 
-    monkeypatch.setattr(rules.WindowEnergy, "add", lambda *words: asked.append(words), raising=True)
+    monkeypatch.setattr(
+        window_rules.WindowEnergy, "add", lambda *words: asked.append(words), raising=True
+    )
     studio.document.edit("Softer", TRAIN.with_input(0, amplitude=0.5))
     settle(studio, qtbot)
     assert asked == []

@@ -6,8 +6,8 @@ import pytest
 from PySide6.QtCore import QRectF
 
 import skinsource as ss
-from skinsource.design import Design, track
-from skinsource.waveforms import WaveletTrain
+from skinsource.design.design import Design, track
+from skinsource.design.waveforms import WaveletTrain
 from skinsource_gui.panels.windowed.strip_layout import strip_layout
 from skinsource_gui.panels.windowed.window_titles import window_titles
 from skinsource_gui.widgets.pictures.picture_file import save_drawing

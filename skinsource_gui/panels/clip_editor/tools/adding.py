@@ -1,6 +1,6 @@
 """A point that a key adds to a curve."""
 
-from skinsource.effects.breakpoints import Points, with_point_after
+from skinsource.design.effects.breakpoints import Points, with_point_after
 from skinsource_gui.panels.clip_editor.tools.envelope import EnvelopeTool
 
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QPointF
 
-from skinsource.effects.breakpoints import Points
+from skinsource.design.effects.breakpoints import Points
 from skinsource_gui.panels.clip_editor.tools.points_box import Handle
 
 

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from skinsource.effects import breakpoints as algebra
+from skinsource.design.effects import breakpoints as algebra
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -6,8 +6,8 @@ from functools import lru_cache
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPixmap
 
-from skinsource.arrays import Floats
-from skinsource.fields import Breakpoint
+from skinsource.base.arrays import Floats
+from skinsource.specs.fields import Breakpoint
 from skinsource_gui.panels.clip_editor.content import EditorContent
 from skinsource_gui.panels.clip_editor.tools.curve_look import CurveLook
 from skinsource_gui.theme import Theme

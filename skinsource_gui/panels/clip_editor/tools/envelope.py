@@ -10,10 +10,10 @@ from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPen
 from PySide6.QtWidgets import QMenu
 
-from skinsource.arrays import Floats
-from skinsource.effects import breakpoints as algebra
-from skinsource.effects.breakpoints import Points
-from skinsource.fields import SEGMENTS, Segment
+from skinsource.base.arrays import Floats
+from skinsource.design.effects import breakpoints as algebra
+from skinsource.design.effects.breakpoints import Points
+from skinsource.specs.fields import SEGMENTS, Segment
 from skinsource_gui.panels.clip_editor.content import EditorContent
 from skinsource_gui.panels.clip_editor.tools.curve_drag import Drag
 from skinsource_gui.panels.clip_editor.tools.curve_look import CurveLook

@@ -8,9 +8,9 @@ from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 from PySide6.QtWidgets import QMenu
 
-from skinsource.arrays import Floats
-from skinsource.effects.breakpoints import Points
-from skinsource.synthesis.glide_curves import Column
+from skinsource.base.arrays import Floats
+from skinsource.design.effects.breakpoints import Points
+from skinsource.signals.synthesis import Column
 from skinsource_gui.panels.clip_editor.content import EditorContent
 from skinsource_gui.panels.clip_editor.tools.curve_look import CurveLook
 from skinsource_gui.panels.clip_editor.tools.envelope import EnvelopeTool

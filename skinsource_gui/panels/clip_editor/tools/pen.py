@@ -4,9 +4,9 @@ from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPen
 from PySide6.QtWidgets import QMenu
 
-from skinsource.arrays import Floats
-from skinsource.drawing import Stroke, drawn_over, zeroed
-from skinsource.errors import InvalidInputError
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.signals.drawing import Stroke, drawn_over, zeroed
 from skinsource_gui.panels.clip_editor.content import REACH, EditorContent
 from skinsource_gui.panels.clip_editor.tools.tool import Button, Held
 from skinsource_gui.theme import Theme

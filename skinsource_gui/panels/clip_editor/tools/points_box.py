@@ -6,8 +6,8 @@ from math import hypot
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from skinsource.effects import breakpoints as algebra
-from skinsource.effects.breakpoints import Points
+from skinsource.design.effects import breakpoints as algebra
+from skinsource.design.effects.breakpoints import Points
 from skinsource_gui.panels.clip_editor.content import EditorContent
 from skinsource_gui.theme import Theme
 

@@ -4,11 +4,11 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource import edits
-from skinsource.clips import Clip
-from skinsource.design import Design
-from skinsource.edits import Edit, Refusal
-from skinsource.view import View
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.view import View
 
 
 class ChainEdits(QObject):

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.effects import Effect, effect_kinds
+from skinsource.design.effects import Effect, effect_kinds
 from skinsource_gui.panels.inspector.effects.effect_row import EffectRow
 from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.fields.parts.row_column import RowColumn

@@ -3,8 +3,8 @@
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QVBoxLayout, QWidget
 
-from skinsource.effects import ON, Effect
-from skinsource.fields import specs_of
+from skinsource.design.effects import ON, Effect
+from skinsource.specs.fields import specs_of
 from skinsource_gui.theme import UNIT_PX, set_tone
 from skinsource_gui.widgets.fields.curve_field import CurveField
 from skinsource_gui.widgets.fields.field_cell import FieldCell

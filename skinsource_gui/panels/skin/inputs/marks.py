@@ -6,9 +6,9 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from skinsource.design import Design, audible_indices
-from skinsource.limb import LimbMap
-from skinsource.view import View
+from skinsource.design.design import Design, audible_indices
+from skinsource.design.view import View
+from skinsource.limbs.limb import LimbMap
 from skinsource_gui.panels.skin.stage.map_layout import MapLayout
 from skinsource_gui.theme import Theme
 

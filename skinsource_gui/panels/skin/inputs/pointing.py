@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QObject, QPointF, Signal
 
-from skinsource.locations import input_words
+from skinsource.limbs.locations import input_words
 from skinsource_gui.panels.skin.inputs.marks import InputMark, marks_at
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.stage.map_layout import MapLayout

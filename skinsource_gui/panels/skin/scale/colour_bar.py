@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
-from skinsource.map_range import MAP_RANGE_DB, MAP_ROUND_TO_DB, map_range_db
+from skinsource.signals.map_range import MAP_RANGE_DB, MAP_ROUND_TO_DB, map_range_db
 from skinsource_gui.panels.skin.scale.auto_button import AutoButton
 from skinsource_gui.panels.skin.scale.colour_strip import ColourStrip
 from skinsource_gui.panels.skin.scale.level_field import high_field, low_field

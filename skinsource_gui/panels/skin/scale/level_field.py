@@ -2,7 +2,7 @@
 
 from PySide6.QtWidgets import QWidget
 
-from skinsource.fields import NumberSpec
+from skinsource.specs.fields import NumberSpec
 from skinsource_gui.panels.skin.scale.level_range import HIGHEST_DB, LOWEST_DB, SMALLEST_SPAN_DB
 from skinsource_gui.widgets.fields.number_field import NumberField
 

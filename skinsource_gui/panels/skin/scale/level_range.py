@@ -2,8 +2,8 @@
 
 import math
 
-from skinsource.decibels import FLOOR_DB
-from skinsource.map_range import MAP_HIGHEST_DB, SILENT_MAP_RANGE_DB
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.signals.map_range import MAP_HIGHEST_DB, SILENT_MAP_RANGE_DB
 
 Range = tuple[float, float]
 

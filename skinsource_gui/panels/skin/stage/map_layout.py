@@ -7,9 +7,10 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSizeF
 from PySide6.QtGui import QFontMetricsF
 
-from skinsource.arrays import Floats
-from skinsource.choice_words import PALM_SIDE
-from skinsource.limb import VOLAR_OUTPUTS, LimbMap
+from skinsource.base.arrays import Floats
+from skinsource.base.published import VOLAR_OUTPUTS
+from skinsource.design.labels import PALM_SIDE
+from skinsource.limbs.limb import LimbMap
 from skinsource_gui.panels.skin.triad import triad_size
 from skinsource_gui.widgets.frame import Frame, fitted
 from skinsource_gui.widgets.pan_zoom import FREE, WHOLE, PanZoom

@@ -5,7 +5,7 @@ from PySide6.QtCore import QObject, QPointF, QRectF, Signal
 from PySide6.QtGui import QFont, QFontMetricsF
 from PySide6.QtWidgets import QWidget
 
-from skinsource.limb import LimbMap
+from skinsource.limbs.limb import LimbMap
 from skinsource_gui.panels.skin.map_painter import letters_for, small_font
 from skinsource_gui.panels.skin.stage.map_layout import (
     HAND,

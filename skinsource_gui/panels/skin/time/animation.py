@@ -8,17 +8,16 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QSizeF
 from PySide6.QtGui import QGuiApplication, QImage, QPainter
 
-from skinsource.choice_words import limb_word
-from skinsource.design import Design
+from skinsource.base.job import Progress, Stop, never, silent
+from skinsource.design.design import Design
+from skinsource.design.labels import limb_word
+from skinsource.design.panel_settings import settings_of
+from skinsource.design.view import View
+from skinsource.engine.time_rules import block_of
 from skinsource.export.exported_design import ExportedDesign
 from skinsource.export.video import frames_per_s, video_file
-from skinsource.job import Progress, Stop, never, silent
-from skinsource.own_limbs import facts_of
-from skinsource.panel_settings import settings_of
-from skinsource.rendering.in_time import block_of
-from skinsource.validity import Findings
-from skinsource.validity.judged import Judged, in_short
-from skinsource.view import View
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.perception.validity import Findings, Judged, in_short
 from skinsource_gui.panels.skin.map_content import MapContent
 from skinsource_gui.panels.skin.map_picture import Heading, heading_of, paint_picture
 from skinsource_gui.panels.skin.settings import SKIN, SkinSettings
@@ -60,7 +59,7 @@ def export_animation(
     InvalidInputError
         It would be too long or too large, or the ending of the name is that of no animation.
     StorageError, Stopped
-        As `skinsource.export.video.video_file`.
+        As `skinsource.export.video`.
     """
     # Frames are no numbers that anyone computes with.
     del largest_error

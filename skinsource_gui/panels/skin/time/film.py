@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass
 
-from skinsource.errors import InvalidInputError
-from skinsource.limb import LimbFacts
-from skinsource.view import View
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.view import View
+from skinsource.limbs.limb import LimbFacts
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.time.pace import pace_of
 from skinsource_gui.widgets.pictures.layouts import PER_INCH

@@ -3,13 +3,13 @@
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from skinsource import fields
-from skinsource.design import Design
+from skinsource.design.design import Design
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
 from skinsource.export.video import frames_per_s
-from skinsource.fields import ChoiceSpec
-from skinsource.own_limbs import facts_of
-from skinsource.panel_settings import settings_of, with_settings
-from skinsource.view import View
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.specs import fields
+from skinsource.specs.fields import ChoiceSpec
 from skinsource_gui.panels.skin.map_quantity import MAGNITUDE, RMS, STILL, Z
 from skinsource_gui.panels.skin.settings import RMS_WINDOW, SKIN, SkinSettings
 from skinsource_gui.panels.skin.stage.map_layout import HAND, SeenPart

@@ -2,13 +2,13 @@
 
 from math import sqrt
 
-from skinsource.design import Design, audible_inputs
-from skinsource.errors import InvalidInputError
-from skinsource.limb import N_OUTPUTS
-from skinsource.limb.axes import words as axis_words
-from skinsource.own_limbs import facts_of
-from skinsource.panel_settings import settings_of
-from skinsource.view import View
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import N_OUTPUTS
+from skinsource.base.published import words as axis_words
+from skinsource.design.design import Design, audible_inputs
+from skinsource.design.panel_settings import settings_of
+from skinsource.design.view import View
+from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.panels.skin.map_quantity import MAGNITUDE, RMS, Z
 from skinsource_gui.panels.skin.settings import SKIN, SkinSettings
 from skinsource_gui.panels.skin.time.film import Film, film_of, frame_size

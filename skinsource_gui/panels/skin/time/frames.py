@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.arrays import Floats
-from skinsource.choice_words import signal_words
-from skinsource.decibels import decibels
-from skinsource.map_range import map_range_db
-from skinsource.rendering.in_time import Moving, SlidingEnergy, block_of
-from skinsource.view import View
+from skinsource.base.arrays import Floats
+from skinsource.base.decibels import decibels
+from skinsource.design.labels import signal_words
+from skinsource.design.view import View
+from skinsource.engine.time_rules import Moving, SlidingEnergy, block_of
+from skinsource.signals.map_range import map_range_db
 from skinsource_gui.panels.skin.map_quantity import MAGNITUDE, RMS, MapQuantity, Z
 from skinsource_gui.panels.skin.scale.level_range import Range
 from skinsource_gui.panels.skin.settings import SkinSettings

@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 from itertools import count as counted
 
-from skinsource.limb import LimbFacts
-from skinsource.view import View
+from skinsource.design.view import View
+from skinsource.limbs.limb import LimbFacts
 from skinsource_gui.panels.skin.map_quantity import MAGNITUDE, RMS, Z
 from skinsource_gui.panels.skin.settings import SkinSettings
 

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QEvent, Signal
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
-from skinsource.fields import ChoiceSpec
+from skinsource.specs.fields import ChoiceSpec
 from skinsource_gui.panels.skin.map_quantity import RMS, STILL
 from skinsource_gui.panels.skin.settings import QUANTITY, RMS_WINDOW, SkinSettings
 from skinsource_gui.panels.skin.time.pace import PACES

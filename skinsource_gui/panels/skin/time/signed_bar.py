@@ -4,7 +4,7 @@ from PySide6.QtCore import QEvent, QRectF, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
-from skinsource.fields import NumberSpec
+from skinsource.specs.fields import NumberSpec
 from skinsource_gui.panels.skin.map_painter import small_font
 from skinsource_gui.panels.skin.map_quantity import MapQuantity, Z
 from skinsource_gui.panels.skin.scale.auto_button import AutoButton

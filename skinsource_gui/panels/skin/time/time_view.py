@@ -8,9 +8,9 @@ import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QWidget
 
-from skinsource.decibels import decibels
-from skinsource.rendering.in_time import block_of
-from skinsource.view import View
+from skinsource.base.decibels import decibels
+from skinsource.design.view import View
+from skinsource.engine.time_rules import block_of
 from skinsource_gui.panels.skin.map_quantity import STILL
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.panels.skin.time.frames import NEEDS, Frames

@@ -5,8 +5,8 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 
-from skinsource import edits
-from skinsource.effects.breakpoints import Points, moved, with_point
+from skinsource.design import edits
+from skinsource.design.effects.breakpoints import Points, moved, with_point
 from skinsource_gui.panels.timeline.content import Content
 from skinsource_gui.panels.timeline.gain.gain_strip import GainStrip, curve_of, gain_words
 from skinsource_gui.panels.timeline.gestures.gesture import Gesture, Held, Stage

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from PySide6.QtCore import QPointF
 
-from skinsource.decibels import decibels
-from skinsource.effects.breakpoints import Points, curve_at
+from skinsource.base.decibels import decibels
+from skinsource.design.effects.breakpoints import Points, curve_at
 from skinsource_gui.panels.timeline.lane import Lane
 from skinsource_gui.widgets.fields.units import value_text
 from skinsource_gui.widgets.plot.ticks import number_text

@@ -2,8 +2,8 @@
 
 from PySide6.QtCore import QPointF
 
-from skinsource import edits
-from skinsource.edits.cutting import fades_of
+from skinsource.design import edits
+from skinsource.design.edits.cutting import fades_of
 from skinsource_gui.panels.timeline.clip_part import Part
 from skinsource_gui.panels.timeline.gestures.gesture import Held, Shown, Stage
 from skinsource_gui.panels.timeline.lane import Box

@@ -6,9 +6,9 @@ from typing import Protocol
 
 from PySide6.QtCore import QPointF, QRectF, Qt
 
-from skinsource.design import Design
-from skinsource.edits import Edit, Refusal
-from skinsource.view import View
+from skinsource.design.design import Design
+from skinsource.design.edits import Edit, Refusal
+from skinsource.design.view import View
 from skinsource_gui.panels.timeline.content import Content
 from skinsource_gui.widgets.drop_place import DropPlace
 from skinsource_gui.widgets.fields.gesture import new_gesture

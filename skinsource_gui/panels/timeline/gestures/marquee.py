@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import QPointF, QRectF
 
-from skinsource import edits
+from skinsource.design import edits
 from skinsource_gui.panels.timeline.gestures.gesture import Held, Shown, Stage
 
 

@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QPointF
 
-from skinsource import edits
+from skinsource.design import edits
 from skinsource_gui.panels.timeline.gestures.gesture import Held, Shown, Stage
 from skinsource_gui.panels.timeline.lane import Box
 from skinsource_gui.widgets.drop_place import DropPlace

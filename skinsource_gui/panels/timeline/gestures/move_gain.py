@@ -2,8 +2,8 @@
 
 from PySide6.QtCore import QPointF
 
-from skinsource import edits
-from skinsource.effects.breakpoints import Points, moved
+from skinsource.design import edits
+from skinsource.design.effects.breakpoints import Points, moved
 from skinsource_gui.panels.timeline.gain.gain_strip import GainStrip, curve_of, gain_words
 from skinsource_gui.panels.timeline.gestures.gesture import Held, Shown, Stage
 from skinsource_gui.widgets.time.snapping import rest_of

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 from PySide6.QtCore import QPointF
 
-from skinsource import edits
-from skinsource.clips import Marker
+from skinsource.design import edits
+from skinsource.design.clips import Marker
 from skinsource_gui.panels.timeline.gestures.gesture import Held, Shown, Stage
 from skinsource_gui.widgets.fields.units import value_text
 from skinsource_gui.widgets.time.snapping import rest_of

@@ -5,10 +5,10 @@ from functools import partial
 from PySide6.QtCore import QObject, QPoint, Qt, Signal
 from PySide6.QtWidgets import QMenu
 
-from skinsource.chain import is_gain, peak_text
-from skinsource.design import AMPLITUDE_GAIN, Design, amplitude_spec, audible_inputs
-from skinsource.edits.selection import clip_of
-from skinsource.view import View
+from skinsource.design.amplitudes import is_gain, peak_text
+from skinsource.design.design import AMPLITUDE_GAIN, Design, amplitude_spec, audible_inputs
+from skinsource.design.edits.edit import clip_of
+from skinsource.design.view import View
 from skinsource_gui.panels.timeline.heads.input_list import InputList
 from skinsource_gui.panels.timeline.heads.list_edits import ListEdits
 from skinsource_gui.panels.timeline.heads.list_selection import ListSelection

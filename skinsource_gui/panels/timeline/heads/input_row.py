@@ -4,8 +4,8 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QWidget
 
-from skinsource.design import AMPLITUDE
-from skinsource.locations import input_words
+from skinsource.design.design import AMPLITUDE
+from skinsource.limbs.locations import input_words
 from skinsource_gui.panels.timeline.heads.row_picture import paint_row
 from skinsource_gui.panels.timeline.heads.row_places import ROW_PX, row_places
 from skinsource_gui.panels.timeline.heads.row_signals import RowSignals

@@ -2,9 +2,9 @@
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource import edits
-from skinsource.design import Design
-from skinsource.view import View
+from skinsource.design import edits
+from skinsource.design.design import Design
+from skinsource.design.view import View
 from skinsource_gui.widgets.inputs.field_changes import FieldChanges
 from skinsource_gui.widgets.inputs.inputs_menu import InputEdit
 

@@ -2,9 +2,9 @@
 
 from PySide6.QtCore import QObject, Signal
 
-from skinsource import edits
-from skinsource.design import Design
-from skinsource.view import View
+from skinsource.design import edits
+from skinsource.design.design import Design
+from skinsource.design.view import View
 
 
 class ListSelection(QObject):

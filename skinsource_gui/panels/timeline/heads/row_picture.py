@@ -3,7 +3,7 @@
 from PySide6.QtCore import QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPen
 
-from skinsource.locations import input_words
+from skinsource.limbs.locations import input_words
 from skinsource_gui.panels.timeline.heads.row_places import RowPlaces
 from skinsource_gui.panels.timeline.heads.row_state import RowState
 from skinsource_gui.theme import UNIT_PX, Theme, scaled

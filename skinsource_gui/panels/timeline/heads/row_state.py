@@ -2,15 +2,10 @@
 
 from dataclasses import dataclass
 
-from skinsource.clips import Clip
-from skinsource.design import Input
-from skinsource.fields import NumberSpec
-from skinsource_gui.widgets.inputs.input_words import (
-    EMPTY,
-    clip_text,
-    clips_text,
-    duration_text,
-)
+from skinsource.design.clips import Clip
+from skinsource.design.design import Input
+from skinsource.specs.fields import NumberSpec
+from skinsource_gui.widgets.inputs.input_words import EMPTY, clip_text, clips_text, duration_text
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

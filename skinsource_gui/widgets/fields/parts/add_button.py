@@ -5,9 +5,9 @@ from functools import partial
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
-from skinsource.edits.kinds import KindSpec
-from skinsource.edits.parts import choices_of
-from skinsource.fields import ListSpec, RecipeSpec
+from skinsource.design.edits.edit import KindSpec
+from skinsource.design.edits.effects import choices_of
+from skinsource.specs.fields import ListSpec, RecipeSpec
 from skinsource_gui.widgets.inputs.kind_menu import fill_kind_menu
 from skinsource_gui.widgets.tooltips import tooltip
 

@@ -7,12 +7,12 @@ from typing import Any
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QApplication
 
-from skinsource.edits.kinds import as_kind
-from skinsource.edits.parts import choices_of
-from skinsource.errors import InvalidInputError
-from skinsource.fields import ListSpec, RecipeSpec, Spec, specs_of
-from skinsource.own_limbs import facts_of
-from skinsource.quoting import sentence
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.quoting import sentence
+from skinsource.design.edits.edit import as_kind
+from skinsource.design.edits.effects import choices_of
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.specs.fields import ListSpec, RecipeSpec, Spec, specs_of
 from skinsource_gui.widgets.fields.edited_cell import EditedCell
 from skinsource_gui.widgets.fields.editor import NewEditor
 

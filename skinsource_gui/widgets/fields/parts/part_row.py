@@ -5,8 +5,8 @@ from typing import Any
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
-from skinsource.edits.parts import part_words
-from skinsource.fields import RecipeSpec
+from skinsource.design.edits.effects import part_words
+from skinsource.specs.fields import RecipeSpec
 from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.fields.editor import NewEditor
 from skinsource_gui.widgets.fields.field_grid import FieldGrid

@@ -6,14 +6,8 @@ from typing import Any
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from skinsource.edits.parts import (
-    Parts,
-    moved_part,
-    new_part,
-    with_part,
-    without_part,
-)
-from skinsource.fields import ListSpec, RecipeSpec
+from skinsource.design.edits.effects import Parts, moved_part, new_part, with_part, without_part
+from skinsource.specs.fields import ListSpec, RecipeSpec
 from skinsource_gui.theme import UNIT_PX
 from skinsource_gui.widgets.fields.editor import NewEditor
 from skinsource_gui.widgets.fields.parts.add_button import AddButton

@@ -4,12 +4,7 @@ from PySide6.QtCore import QPointF, QRect, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from skinsource_gui.theme import current_theme
-from skinsource_gui.widgets.plot.legend.legend_layout import (
-    GAP_PX,
-    SWATCH_PX,
-    Detail,
-    LegendLayout,
-)
+from skinsource_gui.widgets.plot.legend.legend_layout import GAP_PX, SWATCH_PX, Detail, LegendLayout
 
 
 class LegendPainter:

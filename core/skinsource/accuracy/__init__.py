@@ -1,5 +1,0 @@
-"""Error against run time of this program and of others: what ``skinsource bench`` measures.
-
-Each way of computing is held against the exact values of each case: a new way is one more entry in
-`skinsource.accuracy.ways.WAYS`, a new case one more in `skinsource.accuracy.cases`.
-"""

@@ -1,0 +1,132 @@
+"""What the library knows of an actuator: its model, where the numbers come from, its limits."""
+
+from dataclasses import dataclass
+from functools import cache
+
+from skinsource.actuators.actuator import ResponseShape
+from skinsource.actuators.measured_response import MeasuredResponse
+from skinsource.actuators.models import Piezo, RecoilVoiceCoil, VoiceCoil
+from skinsource.actuators.prediction import Limits, Thermal
+from skinsource.base.arguments import one_of
+from skinsource.base.assets import data_folder
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.files import read_bytes
+from skinsource.base.json_text import MAX_TEXT_BYTES
+from skinsource.base.quoting import quoted
+from skinsource.specs import fields, models
+from skinsource.specs.codec import from_plain_text
+from skinsource.specs.fields import Address, OptionalSpec, RecipeSpec, SwitchSpec, TextSpec
+
+#: Every kind that moves, in the order in which a user meets them.
+KINDS = (VoiceCoil, RecoilVoiceCoil, Piezo, MeasuredResponse)
+Model = VoiceCoil | RecoilVoiceCoil | Piezo | MeasuredResponse
+
+MODEL: RecipeSpec = RecipeSpec(label="Model", kinds=lambda: KINDS)
+_ANY = RecipeSpec(label="Model", kinds=lambda: (*KINDS, ResponseShape))
+_LIMITS = RecipeSpec(label="Limits", kinds=lambda: (Limits,))
+_THERMAL = OptionalSpec(label="Warming", of=RecipeSpec(label="Warming", kinds=lambda: (Thermal,)))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ActuatorProfile:
+    """An actuator as the library lists it.
+
+    Attributes
+    ----------
+    title
+        What a user reads.
+    source
+        Where the numbers come from.
+    calibration
+        What of it is calibrated, and what is not.
+    gain_calibrated
+        Whether m/s² for each volt may be trusted; else the shape of the response is what counts.
+    model
+        A model that moves, or a `ResponseShape` where too little is known for one.
+    limits, thermal
+        What must not be passed; how it warms, where that is known.
+    """
+
+    title: str = fields.field(TextSpec(label="Title", longest=100, one_line=True))
+    source: str = fields.field(TextSpec(label="Source", longest=1000))
+    calibration: str = fields.field(TextSpec(label="Calibration", longest=1000))
+    gain_calibrated: bool = fields.switch(False, SwitchSpec(label="Gain is calibrated"))
+    model: Model | ResponseShape = fields.field(_ANY)
+    limits: Limits = fields.field(_LIMITS, Limits())
+    thermal: Thermal | None = fields.field(_THERMAL, None)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    @property
+    def complete(self) -> bool:
+        """Whether the model moves."""
+        return not isinstance(self.model, ResponseShape)
+
+
+# The actuators that the library ships, one file each in ``data/actuators``.
+
+_FORMAT, _VERSION = "skinsource actuator", 1
+
+
+def names() -> tuple[str, ...]:
+    """Names of the actuators whose models are complete: `load` gives what `simulate` moves."""
+    return tuple(name for name, one in _shelf().items() if one.complete)
+
+
+def shape_names() -> tuple[str, ...]:
+    """Names of those of which only the resonance is known: `load_shape` gives its shape."""
+    return tuple(name for name, one in _shelf().items() if not one.complete)
+
+
+def profile(name: str) -> ActuatorProfile:
+    """All that is known of an actuator: its model, its limits, and where the numbers come from.
+
+    Raises
+    ------
+    InvalidInputError
+        No actuator has this name.
+    """
+    return _shelf()[one_of("actuator", name, tuple(_shelf()))]
+
+
+def load(name: str) -> Model:
+    """The model of an actuator of `names`.
+
+    Raises
+    ------
+    InvalidInputError
+        No actuator has this name, or too little is known of it for a model.
+    """
+    found = profile(name).model
+    if isinstance(found, ResponseShape):
+        raise InvalidInputError(
+            f"actuator {quoted(name)} is known by the shape of its response only; take load_shape, "
+            f"or one of {', '.join(names())}"
+        )
+    return found
+
+
+def load_shape(name: str) -> ResponseShape:
+    """The response shape of an actuator of `shape_names`; it has no scale.
+
+    Raises
+    ------
+    InvalidInputError
+        No actuator has this name, or it has a model.
+    """
+    found = profile(name).model
+    if not isinstance(found, ResponseShape):
+        raise InvalidInputError(f"actuator {quoted(name)} has a model; take load")
+    return found
+
+
+@cache
+def _shelf() -> dict[str, ActuatorProfile]:
+    """Shipped files do not change while the program runs."""
+    folder = data_folder() / "actuators"
+    found = {}
+    for path in sorted(folder.glob("*.json")):
+        tree = from_plain_text(read_bytes(path, most=MAX_TEXT_BYTES), _FORMAT, _VERSION)
+        found[path.stem] = models.decode(tree, (ActuatorProfile,), Address())
+    return found

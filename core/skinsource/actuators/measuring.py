@@ -1,0 +1,635 @@
+"""Responses of actuators from measurements: sweeps with an accelerometer, and tables."""
+
+import os
+from dataclasses import dataclass, replace
+from math import floor
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import scipy
+from numpy.typing import ArrayLike
+
+from skinsource.actuators.measured_response import MeasuredResponse
+from skinsource.base.arguments import finite_array, positive_number, real_number, whole_number
+from skinsource.base.arrays import Complexes, Floats, Indices
+from skinsource.base.errors import InvalidInputError, RecordingError
+from skinsource.base.files import named
+from skinsource.base.quoting import quoted, sentence
+from skinsource.readers.reader import Found
+from skinsource.readers.reading_process import ReadingProcess
+
+__all__ = ["open_response", "response_from_sweep"]
+
+
+# Frequencies a tenth of an octave wide, over which spectra are added up.
+
+_POINTS = 240
+# A point takes in a twentieth of an octave to either side, and at least three frequencies.
+_HALF_WIDTH = 2.0 ** (1.0 / 20.0)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Bands:
+    """240 frequencies, evenly over their logarithm, and what is added up around each.
+
+    Attributes
+    ----------
+    centre_hz, first, last : (n_bands,)
+        The frequencies, and the first and last number of a spectrum that each takes in.
+    """
+
+    centre_hz: Floats
+    first: Indices
+    last: Indices
+
+    @classmethod
+    def between(cls, band_hz: tuple[float, float], step_hz: float, n: int) -> "Bands":
+        """Bands of spectra of ``n`` frequencies that are ``step_hz`` apart."""
+        centre_hz = np.geomspace(*band_hz, _POINTS)
+        middle = np.rint(centre_hz / step_hz).astype(np.intp)
+        first = np.ceil(centre_hz / _HALF_WIDTH / step_hz).astype(np.intp)
+        last = np.floor(centre_hz * _HALF_WIDTH / step_hz).astype(np.intp)
+        return cls(
+            centre_hz,
+            np.minimum(first, middle - 1).clip(1),
+            np.maximum(last, middle + 1).clip(max=n - 1),
+        )
+
+    @property
+    def counts(self) -> Floats:
+        """How many frequencies each takes in, (n_bands,)."""
+        found: Floats = (self.last + 1 - self.first).astype(np.float64)
+        return found
+
+    def sums(self, spectrum: Any) -> Any:
+        """Sums of spectra, (..., n_frequencies), over each, (..., n_bands)."""
+        rising = np.cumsum(spectrum, axis=-1)
+        return rising[..., self.last] - rising[..., self.first - 1]
+
+
+# How much quicker the clock that records is than the one that plays, told from repeats.
+
+#: Clocks that differ by more are not told; quartz differs by a tenth of that at most.
+MOST_DIFFERENCE = 2e-3
+_ROUNDS = 3
+
+
+def clock_ratio(recorded: Floats, start: int, period: int, repeats: int) -> float:
+    """Samples that are recorded while one is played.
+
+    The same sweep, heard again, comes later by the time between both, as the recording clock
+    counts it.  First and second sweep say it roughly, so that the last one can be found; first and
+    last say it well.
+
+    Parameters
+    ----------
+    recorded : (n_times,)
+        What came back, without a constant.
+    start
+        Sample at which the first sweep begins, or a little before.
+    period
+        Samples from one sweep to the next, by the clock that plays.
+    repeats
+        Sweeps that there are, at least 2.
+    """
+    most = max(round(MOST_DIFFERENCE * period), 1)
+    ratio = 1.0
+    for apart in dict.fromkeys((1, repeats - 1)):
+        later = start + round(apart * period * ratio)
+        parts = recorded[start : start + period], recorded[later : later + period]
+        lag = later - start + _lag(*parts, most)
+        ratio = lag / (apart * period)
+    return ratio
+
+
+def _lag(first: Floats, later: Floats, most: int) -> float:
+    """Samples by which ``later`` is behind, of either sign, at most about ``most``."""
+    length = scipy.fft.next_fast_len(first.size + later.size, real=True)
+    cross = scipy.fft.rfft(first, length).conj() * scipy.fft.rfft(later, length)
+    common = scipy.fft.irfft(cross, length)
+    lags = np.arange(-most, most + 1)
+    lag = float(lags[np.argmax(common[lags])])
+    turn = 2.0 * np.pi * np.arange(cross.size) / length
+    weight = np.abs(cross)
+    scale = float(weight @ turn**2)
+    for _ in range(_ROUNDS if scale > 0.0 else 0):
+        # Beside the right lag the phase is a straight line through 0, and short of a turn.
+        left = np.angle(cross * np.exp(1j * turn * lag))
+        lag -= float((weight * left) @ turn) / scale
+    return lag
+
+
+def part_from(samples: Floats, begin: float, n: int) -> Floats:
+    """``n`` samples from a place on that may lie between two of them; silence behind the last."""
+    whole = round(begin)
+    part = np.zeros(n)
+    found = samples[whole : whole + n]
+    part[: found.size] = found
+    if begin == whole:
+        return part
+    length = scipy.fft.next_fast_len(n, real=True)
+    turn = 2j * np.pi * np.arange(length // 2 + 1) / length
+    moved = scipy.fft.rfft(part, length) * np.exp(turn * (begin - whole))
+    between: Floats = scipy.fft.irfft(moved, length)[:n]
+    return between
+
+
+# A sine whose frequency rises evenly over the logarithm: what actuators are measured with.
+
+# Of the sweep, at each end: a voltage that jumps would be a click.
+_FADE = 0.04
+
+
+def exponential_sweep(
+    band_hz: tuple[float, float],
+    duration_s: float,
+    sample_rate_hz: int,
+    clock_ratio: float = 1.0,
+) -> Floats:
+    """A sweep of amplitude 1, (n_times,), that begins and ends in silence.
+
+    Each octave takes the same time, so that low frequencies, which take longest to tell from
+    noise, get most of the energy.  Source: A. Farina, "Simultaneous measurement of impulse
+    response and distortion with a swept-sine technique", 108th AES Convention, 2000.
+
+    Parameters
+    ----------
+    band_hz
+        First and last frequency, rising.
+    duration_s
+        From first to last sample.
+    sample_rate_hz
+        A whole number of hertz, more than twice the last frequency.
+    clock_ratio
+        Samples are taken by a clock that is so many times as quick as the one that plays: the
+        sweep as a device records it that has a clock of its own.
+
+    Raises
+    ------
+    InvalidInputError
+        They do not go together.
+    """
+    rate_hz = whole_number("sample_rate_hz", sample_rate_hz, 1, 10**7)
+    first_hz, last_hz = (real_number("band_hz", one) for one in band_hz)
+    if not 0.0 < first_hz < last_hz < rate_hz / 2.0:
+        raise InvalidInputError(
+            f"band_hz is {first_hz:g} to {last_hz:g}, expected rising, above 0 and below "
+            f"{rate_hz / 2:g} Hz"
+        )
+    long_s = real_number("duration_s", duration_s, "at least two turns of the first frequency",
+                         least=2.0 / first_hz)  # fmt: skip
+    n = round(long_s * rate_hz)
+    # Where, in samples of the clock that plays.
+    place = np.arange(floor((n - 1) * clock_ratio) + 1) / clock_ratio
+    octaves = np.log(last_hz / first_hz) / long_s
+    sweep: Floats = np.sin(2.0 * np.pi * first_hz * np.expm1(octaves * place / rate_hz) / octaves)
+    n_fade = max(round(_FADE * n), 1)
+    inside = np.minimum(np.minimum(place, n - 1 - place) / n_fade, 1.0)
+    return sweep * (0.5 - 0.5 * np.cos(np.pi * inside))
+
+
+# How late a recording is behind what was played, told from the recording itself.
+
+# Enough frequencies for the lowest, and so far above the highest that what is not known there
+# turns the phase by next to nothing.
+_LENGTH, _ABOVE = 2**17, 16.0
+# Below and above what was measured a gain falls, or rises, by no more than this for each octave.
+_STEEPEST = 3.0
+# Of an octave, over which the slope at the upper end is told.
+_END_OCTAVES = 0.5
+# Of the largest power of the source: below, it is not divided by.
+_LEAST_POWER = 1e-5
+
+
+@dataclass(frozen=True, slots=True)
+class ExcessDelay:
+    """What of a phase no gain explains.
+
+    Attributes
+    ----------
+    seconds
+        Delay.
+    inverted
+        Whether the sign is turned over.
+    misfit_rad
+        Root mean square of what neither explains.
+    """
+
+    seconds: float
+    inverted: bool
+    misfit_rad: float
+
+
+def coarse_delay(played: Floats, recorded: Floats, noise_power: Floats) -> int:
+    """Samples by which ``recorded`` is behind ``played``: where its impulse response is largest.
+
+    Parameters
+    ----------
+    played : (n_times,)
+        What was sent, silence at its end.
+    recorded : (n_recorded,)
+        What came back; from the first sample of ``played`` on, and at least as long.
+    noise_power : (n_frequencies,)
+        Expected |rfft|² of noise in a recording of that length, from 0 to half the rate: what
+        is not above it is left out.
+    """
+    length = scipy.fft.next_fast_len(played.size + recorded.size, real=True)
+    sent, came = scipy.fft.rfft(played, length), scipy.fft.rfft(recorded, length)
+    power = np.abs(sent) ** 2
+    known = np.linspace(0.0, 1.0, noise_power.size)
+    noise = np.interp(np.linspace(0.0, 1.0, power.size), known, noise_power)
+    above = np.maximum(1.0 - noise / np.maximum(np.abs(came) ** 2, np.finfo(float).tiny), 0.0)
+    swept = power > _LEAST_POWER * power.max()
+    whitened = np.zeros(power.size, complex)
+    whitened[swept] = (above * came * sent.conj())[swept] / power[swept]
+    latest = recorded.size - played.size
+    return int(np.argmax(np.abs(scipy.fft.irfft(whitened, length)[: latest + 1])))
+
+
+def excess_delay(frequency_hz: Floats, response: Complexes) -> ExcessDelay:
+    """The delay in a response, and its sign.
+
+    An actuator is a system of minimum phase: its gain alone says its phase (Bode's relation).
+    What is left of the phase is a straight line through 0, the delay, or through half a turn.
+
+    Parameters
+    ----------
+    frequency_hz : (n,)
+        Rising, so dense that the phase turns by less than half a turn from one to the next.
+    response : (n,)
+        As measured.
+    """
+    left = np.unwrap(np.angle(response) - minimum_phase(frequency_hz, np.abs(response)))
+    # A line with an offset of its own first: it says which multiple of half a turn is meant.
+    offset = np.polynomial.polynomial.polyfit(frequency_hz, left, 1)[0]
+    half_turns = round(float(offset) / np.pi)
+    left -= half_turns * np.pi
+    slope = float(left @ frequency_hz / (frequency_hz @ frequency_hz))
+    misfit = np.sqrt(np.mean((left - slope * frequency_hz) ** 2))
+    return ExcessDelay(-slope / (2.0 * np.pi), half_turns % 2 == 1, float(misfit))
+
+
+def minimum_phase(frequency_hz: Floats, gain: Floats) -> Floats:
+    """Phase in rad, (n,), of the system of minimum phase that has these gains, (n,).
+
+    Outside of what is known the gain goes on as steeply as it ends.
+    """
+    place, level = np.log(frequency_hz), np.log(gain)
+    step_hz = _ABOVE * frequency_hz[-1] / (_LENGTH // 2)
+    every_hz = np.arange(_LENGTH // 2 + 1) * step_hz
+    # At 0 Hz the logarithm of a gain may be infinite: half a step above it is as good.
+    every_hz[0] = 0.5 * step_hz
+    wanted = np.log(every_hz)
+    low, high = _slope(place, level, place[0], 1.0), _slope(place, level, place[-1], -1.0)
+    levels = np.interp(wanted, place, level)
+    levels += low * np.minimum(wanted - place[0], 0.0)
+    levels += high * np.maximum(wanted - place[-1], 0.0)
+    cepstrum = scipy.fft.irfft(levels, _LENGTH)
+    cepstrum[1 : _LENGTH // 2] *= 2.0
+    cepstrum[_LENGTH // 2 + 1 :] = 0.0
+    found: Floats = np.interp(frequency_hz, every_hz, scipy.fft.rfft(cepstrum).imag)
+    return found
+
+
+def _slope(place: Floats, level: Floats, end: float, inwards: float) -> float:
+    """How steeply a gain ends, in units of gain over frequency."""
+    near = np.abs(place - end) <= _END_OCTAVES * np.log(2.0)
+    if near.sum() < 2:
+        return 0.0
+    slope = float(np.polynomial.polynomial.polyfit(place[near], level[near], 1)[1])
+    # Rising for ever, or out of nothing, it would not be a response.
+    least, most = (0.0, _STEEPEST) if inwards > 0 else (-_STEEPEST, 0.0)
+    return min(max(slope, least), most)
+
+
+# The response of an actuator from sweeps that were recorded several times, late, and in noise.
+
+#: A point whose error, relative to its gain, may be larger than this is left out.
+MOST_ERROR = 0.1
+#: Fewer points are no response.
+FEWEST = 12
+# A delay is told from points that are less exact, and from above the band that is wanted.
+_MOST_ERROR_OF_DELAY = 0.3
+_REPEATED_SWEEPS_ROUNDS = 4
+_TURN = 2j * np.pi
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sweeps:
+    """What was played, and what was recorded of it.
+
+    Attributes
+    ----------
+    voltage : (n_times,)
+        In V at the actuator: one sweep, and silence until the next.
+    recorded : (n_repeats, n_recorded)
+        From the first sample of each sweep on, longer than ``voltage`` by the longest delay that
+        is looked for; in m/s², or whatever unit the response shall have.
+    noise : (n_noise,)
+        The same while nothing was played.
+    sample_rate_hz
+        Of all of them.
+    """
+
+    voltage: Floats
+    recorded: Floats
+    noise: Floats
+    sample_rate_hz: int
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AveragedResponse:
+    """A response with its error.
+
+    Attributes
+    ----------
+    frequency_hz, response, error : (n_points,)
+        Where something was heard above the noise: Hz, m/s² per V without the delay, and the
+        standard error relative to the gain, from the noise or from how far the sweeps differ,
+        whichever is larger.
+    n_left_out
+        Points of the band that the noise covers.
+    delay
+        What was taken out.
+    """
+
+    frequency_hz: Floats
+    response: Complexes
+    error: Floats
+    n_left_out: int
+    delay: ExcessDelay
+
+
+def averaged_response(
+    sweeps: Sweeps,
+    band_hz: tuple[float, float],
+    delay_band_hz: tuple[float, float],
+    known_delay: ExcessDelay | None = None,
+) -> AveragedResponse:
+    """The mean response over all repeats.
+
+    Parameters
+    ----------
+    sweeps
+        What was recorded.
+    band_hz
+        Lowest and highest frequency that are wanted.
+    delay_band_hz
+        Within it the delay is told: the wider, the better.
+    known_delay
+        Where the delay is known from elsewhere, as from a wire from output to input.
+
+    Raises
+    ------
+    InvalidInputError
+        Next to nothing of the sweep is above the noise.
+    """
+    delay = known_delay or delay_of(sweeps, delay_band_hz)
+    shift = max(round(delay.seconds * sweeps.sample_rate_hz), 0)
+    hz, response, error = _points(sweeps, shift, band_hz)
+    heard = error <= MOST_ERROR
+    if heard.sum() < FEWEST:
+        raise InvalidInputError(_nothing_heard(error))
+    rest_s = delay.seconds - shift / sweeps.sample_rate_hz
+    return AveragedResponse(
+        frequency_hz=hz[heard],
+        response=response[heard] * np.exp(_TURN * hz[heard] * rest_s),
+        error=error[heard],
+        n_left_out=int((~heard).sum()),
+        delay=delay,
+    )
+
+
+def delay_of(sweeps: Sweeps, band_hz: tuple[float, float]) -> ExcessDelay:
+    """From the sweep to its recording.
+
+    Raises
+    ------
+    InvalidInputError
+        Next to nothing of the sweep is above the noise.
+    """
+    rate_hz = sweeps.sample_rate_hz
+    first = sweeps.recorded[0]
+    shift = coarse_delay(sweeps.voltage, first, _noise_power(sweeps, first.size))
+    latest = first.size - sweeps.voltage.size
+    found = ExcessDelay(0.0, False, 0.0)
+    for _ in range(_REPEATED_SWEEPS_ROUNDS):
+        hz, response, error = _points(sweeps, shift, band_hz)
+        heard = error <= _MOST_ERROR_OF_DELAY
+        if heard.sum() < FEWEST:
+            raise InvalidInputError(_nothing_heard(error))
+        found = excess_delay(hz[heard], response[heard])
+        found = replace(found, seconds=found.seconds + shift / rate_hz)
+        nearest = min(max(round(found.seconds * rate_hz), 0), latest)
+        if nearest == shift:
+            break
+        shift = nearest
+    return found
+
+
+def _points(
+    sweeps: Sweeps, shift: int, band_hz: tuple[float, float]
+) -> tuple[Floats, Complexes, Floats]:
+    """Frequencies, responses with what is left of the delay, and their relative errors."""
+    n = sweeps.voltage.size
+    late = sweeps.recorded[:, shift : shift + n]
+    # Silence behind, so that what rings does not come round to the beginning.
+    length = scipy.fft.next_fast_len(2 * n, real=True)
+    sent, came = scipy.fft.rfft(sweeps.voltage, length), scipy.fft.rfft(late, length)
+    bands = Bands.between(band_hz, sweeps.sample_rate_hz / length, sent.size)
+    power = bands.sums(np.abs(sent) ** 2)
+    each = bands.sums(sent.conj() * came) / power
+    mean = each.mean(axis=0)
+    # What noise adds to the sum over a band; padded spectra are smooth, and their neighbours
+    # have half of their noise in common.
+    noise = bands.sums(_noise_power(sweeps, n, length)) / bands.counts
+    variance = noise * (length / n) / (power * len(each))
+    if len(each) > 1:
+        variance = np.maximum(variance, each.var(axis=0, ddof=1) / len(each))
+    gain = np.abs(mean)
+    error = np.full(gain.size, np.inf)
+    np.divide(np.sqrt(variance), gain, out=error, where=gain > 0.0)
+    return bands.centre_hz, mean, error
+
+
+def _noise_power(sweeps: Sweeps, n: int, length: int | None = None) -> Floats:
+    """Expected |rfft|² of the noise in ``n`` samples, at the frequencies of ``length``."""
+    noise = sweeps.noise
+    length = scipy.fft.next_fast_len(2 * n, real=True) if length is None else length
+    # Parts of an eighth, so that single frequencies are not mistaken for their mean.
+    part = max(noise.size // 8, 1)
+    hz, density = scipy.signal.welch(noise, 1.0, nperseg=part, detrend="constant")
+    wanted = np.arange(length // 2 + 1) / length
+    found: Floats = np.interp(wanted, hz, density) * (n / 2.0)
+    return found
+
+
+def _nothing_heard(error: Floats) -> str:
+    best = float(error.min(initial=np.inf))
+    known = f"; the best point is uncertain by {100.0 * best:.0f} %" if np.isfinite(best) else ""
+    return (
+        f"next to nothing of the sweep is above the noise of the input{known}. Is the amplifier "
+        "on, and the sensor in its place and wired to that input? Raise the level if they are"
+    )
+
+
+# The response of an actuator from a voltage and the acceleration that came of it.
+
+#: Frequencies at which the voltage has less than this part of its largest density say nothing.
+_HEARD = 1e-2
+
+
+def response_from_sweep(
+    voltage: ArrayLike,
+    acceleration: ArrayLike,
+    sample_rate_hz: float,
+    band_hz: tuple[float, float] = (20.0, 1000.0),
+) -> MeasuredResponse:
+    """Acceleration over voltage, from both at the same samples.
+
+    H = S_ua / S_uu, cross spectrum over spectrum of the voltage, both added up over a tenth of an
+    octave: noise of the accelerometer that has nothing to do with the voltage averages out.
+
+    Parameters
+    ----------
+    voltage, acceleration : (n_times,)
+        In V at the actuator and m/s²; a sweep or noise, and what rings after it.
+    sample_rate_hz
+        Of both.
+    band_hz
+        Lowest and highest frequency that are wanted; points at which the voltage holds next to
+        nothing are left out.
+
+    Raises
+    ------
+    InvalidInputError
+        They do not fit together, or the voltage holds too little in the band.
+    """
+    driven = finite_array("voltage", voltage, "finite numbers in V, (n_times,)")
+    moved = finite_array("acceleration", acceleration, "finite numbers in m/s², (n_times,)")
+    rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
+    if driven.ndim != 1 or driven.shape != moved.shape or driven.size < 2:
+        raise InvalidInputError(
+            f"voltage and acceleration have the shapes {driven.shape} and {moved.shape}, expected "
+            "two rows of equal length"
+        )
+    low_hz, high_hz = (positive_number("band_hz", one) for one in band_hz)
+    if not low_hz < high_hz <= rate_hz / 2.0:
+        raise InvalidInputError(
+            f"band_hz is {low_hz:g} to {high_hz:g}, expected rising and at most {rate_hz / 2:g} Hz"
+        )
+    # Silence behind, so that what rings does not come round to the beginning.
+    length = scipy.fft.next_fast_len(2 * driven.size, real=True)
+    source = scipy.fft.rfft(driven, length)
+    bands = Bands.between((low_hz, high_hz), rate_hz / length, source.size)
+    summed = bands.sums(np.abs(source) ** 2)
+    density = summed / bands.counts
+    heard = density > _HEARD**2 * density.max(initial=0.0)
+    if density.max(initial=0.0) == 0.0 or heard.sum() < 2:
+        raise InvalidInputError(
+            f"the voltage holds next to nothing from {low_hz:g} to {high_hz:g} Hz; measure with a "
+            "sweep over that band"
+        )
+    cross = bands.sums(source.conj() * scipy.fft.rfft(moved, length))
+    return MeasuredResponse.of(bands.centre_hz[heard], cross[heard] / summed[heard])
+
+
+# Measured responses from files of others.
+
+_FREQUENCY = ("frequency", "freq", "f", "hz")
+_GAIN, _GAIN_DB = ("gain", "magnitude", "mag", "amplitude", "response"), ("db", "gain_db", "level")
+_RADIANS, _DEGREES = ("phase_rad",), ("phase_deg", "phase")
+# So many names say what a table is.
+_MOST_NAMES = 5
+_REAL, _IMAGINARY = ("real", "re"), ("imag", "imaginary", "im")
+
+
+def open_response(
+    path: str | os.PathLike[str],
+    *,
+    volts_at_full_scale: float = 1.0,
+    m_per_s2_at_full_scale: float = 1.0,
+) -> MeasuredResponse:
+    """The measured response that a file holds.
+
+    A table (CSV, or another format that `skinsource.design.recordings` reads) has a column of
+    frequencies (``frequency_hz``), and ``gain`` in m/s² per V, or ``gain_db`` re 1 m/s² per V, with
+    ``phase_rad`` or ``phase_deg`` if it was measured; or ``real`` and ``imag``.  A sound file has
+    the voltage of a sweep in its first channel, and what the accelerometer said in its second.
+
+    Parameters
+    ----------
+    volts_at_full_scale, m_per_s2_at_full_scale
+        What a sample of 1 is in the two channels of a sound file.
+
+    Raises
+    ------
+    RecordingError
+        The file holds nothing of that kind.
+    StorageError
+        It cannot be read.
+    """
+    file = Path(path)
+    scales = (
+        positive_number("volts_at_full_scale", volts_at_full_scale),
+        positive_number("m_per_s2_at_full_scale", m_per_s2_at_full_scale),
+    )
+    with ReadingProcess() as process:
+        found = process.look(file)
+        rate_hz = found.rate_hz
+        keys = [one.key for one in found.series]
+        n_samples = min(one.n_samples for one in found.series)
+        values = process.read(file, keys, 0, n_samples).astype(np.float64)
+    try:
+        table = _columns(found, values)
+        if _FREQUENCY[0] in table:
+            return _of_table(table)
+        if rate_hz is None or len(values) < 2:
+            raise InvalidInputError(
+                f"it holds {_names(found)}; expected a table with columns frequency_hz and gain, "
+                "or sound with a voltage and an acceleration"
+            )
+        return response_from_sweep(values[0] * scales[0], values[1] * scales[1], rate_hz)
+    except InvalidInputError as error:
+        raise RecordingError(f"{named(Path(file.name))}: {sentence(str(error))}") from error
+
+
+def _names(found: Found) -> str:
+    """What a file holds, in words, and only the first of many."""
+    names = [quoted(one.name) for one in found.series]
+    more = len(names) - _MOST_NAMES
+    return ", ".join(names[:_MOST_NAMES]) + (f" and {more} more" if more > 0 else "")
+
+
+def _columns(found: Found, values: Floats) -> dict[str, Floats]:
+    """Columns by the first of the names that mean the same."""
+    known = (_FREQUENCY, _GAIN, _GAIN_DB, _RADIANS, _DEGREES, _REAL, _IMAGINARY)
+    table: dict[str, Floats] = {}
+    for series, column in zip(found.series, values, strict=True):
+        name = series.name.strip().lower().removesuffix("_hz").removesuffix(" (hz)")
+        for names in known:
+            if name in names:
+                table.setdefault(names[0], column)
+    return table
+
+
+def _of_table(table: dict[str, Floats]) -> MeasuredResponse:
+    frequency_hz = table[_FREQUENCY[0]]
+    response: Complexes
+    if _REAL[0] in table and _IMAGINARY[0] in table:
+        response = table[_REAL[0]] + 1j * table[_IMAGINARY[0]]
+    else:
+        if _GAIN[0] in table:
+            gain = table[_GAIN[0]]
+        elif _GAIN_DB[0] in table:
+            gain = 10.0 ** (table[_GAIN_DB[0]] / 20.0)
+        else:
+            raise InvalidInputError(
+                "it has frequencies and no gain, expected a column gain, gain_db, or real and imag"
+            )
+        phase = table.get(_RADIANS[0])
+        if phase is None:
+            phase = np.radians(table.get(_DEGREES[0], np.zeros(gain.size)))
+        response = gain.astype(np.complex128) * np.exp(1j * phase)
+    return MeasuredResponse.of(frequency_hz, response)

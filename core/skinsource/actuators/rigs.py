@@ -1,0 +1,502 @@
+"""The rig: what is wired to what, how strong it is, and what it may not be driven beyond.
+
+A file of its own beside designs, made by hand or from measurements.  Limits stand in it, and in
+nothing that a design holds: no design can loosen them.
+"""
+
+import os
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from dataclasses import fields as dataclass_fields
+from datetime import date
+from math import inf
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from skinsource.actuators.catalog import MODEL, Model, names, profile, shape_names
+from skinsource.actuators.measured_response import MeasuredResponse
+from skinsource.actuators.prediction import (
+    Breach,
+    Limits,
+    Thermal,
+    breaches,
+    limit_words,
+    predicted,
+)
+from skinsource.base.arguments import finite_array
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.base.files import named, read_bytes, write_bytes
+from skinsource.base.json_text import MAX_TEXT_BYTES
+from skinsource.base.published import MOST_PLACES
+from skinsource.base.quoting import quoted, sentence
+from skinsource.specs import fields, models
+from skinsource.specs.codec import from_plain_text, to_plain_text
+from skinsource.specs.fields import (
+    SMALLEST,
+    Address,
+    ChoiceSpec,
+    ListSpec,
+    NumberSpec,
+    OptionalSpec,
+    RecipeSpec,
+    TextSpec,
+)
+
+__all__ = [
+    "SUFFIX",
+    "Margin",
+    "Rig",
+    "RigBreach",
+    "RigChannel",
+    "calibration_words",
+    "highest_gain",
+    "open_rig",
+    "rig_breaches",
+    "samples_for",
+    "save_rig",
+    "strictest",
+    "volts_of",
+]
+
+
+# One actuator of a rig and all that lies before it.
+
+PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_PLACES, whole=True)
+NAME = TextSpec(label="Actuator", longest=100, one_line=True)
+DEVICE = TextSpec(label="Device", longest=200, one_line=True, hint="Sound card, as it is called")
+OUTPUT = NumberSpec(label="Output", minimum=1, maximum=1024, whole=True, hint="Of the device")
+FULL_SCALE = OptionalSpec(
+    label="Full scale",
+    of=NumberSpec(label="Full scale", unit="V", minimum=SMALLEST, maximum=1e6),
+    hint="Volts at the connector of the device where a sample is 1",
+)
+GAIN = NumberSpec(label="Amplifier gain", minimum=SMALLEST, maximum=1e6, hint="Volts for each volt")
+POLARITY = ChoiceSpec(
+    label="Polarity",
+    options=(("normal", "Normal"), ("inverted", "Inverted")),
+    hint="Inverted: a positive voltage pulls away from the skin",
+)
+DELAY = NumberSpec(label="Delay", unit="s", minimum=0.0, maximum=10.0, hint="From sample to motion")
+DATE = TextSpec(label="Measured on", longest=10, one_line=True, hint="Year-month-day, or empty")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RigChannel:
+    """A place of the skin, its actuator, and the output that drives it.
+
+    Attributes
+    ----------
+    place
+        Input place, from 1; the limb says which it has.
+    actuator
+        What it is called: a name of `skinsource.actuators.names`, or words for another.
+    model
+        How it moves; None: not known.
+    device, output
+        Sound card, and number of its output, from 1.
+    full_scale_v
+        Voltage at that output where a sample is 1; None: not known.
+    amplifier_gain
+        Volts at the actuator for each volt of the output.
+    measured
+        Acceleration on the skin for each volt at the actuator, as it was measured; None: it was
+        not.
+    polarity
+        ``"normal"``, or ``"inverted"`` where a positive voltage moves it the other way.
+    delay_s
+        From the sample to the motion.
+    measured_on
+        Date, ``"2026-11-22"``; empty where nothing was measured.
+    limits, thermal
+        What must not be passed, at the actuator; how it warms.
+    """
+
+    place: int = fields.field(PLACE)
+    actuator: str = fields.text("", NAME)
+    model: Model | None = fields.field(OptionalSpec(label="Model", of=MODEL), None)
+    device: str = fields.text("", DEVICE)
+    output: int = fields.number(1, OUTPUT)
+    full_scale_v: float | None = fields.field(FULL_SCALE, None)
+    amplifier_gain: float = fields.number(1.0, GAIN)
+    measured: MeasuredResponse | None = fields.field(
+        OptionalSpec(
+            label="Measured response",
+            of=RecipeSpec(label="Measured response", kinds=lambda: (MeasuredResponse,)),
+        ),
+        None,
+    )
+    polarity: str = fields.choice("normal", POLARITY)
+    delay_s: float = fields.number(0.0, DELAY)
+    measured_on: str = fields.text("", DATE)
+    limits: Limits = fields.field(
+        RecipeSpec(label="Limits", kinds=lambda: (Limits,)), factory=Limits
+    )
+    thermal: Thermal | None = fields.field(
+        OptionalSpec(label="Warming", of=RecipeSpec(label="Warming", kinds=lambda: (Thermal,))),
+        None,
+    )
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+        if self.measured_on:
+            try:
+                date.fromisoformat(self.measured_on)
+            except ValueError:
+                raise InvalidInputError(
+                    f"RigChannel.measured_on is {quoted(self.measured_on)}, expected a date such "
+                    "as 2026-11-22, or nothing"
+                ) from None
+
+    @property
+    def calibrated(self) -> bool:
+        """Whether m/s² on the skin follow from samples: volts and response are both known."""
+        return self.full_scale_v is not None and self.measured is not None
+
+    @property
+    def moves_as(self) -> Model | None:
+        """What tells the motion: the measured response, else the model."""
+        return self.measured if self.measured is not None else self.model
+
+    @property
+    def volts_at_full_scale(self) -> float | None:
+        """Voltage at the actuator where a sample is 1, with its sign; None where not known."""
+        if self.full_scale_v is None:
+            return None
+        sign = -1.0 if self.polarity == "inverted" else 1.0
+        return sign * self.full_scale_v * self.amplifier_gain
+
+
+# All channels of a set-up.
+
+MAX_CHANNELS = 256
+TITLE = TextSpec(label="Title", longest=100, one_line=True)
+NOTE = TextSpec(label="Note", longest=5000)
+CHANNELS = ListSpec(
+    label="Channels",
+    of=RecipeSpec(label="Channel", kinds=lambda: (RigChannel,)),
+    most=MAX_CHANNELS,
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rig:
+    """What a laboratory has on its table.
+
+    Attributes
+    ----------
+    title, note
+        Words for it.
+    channels
+        No place and no output of a device twice.
+    """
+
+    title: str = fields.text("", TITLE)
+    note: str = fields.text("", NOTE)
+    channels: tuple[RigChannel, ...] = fields.field(CHANNELS, ())
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+        places = Counter(one.place for one in self.channels)
+        for place, count in places.items():
+            if count > 1:
+                raise InvalidInputError(
+                    f"Rig.channels has place {place} {count} times, expected once; remove one"
+                )
+        outputs = Counter((one.device, one.output) for one in self.channels)
+        for (device, output), count in outputs.items():
+            if count > 1:
+                raise InvalidInputError(
+                    f"Rig.channels has output {output} of device {quoted(device)} {count} times, "
+                    "expected once; wire each place to its own"
+                )
+
+    def channel_of(self, place: int) -> RigChannel | None:
+        """The channel of an input place; None where nothing is wired to it."""
+        return next((one for one in self.channels if one.place == place), None)
+
+
+# Between the samples that are sent to a rig and the volts at its actuators.
+
+#: What is said where no rig is known.
+UNCALIBRATED = "uncalibrated: no rig says how many volts, and how many m/s², a sample of 1 is"
+
+
+def calibration_words(rig: Rig | None, places: Sequence[int]) -> str:
+    """What an export or the player says about these places.
+
+    ``"calibrated"``, where volts and measured responses of all of them are known, with the date of
+    the oldest measurement where it is; else what is missing, beginning with ``"uncalibrated"``.
+    """
+    if rig is None:
+        return UNCALIBRATED
+    missing = []
+    for place in places:
+        channel = rig.channel_of(place)
+        if channel is None:
+            missing.append(f"place {place} is not wired")
+        elif channel.full_scale_v is None:
+            missing.append(f"place {place} has no volts at full scale")
+        elif channel.measured is None:
+            missing.append(f"place {place} has no measured response")
+    if missing:
+        return f"uncalibrated: {', '.join(missing)}"
+    dates = [channel.measured_on for one in places if (channel := rig.channel_of(one))]
+    known = [one for one in dates if one]
+    return f"calibrated, measured on {min(known)}" if known else "calibrated"
+
+
+def volts_of(channel: RigChannel, samples: ArrayLike) -> Floats:
+    """Volts at the actuator for samples from -1 to 1, of the shape of ``samples``.
+
+    Raises
+    ------
+    InvalidInputError
+        The channel does not say its volts at full scale.
+    """
+    found: Floats = finite_array("samples", samples) * _volts(channel)
+    return found
+
+
+def samples_for(channel: RigChannel, volts: ArrayLike) -> Floats:
+    """Samples that give these volts at the actuator, of the shape of ``volts``.
+
+    Raises
+    ------
+    InvalidInputError
+        The channel does not say its volts at full scale, or they do not suffice.
+    """
+    wanted = finite_array("volts", volts)
+    full = _volts(channel)
+    peak = float(np.abs(wanted).max(initial=0.0))
+    if peak > abs(full):
+        raise InvalidInputError(
+            f"place {channel.place}: {peak:.4g} V are needed, and output {channel.output} gives at "
+            f"most {abs(full):.4g} V; lower the amplitude, or raise the gain of the amplifier"
+        )
+    return wanted / full
+
+
+def _volts(channel: RigChannel) -> float:
+    full = channel.volts_at_full_scale
+    if full is None:
+        raise InvalidInputError(
+            f"place {channel.place}: the rig does not say the volts at full scale; measure them "
+            "with a tone at full scale and a voltmeter"
+        )
+    return full
+
+
+# Whether what is sent to a rig stays within its limits.
+
+# Where nothing is known of the motion, volts can be looked at all the same.
+_UNMOVED = MeasuredResponse(((1.0, 1.0, 0.0), (1000.0, 1.0, 0.0)))
+
+
+@dataclass(frozen=True, slots=True)
+class RigBreach:
+    """A limit of a rig that would be passed.
+
+    Attributes
+    ----------
+    place
+        Input place of the channel.
+    breach
+        Which limit, and by how much.
+    """
+
+    place: int
+    breach: Breach
+
+    def __str__(self) -> str:
+        return f"place {self.place}: {self.breach}"
+
+
+def strictest(*several: Limits) -> Limits:
+    """For each limit the least of those that are known."""
+    found = {}
+    for one in dataclass_fields(Limits):
+        known = [value for limits in several if (value := getattr(limits, one.name)) is not None]
+        found[one.name] = min(known, default=None)
+    return Limits(**found)
+
+
+def limits_of(channel: RigChannel) -> Limits:
+    """Limits of the channel, and of the actuator that it names where the library knows it."""
+    if channel.actuator in (*names(), *shape_names()):
+        return strictest(channel.limits, profile(channel.actuator).limits)
+    return channel.limits
+
+
+def rig_breaches(
+    rig: Rig, places: Sequence[int], samples: ArrayLike, sample_rate_hz: int
+) -> tuple[RigBreach, ...]:
+    """Limits that samples would pass when they are sent to a rig.
+
+    Parameters
+    ----------
+    places
+        Input place of each channel of the samples.
+    samples : (n_channels, n_times)
+        As they are sent, -1 to 1.
+    sample_rate_hz
+        A whole number of hertz.
+
+    Returns
+    -------
+    In order of the places; none: nothing is passed, so far as the rig knows its limits.  Of a
+    channel without volts at full scale only the duration and the duty can be told, and of one
+    without a model no displacement.
+
+    Raises
+    ------
+    InvalidInputError
+        A place is not wired, or samples and places do not fit together.
+    """
+    rows = finite_array("samples", samples, "finite numbers, (n_channels, n_times)")
+    if rows.ndim != 2 or len(rows) != len(places):
+        raise InvalidInputError(
+            f"samples have the shape {rows.shape}, expected ({len(places)} places, n_times)"
+        )
+    found = []
+    for place, row in zip(places, rows, strict=True):
+        channel = rig.channel_of(place)
+        if channel is None:
+            raise InvalidInputError(
+                f"place {place} is not wired in the rig {quoted(rig.title)}; add a channel for it"
+            )
+        found += [RigBreach(place, one) for one in _of_channel(channel, row, sample_rate_hz)]
+    return tuple(found)
+
+
+def _of_channel(channel: RigChannel, row: np.ndarray, sample_rate_hz: int) -> tuple[Breach, ...]:
+    limits = limits_of(channel)
+    if not row.size or limits == Limits():
+        return ()
+    known_volts, model = channel.full_scale_v is not None, channel.moves_as
+    volts = volts_of(channel, row) if known_volts else row
+    # A measured response knows no current, the model does.
+    flowing = channel.model if channel.model is not None else model
+    (told,) = predicted(volts, sample_rate_hz, flowing or _UNMOVED, thermal=channel.thermal)
+    passed = {one.name: one for one in breaches(told, limits)}
+    if model is not flowing and model is not None:
+        (moved,) = predicted(volts, sample_rate_hz, model)
+        passed.pop("displacement_m", None)
+        passed |= {one.name: one for one in breaches(moved, limits) if one.name == "displacement_m"}
+    unknown = (
+        set()
+        if known_volts
+        else {one.name for one in dataclass_fields(Limits)} - {"duration_s", "duty"}
+    )
+    unknown |= set() if model is not None else {"displacement_m"}
+    return tuple(one for name, one in passed.items() if name not in unknown)
+
+
+# How far what is sent to a rig may be turned up.
+
+#: Limits that no gain has a part in.
+_OF_TIME = frozenset({"duration_s", "duty"})
+# So much louder every limit is passed; a power of two, so that nothing rounds.
+_LOUDER = 2.0**40
+
+
+@dataclass(frozen=True, slots=True)
+class Margin:
+    """The highest gain that a rig allows.
+
+    Attributes
+    ----------
+    factor
+        0: none; infinity: the rig knows no limit.
+    words
+        The limit that would be passed first, "" where there is none.
+    """
+
+    factor: float = inf
+    words: str = ""
+
+
+def highest_gain(
+    rig: Rig,
+    places: Sequence[int],
+    samples: ArrayLike,
+    sample_rate_hz: int,
+    *,
+    repeated: bool = False,
+) -> Margin:
+    """How far samples may be turned up before they pass a limit of a rig.
+
+    All figures but those of time grow as the samples do.
+
+    Parameters
+    ----------
+    places, samples, sample_rate_hz
+        As of `rig_breaches`.
+    repeated
+        Whether they are sent again and again: no limit of the duration allows that.
+
+    Raises
+    ------
+    InvalidInputError
+        As `rig_breaches`.
+    """
+    rows = np.asarray(samples, np.float64)
+    found = Margin()
+    for one in rig_breaches(rig, places, rows * _LOUDER, sample_rate_hz):
+        breach = one.breach
+        allowed = 0.0 if breach.name in _OF_TIME else _LOUDER * breach.limit / breach.found
+        if allowed < found.factor:
+            found = Margin(allowed, f"place {one.place}: {limit_words(breach.name)}")
+    if repeated:
+        for place in places:
+            channel = rig.channel_of(place)
+            if channel is not None and limits_of(channel).duration_s is not None:
+                return Margin(0.0, f"place {place}: duration, repeated without end")
+    return found
+
+
+# A rig as a file: JSON text that can be written by hand, and is checked when it is read.
+
+FORMAT, VERSION = "skinsource rig", 1
+SUFFIX = ".skinrig"
+
+
+def save_rig(path: str | os.PathLike[str], rig: Rig) -> None:
+    """Write a rig, whole or not at all.
+
+    Parameters
+    ----------
+    path
+        The file; it usually ends in ``.skinrig``.  What stands there is replaced.
+
+    Raises
+    ------
+    StorageError
+        The folder cannot be written, or the disk is full.
+    InvalidInputError
+        It holds so much that it could not be read again.
+    """
+    write_bytes(Path(path), to_plain_text(models.encode(rig), FORMAT, VERSION).encode())
+
+
+def open_rig(path: str | os.PathLike[str]) -> Rig:
+    """Read a rig file.
+
+    Raises
+    ------
+    StorageError
+        The file cannot be read.
+    FileFormatError
+        It holds no rig, or what no rig can be: the message says where.
+    """
+    place = Path(path)
+    try:
+        tree = from_plain_text(read_bytes(place, most=MAX_TEXT_BYTES + 1), FORMAT, VERSION)
+        found: Rig = models.decode(tree, (Rig,), Address())
+    except (FileFormatError, InvalidInputError) as error:
+        words = str(error).removeprefix(f"{named(Path(place.name))}: ")
+        raise FileFormatError(f"{named(Path(place.name))}: {sentence(words)}") from error
+    return found

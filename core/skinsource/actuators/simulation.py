@@ -1,0 +1,189 @@
+"""How an actuator moves."""
+
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from skinsource.base.arguments import finite_array, one_of
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.work import tally
+from skinsource.signals.generators import MAX_SAMPLES
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class ActuatorMotion:
+    """Motion of what touches the skin, at the samples of the voltage.
+
+    Attributes
+    ----------
+    acceleration, velocity, displacement : (n_times,)
+        In m/s², m/s and m.
+    current : (n_times,)
+        Into the actuator, in A.
+    """
+
+    acceleration: Floats
+    velocity: Floats
+    displacement: Floats
+    current: Floats
+
+
+# Motion under a sampled voltage, exactly as it is held between the samples.
+
+Hold = Literal["zero", "first"]
+HOLDS: tuple[Hold, ...] = get_args(Hold)
+OUTPUTS = ("acceleration", "velocity", "displacement", "current")
+
+#: Steps of a block.
+_BLOCK = 32
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Equations:
+    """The linear equations of an actuator: x' = A x + b u, states x and voltage u.
+
+    Attributes
+    ----------
+    dynamics, drive
+        A, (n_states, n_states), in 1/s, and b, (n_states,); b changes no velocity at once.
+    velocity, displacement, current : (n_states,)
+        What the states give.
+    passed_a_per_v
+        Current that a voltage gives at once.
+    """
+
+    dynamics: ArrayLike
+    drive: ArrayLike
+    velocity: ArrayLike
+    displacement: ArrayLike
+    current: ArrayLike
+    passed_a_per_v: float = 0.0
+
+
+def simulated(
+    equations: Equations, voltage: ArrayLike, step_s: float, hold: Hold
+) -> ActuatorMotion:
+    """Motion at the samples of a voltage, (n_times,), from rest.
+
+    A sum over blocks of samples and over blocks of blocks: rounding grows with their number only
+    where nothing is damped.
+    """
+    samples = samples_of(voltage, hold)
+    tally(samples_moved=samples.size)
+    # At rest, but what the first sample passes on at once.
+    found = np.zeros((len(OUTPUTS), samples.size))
+    found[-1, :1] = equations.passed_a_per_v * samples[:1]
+    if samples.size > 1:
+        _fill(found[:, 1:], samples, one_step(equations, step_s, hold))
+    if not np.isfinite(found).all():
+        raise InvalidInputError(
+            "the motion is beyond all floating-point numbers; lower the voltage, or move the "
+            "parameters nearer to those of real actuators"
+        )
+    return ActuatorMotion(**dict(zip(OUTPUTS, found, strict=True)))
+
+
+def samples_of(voltage: ArrayLike, hold: Hold) -> Floats:
+    """The voltage as one row of floats; refuses what is none, and holds that are not known."""
+    samples = finite_array("voltage", voltage, "finite numbers in V, (n_times,)")
+    if samples.ndim != 1 or samples.size > MAX_SAMPLES:
+        raise InvalidInputError(
+            f"voltage has the shape {samples.shape}, expected (n_times,) of at most {MAX_SAMPLES}"
+        )
+    one_of("hold", hold, HOLDS)
+    return samples
+
+
+def one_step(equations: Equations, step_s: float, hold: Hold) -> Floats:
+    """States and outputs after a step, from the states before it and the voltages on both sides.
+
+    Of the shape (n_states + 4, n_states + 2).
+    """
+    # The voltage, and what it gains in the step, are two more states.
+    dynamics = np.asarray(equations.dynamics)
+    n = len(dynamics)
+    matrix = np.zeros((n + 2, n + 2))
+    matrix[:n, :n] = dynamics * step_s
+    matrix[:n, n] = np.asarray(equations.drive) * step_s
+    matrix[n, n + 1] = 1.0
+    gained, rates = exponential_less_1(matrix)
+    states = (gained + np.eye(n + 2))[:n]
+    read = np.array([equations.velocity, equations.displacement, equations.current])
+    # Not the sum of the forces: beside them, that of a light mass has lost its digits.
+    acceleration = read[0] @ rates[:n] / step_s
+    found = np.vstack((states, acceleration, read @ states))
+    # From what the voltage gains to the voltage after the step.
+    rising = found[:, n + 1] * (hold == "first")
+    found[:, n] -= rising
+    found[:, n + 1] = rising
+    found[-1, n + 1] += equations.passed_a_per_v
+    return found
+
+
+def exponential_less_1(matrix: Floats) -> tuple[Floats, Floats]:
+    """Exponential of a matrix less the identity, and the exponential times the matrix.
+
+    Its series at a small part of it, doubled up.  Less the identity, slow parts keep their digits
+    beside parts that are 1e100 times as fast, and no state needs to be scaled.
+
+    References
+    ----------
+    Moler and Van Loan, Nineteen dubious ways to compute the exponential of a matrix, twenty-five
+    years later, SIAM Review 45(1), 2003: method 3, which loses them otherwise.
+    """
+    doublings = max(int(np.frexp(np.abs(matrix).sum(axis=1).max())[1]) + 1, 0)
+    small = np.ldexp(matrix, -doublings)
+    found = np.zeros_like(matrix)
+    for k in range(16, 0, -1):
+        found = (small + small @ found) / k
+    rates = matrix + found @ matrix
+    for _ in range(doublings):
+        rates = rates + found @ rates
+        found = 2.0 * found + found @ found
+    return found, rates
+
+
+def _fill(found: Floats, samples: Floats, step: Floats) -> None:
+    """Outputs after each step, (4, n_steps)."""
+    n_steps = found.shape[1]
+    n_blocks = -(-n_steps // _BLOCK)
+    padded = np.zeros(n_blocks * _BLOCK + 1)
+    padded[: samples.size] = samples
+    blocks = np.lib.stride_tricks.sliding_window_view(padded, _BLOCK + 1)[::_BLOCK]
+    outputs, end = _over_a_block(step)
+    ends = _accumulated(blocks @ end[:, : _BLOCK + 1].T, end[:, _BLOCK + 1 :])
+    # Before each block: what all blocks before it have left.
+    known = np.hstack((blocks, np.pad(ends[:-1], ((1, 0), (0, 0)))))
+    for row, after in zip(found, outputs, strict=True):
+        row[:] = (known @ after.T).ravel()[:n_steps]
+
+
+def _over_a_block(step: Floats) -> tuple[Floats, Floats]:
+    """Outputs after each step of a block, and states at its end, from voltages and states.
+
+    Of the shapes (4, _BLOCK, n) and (n_states, n): n is _BLOCK + 1 voltages and the states before.
+    """
+    n_states = len(step) - len(OUTPUTS)
+    known = np.eye(_BLOCK + 1 + n_states)
+    voltages, states = known[: _BLOCK + 1], known[_BLOCK + 1 :]
+    outputs = []
+    for k in range(_BLOCK):
+        after = step @ np.vstack((states, voltages[k : k + 2]))
+        states = after[:n_states]
+        outputs.append(after[n_states:])
+    return np.stack(outputs, axis=1), states
+
+
+def _accumulated(added: Floats, step: Floats) -> Floats:
+    """States after each step from what each step adds, both (n_steps, n_states), from rest.
+
+    What one step adds is carried on by one step, then what two have added by two, and so on.
+    """
+    found, apart = added, 1
+    while apart < len(found):
+        found = found + np.pad(found[:-apart] @ step.T, ((apart, 0), (0, 0)))
+        step, apart = step @ step, 2 * apart
+    return found

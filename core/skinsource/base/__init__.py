@@ -1,0 +1,1 @@
+"""What all rooms need: errors, files, jobs and constants of the published limbs."""

@@ -1,0 +1,94 @@
+"""Bands of frequencies."""
+
+from typing import Literal, get_args
+
+import numpy as np
+
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.quoting import quoted
+
+#: Lowest and highest frequency, Hz.  ``Band | None``: that of a limb, None where it is not known.
+Band = tuple[float, float]
+
+
+# Sizes of the published limbs, and of the synthetic ones, which are like them.
+#
+# What computes asks the limb it is given, never these.
+
+N_INPUTS, N_OUTPUTS, N_AXES, N_TAPS = 20, 72, 3, 522
+SAMPLE_RATE_HZ = 1300.0
+#: The band in which the responses were measured.
+BAND_HZ: Band = (25.0, 600.0)
+#: Time between the trigger and the pulse in the measured responses.
+PRE_TRIGGER_DELAY_S = 0.052
+#: Outputs on the palmar side: they have no place on the dorsal map.
+VOLAR_OUTPUTS = (61, 62, 63, 64, 65, 66)
+
+#: The largest number that a place or an output of any limb can have.
+MOST_PLACES = 10_000
+
+#: Hand lengths of limbs 1 to 4, measured and synthetic alike.
+HAND_LENGTHS_MM = (175.0, 165.0, 185.0, 165.0)
+#: Every limb that exists, installed or not, but for those that a lab has imported.
+LIMB_NAMES = tuple(f"{kind}-{k}" for kind in ("measured", "synthetic") for k in range(1, 5))
+
+
+# Axes along which outputs measure.
+
+Axes = Literal["x", "y", "z", "xy", "xz", "yz", "xyz"]
+AXES: tuple[Axes, ...] = get_args(Axes)
+#: Of those that a limb has, whichever they are.
+ALL_AXES: Axes = "xyz"
+
+
+def axes_of(measured: Axes, axes: Axes) -> Axes:
+    """Those of a limb's axes that ``axes`` asks for; ``"xyz"`` asks for all it has.
+
+    Raises
+    ------
+    InvalidInputError
+        The limb does not measure along one of them.
+
+    Examples
+    --------
+    >>> axes_of("xz", "z"), axes_of("xz", "xyz")
+    ('z', 'xz')
+    """
+    if axes in (ALL_AXES, measured):
+        return measured
+    missing = [axis for axis in axes if axis not in measured]
+    if missing:
+        raise InvalidInputError(
+            f"axes is {quoted(axes)}, but this limb measures along {words(measured)} only. Choose "
+            f"{quoted(measured)}, or another limb."
+        )
+    return axes
+
+
+def axis_numbers(axes: Axes, measured: Axes = ALL_AXES) -> tuple[int, ...]:
+    """Where, among the axes that a limb measures along, those are that `axes_of` finds."""
+    return tuple(measured.index(axis) for axis in axes_of(measured, axes))
+
+
+def words(axes: str) -> str:
+    """Axes in a sentence: "x and z"."""
+    return f"{', '.join(axes[:-1])} and {axes[-1]}" if len(axes) > 1 else axes
+
+
+# Numbers of input places.
+
+
+def check_input_location(location: int, n_inputs: int = N_INPUTS) -> None:
+    """Raise `InvalidInputError` unless ``location`` is an integer from 1 to ``n_inputs``."""
+    is_integer = isinstance(location, int | np.integer) and not isinstance(location, bool)
+    if not is_integer or not 1 <= location <= n_inputs:
+        raise InvalidInputError(
+            f"input location {quoted(location)} does not exist: locations are the whole numbers 1 "
+            f"to {n_inputs}. See skinsource.limbs.locations for the list."
+        )
+
+
+# What holds for the skin of any limb.
+
+#: Up to here the skin was found to answer in proportion: third harmonics show at twice of it.
+LARGEST_VELOCITY_M_PER_S = 0.04

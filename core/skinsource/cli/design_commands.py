@@ -1,0 +1,139 @@
+"""``skinsource show`` and ``skinsource render``: design files without the window."""
+
+import argparse
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from skinsource.base.arrays import Floats
+from skinsource.base.files import make_folder
+from skinsource.base.quoting import escaped
+from skinsource.base.work import counted
+from skinsource.design.amplitudes import amplitude_note, amplitude_text, is_gain
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input, audible_inputs
+from skinsource.design.design_file import open_design
+from skinsource.design.labels import SCALINGS, level_words, limb_word, signal_words, word_of
+from skinsource.design.view import View, view_on
+from skinsource.engine.evaluation import evaluate
+from skinsource.export.map_files import export_map, export_map_picture
+from skinsource.export.tables import export_levels, export_traces
+from skinsource.limbs.locations import input_words, output_words
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.perception.validity import Judged, in_short
+
+
+def add_to(subparsers: Any) -> None:
+    """Add the commands ``show`` and ``render``."""
+    show = subparsers.add_parser(
+        "show",
+        help="show what is in a design file, and its levels",
+        description="Shows what is in a design file, conditions of the measurement that it does "
+        "not keep, and the level at each output as a table.",
+    )
+    render = subparsers.add_parser(
+        "render",
+        help="compute a design file: levels, traces, map and picture",
+        description="Writes levels.csv, traces.csv (of the outputs selected in the file), map.csv "
+        "and map.png into a folder.",
+    )
+    for parser in (show, render):
+        parser.add_argument("design", type=Path, metavar="DESIGN", help="a .skinsource file")
+    render.add_argument(
+        "--out",
+        type=Path,
+        default=Path(),
+        metavar="FOLDER",
+        help="where to write; made where it does not exist (default: here)",
+    )
+    show.set_defaults(run=_show)
+    render.set_defaults(run=_render)
+
+
+def _show(arguments: argparse.Namespace) -> int:
+    content = open_design(arguments.design)
+    design, view = content.design, content.view
+    found = evaluate(design, "limb_data", "validity", "output_levels_db", view=view)
+    note, judged = found["limb_data"].note, Judged(label="", findings=found["validity"])
+    lines = [
+        *_about_design(design),
+        *([f"NOTE      {note}"] if note else []),
+        *(f"CAUTION   {words}" for words in in_short([judged])),
+        *_about_inputs(design),
+        *_levels(design, view, found["output_levels_db"]),
+    ]
+    sys.stdout.write("\n".join(lines) + "\n")
+    return 0
+
+
+def _render(arguments: argparse.Namespace) -> int:
+    content = open_design(arguments.design)
+    folder: Path = arguments.out
+    make_folder(folder)
+    writers: dict[str, Callable[[Path, Design, View], None]] = {
+        "levels.csv": export_levels,
+        "map.csv": export_map,
+        "map.png": export_map_picture,
+    }
+    if content.view.outputs:
+        writers["traces.csv"] = export_traces
+    for name, write in writers.items():
+        write(folder / name, content.design, view_on(content.design.limb, content.view))
+        sys.stdout.write(f"{folder / name}\n")
+    return 0
+
+
+def _about_design(design: Design) -> list[str]:
+    texts = {"title": design.title, "author": design.author, "licence": design.licence}
+    limb = limb_word(design.limb)
+    synthetic = "  SYNTHETIC" if facts_of(design.limb).synthetic else ""
+    return [
+        *(f"{name:9} {escaped(text)}" for name, text in texts.items() if text),
+        *(f"{'notes':9} {escaped(line)}" for line in design.notes.splitlines()),
+        f"limb      {limb.both}{synthetic}",
+        f"scaling   {word_of(SCALINGS, design.scaling).both}",
+        *([f"through   {design.actuated.words}"] if design.actuated is not None else []),
+    ]
+
+
+def _about_inputs(design: Design) -> list[str]:
+    heard = len(audible_inputs(design.inputs))
+    meaning = amplitude_note(design.limb, design.limb_digest, design.scaling, design.actuated)
+    return [
+        *([f"amplitude {meaning}"] if meaning else []),
+        f"inputs    {len(design.inputs)}, {heard} of them heard",
+        *(line for one in design.inputs for line in _about_input(one, design)),
+    ]
+
+
+def _about_input(one: Input, design: Design) -> list[str]:
+    marks = "".join(
+        f", {word}" for word, is_so in (("muted", one.muted), ("solo", one.solo)) if is_so
+    )
+    curve = f", gain curve of {counted(len(one.gain_curve), 'point')}" if one.gain_curve else ""
+    strength = amplitude_text(design, one)
+    if not is_gain(design, one):
+        strength = f"amplitude {strength}"
+    return [
+        f"  {one.id:3}  place {one.location}, {input_words(one.location, design.limb).name}: "
+        f"{strength}{curve}{marks}",
+        *(f"       from {clip.onset_s:g} s: {_about_clip(clip)}" for clip in one.clips),
+    ]
+
+
+def _about_clip(clip: Clip) -> str:
+    gain = "" if clip.gain == 1.0 else f", gain {clip.gain:g}"
+    effects = "".join(f", {one}" for one in clip.effects if one.on)
+    return f"{clip.waveform}{gain}{effects}{', muted' if clip.muted else ''}"
+
+
+def _levels(design: Design, view: View, levels_db: Floats) -> list[str]:
+    lines = [
+        f"levels    {level_words(view.span)}; {signal_words(view.axes, view.method)}",
+        "  output  dB re 1 m/s²  place",
+    ]
+    for number, level_db in enumerate(levels_db.tolist(), start=1):
+        place = output_words(number, design.limb).name
+        lines.append(f"  {number:6}  {level_db:12.1f}  {place}".rstrip())
+    return lines

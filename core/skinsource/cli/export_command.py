@@ -1,0 +1,164 @@
+"""``skinsource export``: the stimulus of a design file, for actuators."""
+
+import argparse
+import sys
+from pathlib import Path
+from typing import Any
+
+from skinsource.actuators.equalising import RegularisedInverse
+from skinsource.actuators.rigs import open_rig
+from skinsource.design.design_file import open_design
+from skinsource.export.formats.formats import FORMATS, export_formats
+from skinsource.export.stimulus_export.export import export_stimulus
+from skinsource.export.stimulus_export.options import StimulusOptions
+
+_NAMES_OF_TIMES = {
+    "--from": ("from_s", "begin of the part of the design that is exported"),
+    "--to": ("to_s", "its end"),
+    "--lead-in": ("lead_in_s", "silence before it"),
+    "--fade-in": ("fade_in_s", "fade at its begin"),
+    "--fade-out": ("fade_out_s", "fade at its end"),
+}
+
+
+def add_to(subparsers: Any) -> None:
+    """Add the command ``export``."""
+    listed = "\n".join(f"  {one.name:10} {one.hint}" for one in FORMATS)
+    parser = subparsers.add_parser(
+        "export",
+        help="write the stimulus of a design file: WAV, CSV, MATLAB, C and others",
+        description="Writes what the actuators get, and beside it OUT.json, which says what its "
+        "numbers mean. One channel per place in use; the largest sample is full scale. Prints the "
+        "paths, and below them, indented, what is lost, what it is equalised for and whether it is "
+        "calibrated.",
+        epilog=f"formats:\n{listed}",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("design", type=Path, metavar="DESIGN", help="a .skinsource file")
+    parser.add_argument(
+        "--out", type=Path, required=True, metavar="PATH", help="the file, or folder, to write"
+    )
+    parser.add_argument(
+        "--format", choices=export_formats(), help="default: as the ending of PATH says"
+    )
+    parser.add_argument(
+        "--rate", type=int, metavar="HZ", help="sample rate (default: that of the format)"
+    )
+    for flag, (name, help_words) in _NAMES_OF_TIMES.items():
+        parser.add_argument(flag, dest=name, type=float, metavar="S", help=f"{help_words}, in s")
+    _add_options(parser)
+    parser.set_defaults(run=_export)
+
+
+def _add_options(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--inputs", type=int, nargs="+", metavar="N", help="only these inputs, by number"
+    )
+    parser.add_argument(
+        "--per", choices=("place", "input"), default="place", help="what has a channel of its own"
+    )
+    parser.add_argument(
+        "--file-per-input", action="store_true", help="a file of one channel for each input"
+    )
+    parser.add_argument(
+        "--sync", action="store_true", help="add a channel that marks time 0, or --from"
+    )
+    parser.add_argument(
+        "--map",
+        dest="channel_map",
+        type=int,
+        nargs="+",
+        default=(),
+        metavar="N",
+        help="for each output of the device the channel that it gets; 0: none",
+    )
+    parser.add_argument(
+        "--full-scale",
+        type=float,
+        metavar="X",
+        help="drive that is full scale, in its unit (default: the largest sample)",
+    )
+    parser.add_argument(
+        "--dither", type=int, metavar="SEED", help="dither whole numbers, with this seed"
+    )
+    for name, (formats, options) in _choices().items():
+        parser.add_argument(
+            f"--{name}",
+            dest=f"choice_{name}",
+            metavar="|".join(options),
+            help=f"for {', '.join(formats)}",
+        )
+    parser.add_argument(
+        "--accept-loss",
+        action="store_true",
+        help="write it even though a channel loses more than 1 dB of its energy to the rate",
+    )
+    parser.add_argument("--rig", type=Path, metavar="FILE", help="a .skinrig file: what is wired")
+    parser.add_argument(
+        "--equalise",
+        choices=("linear", "minimum"),
+        help="make volts of accelerations for the rig, with this phase",
+    )
+    parser.add_argument(
+        "--boost", type=float, metavar="DB", help="most that --equalise boosts (default: 20)"
+    )
+    parser.add_argument(
+        "--confirm", action="store_true", help="write it even though samples clip or limits pass"
+    )
+
+
+def _choices() -> dict[str, tuple[list[str], list[str]]]:
+    """By name of a choice: the formats that offer it, and all that some of them offers."""
+    found: dict[str, tuple[list[str], list[str]]] = {}
+    for one in FORMATS:
+        for name, spec in one.choices.items():
+            formats, options = found.setdefault(name, ([], []))
+            formats.append(one.name)
+            options.extend(value for value, _ in spec.options if value not in options)
+    return found
+
+
+def _export(arguments: argparse.Namespace) -> int:
+    chosen = {name: getattr(arguments, f"choice_{name}") for name in _choices()}
+    options = StimulusOptions(
+        per=arguments.per,
+        one_file_per_input=arguments.file_per_input,
+        inputs=arguments.inputs,
+        from_s=arguments.from_s,
+        to_s=arguments.to_s,
+        fade_in_s=arguments.fade_in_s or 0.0,
+        fade_out_s=arguments.fade_out_s or 0.0,
+        lead_in_s=arguments.lead_in_s or 0.0,
+        sync=arguments.sync,
+        channel_map=arguments.channel_map,
+        full_scale=arguments.full_scale,
+        dither_seed=arguments.dither,
+        accept_loss=arguments.accept_loss,
+        choices={name: value for name, value in chosen.items() if value is not None},
+    )
+    rig = None if arguments.rig is None else open_rig(arguments.rig)
+    done = export_stimulus(
+        open_design(arguments.design).design,
+        arguments.out,
+        arguments.format,
+        arguments.rate,
+        options=options,
+        rig=rig,
+        equaliser=_equaliser(arguments),
+        confirmed=arguments.confirm,
+    )
+    for one in done.objections:
+        sys.stderr.write(f"skinsource: confirmed: {one}\n")
+    for path in done.files:
+        sys.stdout.write(f"{path}\n")
+    for note in filter(None, (done.edges, done.loses, done.equalised, done.calibration)):
+        sys.stdout.write(f"  {note[:1].upper()}{note[1:].rstrip('.')}.\n")
+    return 0
+
+
+def _equaliser(arguments: argparse.Namespace) -> RegularisedInverse | None:
+    if arguments.equalise is None:
+        return None
+    if arguments.boost is None:
+        return RegularisedInverse(phase=arguments.equalise)
+    return RegularisedInverse(phase=arguments.equalise, boost_db=arguments.boost)

@@ -1,0 +1,87 @@
+"""Drawings of the graph of quantities, for documents: made from the rules themselves.
+
+To bring those of a document up to date:
+
+    python -m skinsource.cli.graph_drawing docs/rendering.md
+"""
+
+import inspect
+import re
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+
+from skinsource.engine.graph import Graph
+from skinsource.engine.quantities import new_graph
+
+#: What stands around a drawing in a document: between these two lines it is replaced.
+_MARKED = re.compile(r"(<!-- drawn: ([\w ]+) -->\n).*?(<!-- end -->)", re.DOTALL)
+
+
+def rules_of(graph: Graph, wanted: Iterable[str]) -> tuple[str, ...]:
+    """Names of all rules that lead to what is ``wanted``, each after those it needs."""
+    found: dict[str, None] = {}
+
+    def visit(name: str) -> None:
+        if name in graph.rules and name not in found:
+            for need in graph.needs_of(name):
+                visit(need)
+            found[name] = None
+
+    for name in wanted:
+        visit(name)
+    return tuple(found)
+
+
+def drawing(graph: Graph, names: Iterable[str]) -> str:
+    """Mermaid flowchart of some rules; what comes from elsewhere has round ends."""
+    names = tuple(names)
+    outside = dict.fromkeys(
+        need for name in names for need in graph.needs_of(name) if need not in names
+    )
+    arrows = [f"    {need} --> {name}" for name in names for need in graph.needs_of(name)]
+    lines = [*(f"    {name}([{name}])" for name in outside), *(f"    {name}" for name in names)]
+    return "\n".join(["```mermaid", "flowchart TD", *lines, *arrows, "```"])
+
+
+def table(graph: Graph, names: Iterable[str]) -> str:
+    """What each rule computes, in its own words."""
+    rows = [f"| `{name}` | {_first_line(graph, name)} |" for name in names]
+    return "\n".join(["| quantity | what it is |", "|---|---|", *rows])
+
+
+def brought_up_to_date(document: str) -> str:
+    """The document with its drawings made again.
+
+    A drawing stands between ``<!-- drawn: WORDS -->`` and ``<!-- end -->``; words are rules, and
+    modules all of whose other rules are drawn that lead to a painted map, traces or spectra.
+    """
+    graph = new_graph()
+    shown = "surface_levels_db", "selected_extremes", "selected_spectra", "trace_error"
+    ordered = rules_of(graph, (*shown, "input_waveforms", "response_time_s", "streamed"))
+
+    named = {word for match in _MARKED.finditer(document) for word in match[2].split()}
+
+    def drawn(match: re.Match[str]) -> str:
+        words = match[2].split()
+        names = [
+            name
+            for name in ordered
+            if name in words or (name not in named and _module(graph, name) in words)
+        ]
+        return f"{match[1]}{drawing(graph, names)}\n\n{table(graph, names)}\n{match[3]}"
+
+    return _MARKED.sub(drawn, document)
+
+
+def _module(graph: Graph, name: str) -> str:
+    return graph.rules[name].__module__.rpartition(".")[2]
+
+
+def _first_line(graph: Graph, name: str) -> str:
+    return (inspect.getdoc(graph.rules[name]) or "").partition("\n")[0]
+
+
+if __name__ == "__main__":
+    for path in map(Path, sys.argv[1:]):
+        path.write_text(brought_up_to_date(path.read_text(encoding="utf-8")), encoding="utf-8")

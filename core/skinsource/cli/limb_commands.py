@@ -1,0 +1,174 @@
+"""``skinsource limb import | list | mirror | export | remove``: limbs of a lab's own."""
+
+import argparse
+import sys
+from pathlib import Path
+from typing import Any
+
+from skinsource.base.published import AXES
+from skinsource.limbs.dataset.commands import ProgressBar
+from skinsource.limbs.limb_import import LimbSource, import_limb
+from skinsource.limbs.limb_layout import export_limb
+from skinsource.limbs.own_limbs import (
+    NAME_RULE,
+    facts_of,
+    mirror_limb,
+    own_limb_names,
+    own_limb_path,
+    remove_limb,
+)
+
+_IMPORT = (
+    "Imports impulse responses that were measured elsewhere, so that designs can name them. The "
+    "file is in the layout of docs/limbs.md, or any array of three or four dimensions in NPY, NPZ, "
+    "MATLAB or HDF5, with options for what it does not say."
+)
+
+
+def add_to(subparsers: Any) -> None:
+    """Add the command ``limb`` with its actions."""
+    limb = subparsers.add_parser(
+        "limb",
+        help="import, list, mirror and remove limbs of your own",
+        description="Limbs that you measured yourself; docs/limbs.md says what they consist of.",
+    )
+    actions = limb.add_subparsers(title="actions", metavar="ACTION", required=True)
+    _add_import(actions)
+    one = actions.add_parser("list", help="show the limbs that were imported")
+    one.set_defaults(run=_list)
+    one = actions.add_parser("mirror", help="show a left hand as a right one, or as it is")
+    one.add_argument("name", metavar="NAME")
+    one.add_argument("--off", action="store_true", help="as it is")
+    one.set_defaults(run=_mirror)
+    one = actions.add_parser("export", help="write a limb in the layout of docs/limbs.md")
+    one.add_argument("name", metavar="NAME")
+    one.add_argument("--out", type=Path, required=True, metavar="FILE", help="an .h5 file")
+    one.set_defaults(run=_export)
+    one = actions.add_parser("remove", help="delete a limb that was imported")
+    one.add_argument("name", metavar="NAME")
+    one.set_defaults(run=_remove)
+
+
+def _add_import(actions: Any) -> None:
+    one = actions.add_parser("import", help="import impulse responses", description=_IMPORT)
+    one.add_argument("file", type=Path, metavar="FILE", help="the responses, in m/s²")
+    one.add_argument("--name", help=f"what designs call it: {NAME_RULE}")
+    one.add_argument("--title", help="what the window calls it")
+    one.add_argument("--note", help="what users should know of it")
+    one.add_argument("--array", default="", metavar="NAME", help="which array (default: largest)")
+    one.add_argument(
+        "--order",
+        default="",
+        metavar="LETTERS",
+        help="what its dimensions are: i input, o output, a axis, t tap (default: ioat, or iot)",
+    )
+    one.add_argument("--axes", choices=AXES, help="along which each output measures; z: normal")
+    one.add_argument("--rate", type=float, metavar="HZ", help="samples a second")
+    one.add_argument("--delay", type=float, metavar="S", help="how late the responses are")
+    one.add_argument(
+        "--band",
+        type=float,
+        nargs=2,
+        metavar=("LOWEST", "HIGHEST"),
+        help="in which the responses hold, Hz (default: not known)",
+    )
+    one.add_argument("--hand-length", type=float, metavar="MM", help="middle finger tip to wrist")
+    one.add_argument(
+        "--hand-length-units",
+        type=float,
+        metavar="N",
+        help="the same in the unit of the coordinates (default: they are mm)",
+    )
+    one.add_argument("--outline", type=Path, metavar="FILE", help="SVG, or CSV of x, y")
+    one.add_argument("--inputs", type=Path, metavar="CSV", help="places of inputs: x, y, name")
+    one.add_argument("--outputs", type=Path, metavar="CSV", help="places of outputs: x, y, name")
+    one.add_argument(
+        "--y-down", action="store_true", default=None, help="y points down in these files, too"
+    )
+    one.add_argument("--left", action="store_true", default=None, help="it is a left hand")
+    one.add_argument(
+        "--mirrored", action="store_true", default=None, help="show it as a right hand"
+    )
+    one.add_argument(
+        "--pulse",
+        action="store_true",
+        help="responses to the pulse of the published limbs, not to one sample of the drive",
+    )
+    one.add_argument(
+        "--synthetic",
+        action="store_true",
+        default=None,
+        help="the responses are computed, not measured",
+    )
+    one.add_argument(
+        "--replace", action="store_true", help="take the place of an own limb of the same name"
+    )
+    one.set_defaults(run=_import)
+
+
+def _import(arguments: argparse.Namespace) -> int:
+    source = LimbSource(
+        responses=arguments.file,
+        array=arguments.array,
+        order=arguments.order,
+        outline=arguments.outline,
+        inputs=arguments.inputs,
+        outputs=arguments.outputs,
+        y_down=arguments.y_down,
+        values={
+            "name": arguments.name,
+            "title": arguments.title,
+            "note": arguments.note,
+            "axes": arguments.axes,
+            "sample_rate_hz": arguments.rate,
+            "pre_trigger_delay_s": arguments.delay,
+            "band_hz": arguments.band,
+            "hand_length_mm": arguments.hand_length,
+            "hand_length_px": arguments.hand_length_units,
+            "left": arguments.left,
+            "mirrored": arguments.mirrored,
+            "synthetic": arguments.synthetic,
+            "per_unit_drive": False if arguments.pulse else None,
+        },
+    )
+    with ProgressBar(sys.stderr) as bar:
+        facts = import_limb(source, replace=arguments.replace, progress=bar)
+    sys.stdout.write(f"Imported {_words(facts.name)}\n")
+    return 0
+
+
+def _list(_: argparse.Namespace) -> int:
+    names = own_limb_names()
+    if not names:
+        sys.stdout.write("No limb was imported. skinsource limb import FILE imports one.\n")
+    for name in names:
+        sys.stdout.write(f"{_words(name)}\n")
+    return 0
+
+
+def _mirror(arguments: argparse.Namespace) -> int:
+    mirror_limb(arguments.name, not arguments.off)
+    sys.stdout.write(f"{_words(arguments.name)}\n")
+    return 0
+
+
+def _export(arguments: argparse.Namespace) -> int:
+    with ProgressBar(sys.stderr) as bar:
+        export_limb(arguments.name, arguments.out, progress=bar)
+    sys.stdout.write(f"{arguments.out}\n")
+    return 0
+
+
+def _remove(arguments: argparse.Namespace) -> int:
+    path = own_limb_path(arguments.name)
+    remove_limb(arguments.name)
+    sys.stdout.write(f"Deleted {path}\n")
+    return 0
+
+
+def _words(name: str) -> str:
+    facts = facts_of(name)
+    if not facts.known:
+        return f"{name:12}  damaged: import it again"
+    size = "" if facts.live else "  Too large to follow edits: exports and sweeps compute it."
+    return f"{name:12}  {facts.title:22}  {facts.sentence}  {facts.digest[:12]}{size}"

@@ -1,0 +1,122 @@
+"""``skinsource rig measure | devices``: what a laboratory has on its table."""
+
+import argparse
+import sys
+from pathlib import Path
+from typing import Any
+
+from skinsource.actuators.rigs import open_rig, save_rig
+from skinsource.lab.playing.devices import Output, devices
+from skinsource.lab.rig_measuring import MeasuringSetup, input_devices, kept, measure
+from skinsource.limbs.dataset.commands import ProgressBar
+
+_MEASURE = (
+    "Plays sweeps on the output of one channel, records an accelerometer, and writes acceleration "
+    "for each volt over frequency into the rig file. Nothing passes a limit of the rig; a quieter "
+    "sweep comes first. Ctrl+C stops at once."
+)
+
+
+def add_to(subparsers: Any) -> None:
+    """Add the command ``rig`` with its actions."""
+    rig = subparsers.add_parser(
+        "rig",
+        help="measure the actuators of a rig",
+        description="Rigs: what is wired to which output, and how it answers. Play > Rig… of the "
+        "studio describes one.",
+    )
+    actions = rig.add_subparsers(title="actions", metavar="ACTION", required=True)
+    _add_measure(actions)
+    one = actions.add_parser("devices", help="show what can be played on and recorded from")
+    one.set_defaults(run=_devices)
+
+
+def _add_measure(actions: Any) -> None:
+    usual, played = MeasuringSetup(), Output()
+    one = actions.add_parser(
+        "measure", help="measure a channel with an accelerometer", description=_MEASURE
+    )
+    one.add_argument("rig", type=Path, metavar="RIG", help="a .skinrig file")
+    one.add_argument("--place", type=int, required=True, metavar="N", help="of the channel")
+    one.add_argument(
+        "--sensitivity",
+        type=float,
+        required=True,
+        metavar="V",
+        help="of the accelerometer, V per m/s² (100 mV per g is 0.0102)",
+    )
+    one.add_argument(
+        "--input-volts",
+        type=float,
+        required=True,
+        metavar="V",
+        help="at the input where a recorded sample is 1",
+    )
+    one.add_argument("--input", type=int, default=usual.input_number, metavar="N", help="from 1")
+    one.add_argument(
+        "--loopback",
+        type=int,
+        default=usual.loopback_input,
+        metavar="N",
+        help="input that is wired to the output, to tell the delay (default: none)",
+    )
+    one.add_argument(
+        "--level",
+        type=float,
+        default=usual.level_db,
+        metavar="DB",
+        help=f"of full scale (default: {usual.level_db:g})",
+    )
+    one.add_argument("--seconds", type=float, default=usual.sweep_s, metavar="S", help="per sweep")
+    one.add_argument("--repeats", type=int, default=usual.repeats, metavar="N")
+    one.add_argument(
+        "--band",
+        type=float,
+        nargs=2,
+        default=usual.band_hz,
+        metavar="HZ",
+        help="lowest and highest frequency that are wanted (default: 20 1000)",
+    )
+    one.add_argument("--rate", type=int, default=played.sample_rate_hz, metavar="HZ")
+    one.add_argument(
+        "--device", default="", metavar="NAME", help="where the rig names none (default: usual)"
+    )
+    one.add_argument(
+        "--input-device", default="", metavar="NAME", help="default: the one that is played on"
+    )
+    one.add_argument("--out", type=Path, metavar="FILE", help="rig to write (default: the same)")
+    one.set_defaults(run=_measure)
+
+
+def _measure(arguments: argparse.Namespace) -> int:
+    rig = open_rig(arguments.rig)
+    setup = MeasuringSetup(
+        sensitivity_v_per_m_per_s2=arguments.sensitivity,
+        input_full_scale_v=arguments.input_volts,
+        input_number=arguments.input,
+        loopback_input=arguments.loopback,
+        input_device=arguments.input_device,
+        level_db=arguments.level,
+        sweep_s=arguments.seconds,
+        repeats=arguments.repeats,
+        lowest_hz=arguments.band[0],
+        highest_hz=arguments.band[1],
+    )
+    output = Output(device=arguments.device, sample_rate_hz=arguments.rate)
+    with ProgressBar(sys.stderr) as bar:
+        found = measure(rig, arguments.place, setup, output=output, progress=bar)
+    path = arguments.out or arguments.rig
+    save_rig(path, kept(rig, found))
+    sys.stdout.write("\n".join((*found.lines, str(path))) + "\n")
+    return 0
+
+
+def _devices(_: argparse.Namespace) -> int:
+    for title, listed in (("Outputs", devices()), ("Inputs", input_devices())):
+        sys.stdout.write(f"{title}\n")
+        for one in listed:
+            mark = "  (usual)" if one.is_default else ""
+            sys.stdout.write(f"  {one.title}{mark}\n")
+        if not listed:
+            sys.stdout.write("  none\n")
+    return 0

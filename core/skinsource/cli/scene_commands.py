@@ -1,0 +1,50 @@
+"""``skinsource scenes``: the panels of the paper's figures as designs."""
+
+import argparse
+import sys
+from pathlib import Path
+from typing import Any
+
+from skinsource.design.design_file import save_design
+from skinsource.studies.scenes import all_scenes, open_scene, why_not_on
+
+
+def add_to(subparsers: Any) -> None:
+    """Add the command ``scenes``."""
+    parser = subparsers.add_parser(
+        "scenes",
+        help="list the scenes of the paper, or write one as a design file",
+        description="Lists the panels of the paper's figures that can be computed. With a name "
+        "and --out, writes that scene as a design file for show, render, export and the studio.",
+    )
+    parser.add_argument("name", nargs="?", metavar="NAME", help="of a scene, such as 2F")
+    parser.add_argument(
+        "--limb",
+        default="",
+        metavar="NAME",
+        help="play it on this limb, such as one that was imported; without a scene: list which "
+        "scenes apply there",
+    )
+    parser.add_argument("--out", type=Path, metavar="PATH", help="the .skinsource file to write")
+    parser.set_defaults(run=_scenes, parser=parser)
+
+
+def _scenes(arguments: argparse.Namespace) -> int:
+    if arguments.name is None:
+        if arguments.out is not None:
+            arguments.parser.error("--out needs the NAME of a scene")
+        for one in all_scenes():
+            sys.stdout.write(f"{one.name:4}  {one.title}\n      {one.sentence}\n")
+            reason = why_not_on(one.name, arguments.limb) if arguments.limb else ""
+            if reason:
+                sys.stdout.write(f"      Not on {arguments.limb}: {reason}\n")
+        return 0
+    opened = open_scene(arguments.name, limb=arguments.limb)
+    known = opened.scene
+    sys.stdout.write(f"{known.heading}\n{known.notes}\n")
+    if opened.note:
+        sys.stdout.write(f"{opened.note}\n")
+    if arguments.out is not None:
+        save_design(arguments.out, opened.design, opened.view)
+        sys.stdout.write(f"{arguments.out}\n")
+    return 0

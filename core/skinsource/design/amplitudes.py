@@ -1,0 +1,173 @@
+"""What an amplitude means: a matter of the scaling, of actuators, and of what the limb answers."""
+
+from functools import lru_cache
+from typing import Protocol
+
+import numpy as np
+
+from skinsource.actuators.actuation import Actuation
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.clips import Clip
+from skinsource.design.signal_path import Curve, drive_of_clips
+from skinsource.design.waveforms import Layers, Recording, Waveform
+from skinsource.limbs.limb import Limb
+from skinsource.limbs.own_limbs import drive_unit_known, facts_of
+from skinsource.limbs.scaling import Scaling
+
+#: Arbitrary units: that of a drive of which nobody says what it is.
+ARBITRARY_UNIT = "a.u."
+_UNITS: dict[Scaling, str] = {"upstream": "m/s²", "relative": "×", "probe": "m/s²"}
+# Under upstream scaling an amplitude is a peak on the skin: the drive has no unit of its own.
+_DRIVE_UNITS: dict[Scaling, str] = {"upstream": "1", "relative": "measuring pulse", "probe": "m/s²"}
+_MEANINGS: dict[Scaling, str] = {
+    "upstream": "The highest acceleration on any one axis that all clips together cause",
+    "relative": "A factor: 1 is the measuring pulse",
+    "probe": "Acceleration of the probe, within about 3 dB",
+}
+# Where responses answer a drive of unknown unit.
+_MEANINGS_OF_DRIVES: dict[Scaling, str] = {
+    "upstream": _MEANINGS["upstream"],
+    "relative": "A factor: 1 is one unit of the drive that the responses of this limb answer",
+    "probe": "In the unit of the drive that the responses of this limb answer; which one is not "
+    f"known ({ARBITRARY_UNIT})",
+}
+
+# A peak of 1 that was sampled or rounded.
+_ROUNDING = 1e-3
+
+
+class Driven(Protocol):
+    """What amplitudes of a design depend on."""
+
+    @property
+    def limb(self) -> str:
+        """Whose responses answer the drives."""
+
+    @property
+    def limb_digest(self) -> str:
+        """Which limb of that name is meant; empty: whatever has it."""
+
+    @property
+    def scaling(self) -> Scaling:
+        """What an amplitude of 1 is."""
+
+    @property
+    def actuated(self) -> Actuation | None:
+        """Actuators that the drives go through."""
+
+
+class Track(Protocol):
+    """An input, as far as its strength depends on it."""
+
+    @property
+    def location(self) -> int:
+        """Where it is."""
+
+    @property
+    def amplitude(self) -> float:
+        """What all that it plays is multiplied with."""
+
+    @property
+    def clips(self) -> tuple[Clip, ...]:
+        """What it plays."""
+
+    @property
+    def gain_curve(self) -> Curve:
+        """What that is multiplied with over time."""
+
+
+def is_gain(design: Driven, one: Track) -> bool:
+    """Whether the amplitude of an input is a plain factor, on a recording that has its own size.
+
+    Under upstream scaling it is not: what is played reaches that peak on the skin, of any size.
+    """
+    return design.scaling != "upstream" and any(
+        _has_its_own_size(clip.waveform) for clip in one.clips if not clip.muted
+    )
+
+
+def peak_text(design: Driven, one: Track) -> str:
+    """Peak of all that an input plays, ``"4.88 m/s²"``; empty where it cannot be played."""
+    rate_hz = facts_of(design.limb).sample_rate_hz
+    try:
+        peak = abs(one.amplitude) * _peak_of(one.clips, one.gain_curve, rate_hz, one.location)
+    except InvalidInputError:
+        return ""
+    return f"{peak:.3g} {amplitude_unit(design)}"
+
+
+def amplitude_text(design: Driven, one: Track) -> str:
+    """How strong an input is: ``"2 m/s²"``, or ``"gain 2, peak 9.76 m/s²"``."""
+    if not is_gain(design, one):
+        return f"{one.amplitude:g} {amplitude_unit(design)}"
+    peak = peak_text(design, one)
+    return f"gain {one.amplitude:g}" + (f", peak {peak}" if peak else "")
+
+
+def amplitude_unit(design: Driven) -> str:
+    """Unit of an input's amplitude.
+
+    m/s², V at an actuator, × for a plain factor, or `ARBITRARY_UNIT`.
+    """
+    actuated = design.actuated
+    if actuated is not None and actuated.equaliser is None:
+        return "V"
+    if design.scaling == "probe" and actuated is None and not _unit_known(design):
+        return ARBITRARY_UNIT
+    return _UNITS[design.scaling]
+
+
+def amplitude_meaning(design: Driven) -> str:
+    """What an input's amplitude is, in words."""
+    if design.actuated is None:
+        return (_MEANINGS if _unit_known(design) else _MEANINGS_OF_DRIVES)[design.scaling]
+    volts = design.actuated.equaliser is None
+    return "Voltage at the actuator" if volts else "Acceleration of the contactor"
+
+
+def amplitude_note(
+    limb: str, digest: str, scaling: Scaling, actuated: Actuation | None = None
+) -> str:
+    """What amplitudes are where that does not follow from the scaling; empty where it does."""
+    if actuated is not None or scaling == "upstream" or drive_unit_known(limb, digest):
+        return ""
+    meaning = _MEANINGS_OF_DRIVES[scaling]
+    return f"{meaning[:1].lower()}{meaning[1:]}"
+
+
+def drive_unit(design: Driven, limb: Limb | None = None) -> str:
+    """Unit of what a design plays, as it is exported.
+
+    Parameters
+    ----------
+    limb
+        That of the design, where it is open already.
+    """
+    actuated = design.actuated
+    if actuated is not None:
+        return "V" if actuated.equaliser is None else _DRIVE_UNITS[design.scaling]
+    known = _unit_known(design) if limb is None else not limb.per_unit_drive
+    if known or design.scaling == "upstream":
+        return _DRIVE_UNITS[design.scaling]
+    return ARBITRARY_UNIT
+
+
+def _has_its_own_size(waveform: Waveform) -> bool:
+    """Whether it plays a recording that was not scaled to a peak of 1."""
+    if isinstance(waveform, Layers):
+        return any(_has_its_own_size(part.waveform) for part in waveform.parts if not part.muted)
+    if not isinstance(waveform, Recording):
+        return False
+    return waveform.samples.unit != "" or abs(waveform.samples.peak - 1.0) > _ROUNDING
+
+
+@lru_cache(maxsize=16)
+def _peak_of(
+    clips: tuple[Clip, ...], gain_curve: Curve, sample_rate_hz: float, place: int
+) -> float:
+    _, drive = drive_of_clips(clips, gain_curve, sample_rate_hz, place)
+    return drive.factor * float(np.abs(drive.samples).max(initial=0.0))
+
+
+def _unit_known(design: Driven) -> bool:
+    return drive_unit_known(design.limb, design.limb_digest)

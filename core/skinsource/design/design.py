@@ -1,0 +1,299 @@
+"""What the user designs: plain immutable values, no arrays, no files."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+from skinsource.actuators.actuation import Actuation
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import MOST_PLACES
+from skinsource.base.quoting import quoted
+from skinsource.design import displaying, labels
+from skinsource.design.amplitudes import amplitude_meaning, amplitude_text, amplitude_unit
+from skinsource.design.clips import ID, LATEST_S, Clip, Marker, numbered
+from skinsource.design.waveforms import Tone, Waveform
+from skinsource.limbs.scaling import Scaling
+from skinsource.specs import fields
+from skinsource.specs.fields import (
+    ChoiceSpec,
+    CurveSpec,
+    ListSpec,
+    NumberSpec,
+    OptionalSpec,
+    Range,
+    RangeSpec,
+    RecipeSpec,
+    SwitchSpec,
+    TextSpec,
+)
+
+#: More inputs than places are allowed; a hundred of them are a mistake.
+MAX_INPUTS = 100
+#: Clips of one track.
+MAX_CLIPS = 1000
+MAX_MARKERS = 1000
+
+AMPLITUDE = NumberSpec(
+    label="Amplitude",
+    minimum=-1000.0,
+    maximum=1000.0,
+    step=0.05,
+    hint="A negative amplitude turns the polarity",
+)
+#: Of an input whose amplitude is a plain factor, see `skinsource.design.amplitudes.is_gain`.
+AMPLITUDE_GAIN = replace(
+    AMPLITUDE,
+    label="Gain",
+    hint="Factor on what was recorded. A negative gain turns the polarity",
+)
+
+TITLE = TextSpec(label="Title", longest=200, one_line=True)
+AUTHOR = TextSpec(label="Author", longest=200, one_line=True)
+NOTES = TextSpec(label="Notes", longest=20_000)
+LICENCE = TextSpec(label="Licence", longest=2_000)
+
+# Which places there are is a matter of the limb, which says so when it is asked for one.
+PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_PLACES, whole=True)
+CLIPS = ListSpec(label="Clips", of=RecipeSpec(label="Clip", kinds=lambda: (Clip,)), most=MAX_CLIPS)
+GAIN_CURVE = CurveSpec(
+    label="Gain curve",
+    hint="What all clips of the track are multiplied with, over the time of the design",
+    x=NumberSpec(label="Time", unit="s", minimum=0.0, maximum=LATEST_S),
+    y=NumberSpec(label="Gain", minimum=0.0, maximum=1000.0),
+    fewest=0,
+    most=1000,
+)
+MUTED = SwitchSpec(label="Mute", hint="A muted input is silent")
+SOLO = SwitchSpec(label="Solo", hint="Where any input is solo, only solo inputs are heard")
+_MOST = 2**31 - 1
+COLOUR = NumberSpec(label="Colour", minimum=0, maximum=_MOST, whole=True)
+
+LIMB = TextSpec(label="Limb", longest=200, one_line=True)
+LIMB_DIGEST = TextSpec(label="Digest of the limb", longest=64, one_line=True)
+INPUTS = ListSpec(
+    label="Inputs", of=RecipeSpec(label="Input", kinds=lambda: (Input,)), most=MAX_INPUTS
+)
+MARKERS = ListSpec(
+    label="Markers", of=RecipeSpec(label="Marker", kinds=lambda: (Marker,)), most=MAX_MARKERS
+)
+LOOP = RangeSpec(label="Loop", unit="s", minimum=0.0, maximum=LATEST_S)
+ACTUATION = OptionalSpec(
+    label="Actuators", of=RecipeSpec(label="Actuators", kinds=lambda: (Actuation,))
+)
+SCALING = ChoiceSpec(
+    label="Scaling", options=tuple((word.name, word.title) for word in labels.SCALINGS)
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Input:
+    """A track: clips placed at an input location.
+
+    It plays the sum of its clips that are not muted, each from its onset, times the gain curve.
+    For a single clip there is `track`.
+
+    Attributes
+    ----------
+    location
+        Input place, from 1; the limb says which places it has, see `Limb.n_inputs`.
+    clips
+        What it plays, in any order; none: it is silent.
+    amplitude
+        Factor; its unit follows from the design, see `skinsource.design.amplitudes.amplitude_unit`.
+    gain_curve
+        Breakpoints, s and factor, straight between them and level before the first and after the
+        last; none: nothing is changed.
+    muted, solo
+        A muted input is silent.  Where any input is solo, only solo inputs are heard.
+    colour
+        Number of its colour; kept for its life, so that the others keep theirs.
+    id
+        What tells it from the other inputs of its design, 1, 2, 3, …; 0: not given yet, the
+        design gives it one.
+    """
+
+    location: int = fields.field(PLACE)
+    clips: tuple[Clip, ...] = fields.field(CLIPS, ())
+    amplitude: float = fields.number(1.0, AMPLITUDE)
+    gain_curve: tuple[tuple[float, float], ...] = fields.field(GAIN_CURVE, ())
+    muted: bool = fields.switch(False, MUTED)
+    solo: bool = fields.switch(False, SOLO)
+    colour: int = fields.number(0, COLOUR)
+    id: int = fields.number(0, ID)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Design:
+    """Everything that is saved, undone and redone.
+
+    Attributes
+    ----------
+    limb
+        Name of the limb, see `skinsource.load_limb`; it need not be available here.
+    limb_digest
+        Of an imported limb: SHA-256 of all its numbers, as `skinsource.limbs.own_limbs.facts_of`
+        says. Empty: whatever has the name is meant.
+    inputs
+        In the order in which they are listed.  Those without an id get one, and so do their clips.
+    scaling
+        ``"upstream"``, ``"relative"`` or ``"probe"``, see `skinsource.predict`.  Probe scaling is
+        where designs start: a clip that is added changes nothing of what the others cause.
+    actuation
+        Actuators through which it is predicted, and what makes their volts; None: drives are what
+        the contactor does.
+    markers
+        Names for times.
+    loop_s
+        Begin and end of what is played again and again; None: nothing is.
+    title, author, notes, licence
+        Words about the design; nothing is computed from them.
+    """
+
+    limb: str = fields.field(LIMB)
+    inputs: tuple[Input, ...] = fields.field(INPUTS, ())
+    scaling: Scaling = fields.choice("probe", SCALING)
+    actuation: Actuation | None = fields.field(ACTUATION, None)
+    markers: tuple[Marker, ...] = fields.field(MARKERS, ())
+    loop_s: Range | None = fields.interval(None, LOOP)
+    title: str = fields.text("", TITLE)
+    author: str = fields.text("", AUTHOR)
+    notes: str = fields.text("", NOTES)
+    licence: str = fields.text("", LICENCE)
+    limb_digest: str = fields.text("", LIMB_DIGEST)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+        object.__setattr__(self, "inputs", _with_ids(self.inputs))
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        amplitudes = [amplitude_text(self, one) for one in self.inputs]
+        return displaying.html_of(self, audible_indices(self.inputs), amplitudes)
+
+    @property
+    def ids(self) -> tuple[int, ...]:
+        """Ids of the inputs, in their order."""
+        return tuple(one.id for one in self.inputs)
+
+    @property
+    def actuated(self) -> Actuation | None:
+        """What it is predicted through; None where that is off."""
+        return self.actuation if self.actuation is not None and self.actuation.on else None
+
+    def input(self, id: int) -> Input:
+        """The input with this id."""
+        return self.inputs[self.index_of(id)]
+
+    def index_of(self, id: int) -> int:
+        """Where in `inputs` the input with this id is."""
+        for index, one in enumerate(self.inputs):
+            if one.id == id:
+                return index
+        known = ", ".join(map(str, self.ids)) or "none"
+        raise InvalidInputError(f"no input has the id {quoted(id)}; there are {known}")
+
+    @property
+    def clips(self) -> tuple[Clip, ...]:
+        """The clips of all inputs, track by track."""
+        return tuple(clip for one in self.inputs for clip in one.clips)
+
+    def clip(self, id: int) -> Clip:
+        """The clip with this id."""
+        for one in self.clips:
+            if one.id == id:
+                return one
+        raise InvalidInputError(f"no clip has the id {quoted(id)}; there are {len(self.clips)}")
+
+    def track_of(self, clip_id: int) -> Input:
+        """The input that the clip with this id is on."""
+        wanted = self.clip(clip_id)
+        return next(one for one in self.inputs if any(clip is wanted for clip in one.clips))
+
+    def with_input(self, index: int, **changes: Any) -> "Design":
+        """Return a copy in which input ``index`` has ``changes`` applied."""
+        inputs = list(self.inputs)
+        inputs[index] = replace(inputs[index], **changes)
+        return replace(self, inputs=tuple(inputs))
+
+    def with_clip(self, id: int, **changes: Any) -> "Design":
+        """Return a copy in which the clip with this id has ``changes`` applied."""
+        changed = replace(self.clip(id), **changes)
+        track = self.track_of(id)
+        clips = tuple(changed if one.id == id else one for one in track.clips)
+        return self.with_input(self.index_of(track.id), clips=clips)
+
+    def adding(self, new: Input) -> "Design":
+        """Return a copy with one more input, with ids and a colour of its own."""
+        taken = {present.colour for present in self.inputs}
+        colour = next(k for k in range(MAX_INPUTS + 1) if k not in taken)
+        clips = tuple(replace(one, id=0) for one in new.clips)
+        added = replace(new, colour=colour, id=0, clips=clips)
+        return replace(self, inputs=(*self.inputs, added))
+
+    def without_input(self, index: int) -> "Design":
+        """Return a copy without input ``index``."""
+        inputs = list(self.inputs)
+        del inputs[index]
+        return replace(self, inputs=tuple(inputs))
+
+
+def track(
+    location: int, waveform: Waveform | None = None, *, onset_s: float = 0.0, **changes: Any
+) -> Input:
+    """Return an input that plays one waveform.
+
+    Parameters
+    ----------
+    location
+        Input place, from 1.
+    waveform
+        What it plays; a `Tone` where none is given.
+    onset_s
+        When it starts.
+    changes
+        Other fields of `Input`: ``amplitude=0.5``.
+    """
+    clip = Clip(waveform=Tone() if waveform is None else waveform, onset_s=onset_s)
+    return Input(location=location, clips=(clip,), **changes)
+
+
+def _with_ids(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
+    """Return ``inputs`` and their clips with ids where there were none; refuse doubles."""
+    own = [one.id for one in inputs]
+    ids = numbered(own, "inputs")
+    of_clips = [clip.id for one in inputs for clip in one.clips]
+    clip_ids = iter(numbered(of_clips, "clips"))
+    if all(own) and all(of_clips):
+        return inputs
+    found = []
+    for one, id in zip(inputs, ids, strict=True):
+        clips = tuple(_with_id(clip, next(clip_ids)) for clip in one.clips)
+        same = one.id == id and all(a is b for a, b in zip(clips, one.clips, strict=True))
+        found.append(one if same else replace(one, id=id, clips=clips))
+    return tuple(found)
+
+
+def _with_id(clip: Clip, id: int) -> Clip:
+    # What has an id keeps its identity.
+    return clip if clip.id == id else replace(clip, id=id)
+
+
+def audible_indices(inputs: tuple[Input, ...]) -> tuple[int, ...]:
+    """Places in ``inputs`` of those that are heard: the solo ones, if any, but no muted ones."""
+    any_solo = any(one.solo for one in inputs)
+    return tuple(
+        index for index, one in enumerate(inputs) if not one.muted and (one.solo or not any_solo)
+    )
+
+
+def audible_inputs(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
+    """Inputs that are heard."""
+    return tuple(inputs[index] for index in audible_indices(inputs))
+
+
+def amplitude_spec(design: Design) -> NumberSpec:
+    """Specification of amplitudes that says what they mean, and in which unit."""
+    unit, meaning = amplitude_unit(design), amplitude_meaning(design)
+    return replace(AMPLITUDE, unit=unit, hint=f"{meaning}. {AMPLITUDE.hint}")

@@ -1,0 +1,347 @@
+"""A drawn course of the level."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+import scipy
+
+from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import BAND_HZ
+from skinsource.design.effects.breakpoints import curve_at
+from skinsource.design.effects.effect import ON, KeepsTime, own_duration_s
+from skinsource.design.effects.playing import own_times, silent_outside
+from skinsource.specs import fields
+from skinsource.specs.fields import Breakpoint, BreakpointsSpec, ChoiceSpec, NumberSpec
+
+TIME = NumberSpec(label="Time", unit="s", minimum=0.0, maximum=3600.0, step=0.001)
+VALUE = NumberSpec(label="Level", minimum=0.0, maximum=1000.0, step=0.05)
+POINTS = BreakpointsSpec(
+    label="Points", x=TIME, y=VALUE, hint="Time after the start, level, and how it goes on"
+)
+#: One point: as loud as it is.
+UNCHANGED: tuple[Breakpoint, ...] = ((0.0, 1.0, "straight"),)
+
+
+@dataclass(frozen=True, slots=True)
+class Envelope(KeepsTime):
+    """The level over the time: straight, smooth or held between breakpoints.
+
+    Before the first point it has the level of that, after the last one the level of that; so one
+    point is one level throughout.  Two points at one time, or closer than a nanosecond, are a
+    jump: the earlier one ends what comes before, from that time on counts the last one.
+    Points that go back in time are refused.  A smooth segment is the monotone cubic of Fritsch
+    and Carlson: it never passes the levels of its two ends.  Its slope at a point follows from
+    the points beside, or is the point's own: so a smooth segment can be split and stay as it is.
+
+    Attributes
+    ----------
+    points
+        (time in s, level from 0 to 1000, ``"straight"``, ``"smooth"`` or ``"held"``) each; the
+        third may be left out, and a fourth, the point's own slope in levels per second, be added:
+        it is then kept as a `SlopedPoint`, which unpacks as the others do.  Level 1 changes
+        nothing.
+
+    References
+    ----------
+    Fritsch and Carlson, Monotone piecewise cubic interpolation, SIAM J. Numer. Anal. 17, 1980.
+    """
+
+    title: ClassVar[str] = "Envelope"
+
+    points: tuple[Breakpoint, ...] = fields.field(POINTS, UNCHANGED)
+    on: bool = fields.switch(True, ON)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    def values_at(self, times_s: Floats) -> Floats:
+        """Levels at own times, of the same shape."""
+        return curve_at(self.points, times_s)
+
+    def applied(
+        self,
+        samples: Floats,
+        sample_rate_hz: float,
+        shift_s: float = 0.0,
+        duration_s: float | None = None,
+    ) -> Floats:
+        """Return the samples at their levels, (n_times,)."""
+        del duration_s
+        return samples * self.values_at(own_times(samples.size, sample_rate_hz, shift_s))
+
+
+# In and out.
+
+LENGTH = NumberSpec(
+    label="Fade in", unit="s", minimum=0.0, maximum=600.0, step=0.005, hint="From 0 to full level"
+)
+OUT = NumberSpec(
+    label="Fade out", unit="s", minimum=0.0, maximum=600.0, step=0.005, hint="To 0 at the end"
+)
+SHAPE = ChoiceSpec(
+    label="Shape",
+    options=(("straight", "Straight"), ("smooth", "Smooth"), ("equal power", "Equal power")),
+    hint="Equal power: two clips that cross keep their energy",
+)
+
+# Whatever is shorter is none; no clock tells it from nothing.
+_SHORTEST_S = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Fade(KeepsTime):
+    """Fades in from 0 at the start, and out to 0 at the end.
+
+    With the share u of a fade, 0 at its silent end: ``"straight"`` u; ``"smooth"``
+    (1 - cos(pi u)) / 2; ``"equal power"`` sin(pi u / 2), of which two that cross sum up to the
+    same power.  Where both do not fit, both are shortened by the same factor, and meet.
+
+    Attributes
+    ----------
+    in_s, out_s
+        How long they take; 0: none.
+    shape
+        Of both.
+    """
+
+    title: ClassVar[str] = "Fade"
+
+    in_s: float = fields.number(0.01, LENGTH)
+    out_s: float = fields.number(0.01, OUT)
+    shape: str = fields.choice("smooth", SHAPE)
+    on: bool = fields.switch(True, ON)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    def values_at(self, times_s: Floats, duration_s: float) -> Floats:
+        """Levels at own times of what plays for ``duration_s``, of the shape of the times."""
+        both = self.in_s + self.out_s
+        fits = min(1.0, duration_s / both) if both else 1.0
+        found = np.ones(np.shape(times_s))
+        for length, since in (
+            (self.in_s * fits, times_s),
+            (self.out_s * fits, duration_s - times_s),
+        ):
+            if length > _SHORTEST_S:
+                found = found * self._level(np.clip(since / length, 0.0, 1.0))
+        return found
+
+    def applied(
+        self,
+        samples: Floats,
+        sample_rate_hz: float,
+        shift_s: float = 0.0,
+        duration_s: float | None = None,
+    ) -> Floats:
+        """Return the samples faded in and out, (n_times,)."""
+        length_s = own_duration_s(samples, sample_rate_hz, shift_s, duration_s)
+        times_s = own_times(samples.size, sample_rate_hz, shift_s)
+        return samples * self.values_at(times_s, length_s)
+
+    def _level(self, share: Floats) -> Floats:
+        if self.shape == "straight":
+            return share
+        if self.shape == "smooth":
+            return 0.5 * (1.0 - np.cos(np.pi * share))
+        return np.sin(0.5 * np.pi * share)
+
+
+# One polarity only.
+
+WAVE = ChoiceSpec(
+    label="Wave",
+    options=(("full", "Full wave"), ("half", "Half wave")),
+    hint="Full: what is below 0 is turned up. Half: it is left out",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Rectify(KeepsTime):
+    r"""Turns up what is below 0 (``"full"``, \\|x\\|), or leaves it out (``"half"``, max(x, 0)).
+
+    A tone gets a mean above 0 and even harmonics; `BandLimit` after it removes what the skin does
+    not get.
+
+    Attributes
+    ----------
+    wave
+        ``"full"`` or ``"half"``.
+    """
+
+    title: ClassVar[str] = "Rectify"
+
+    wave: str = fields.choice("full", WAVE)
+    on: bool = fields.switch(True, ON)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    def applied(
+        self,
+        samples: Floats,
+        sample_rate_hz: float,
+        shift_s: float = 0.0,
+        duration_s: float | None = None,
+    ) -> Floats:
+        """Return the rectified samples, (n_times,)."""
+        del sample_rate_hz, shift_s, duration_s
+        return np.abs(samples) if self.wave == "full" else np.maximum(samples, 0.0)
+
+
+# Limits softly.
+
+DRIVE = NumberSpec(
+    label="Drive",
+    minimum=0.01,
+    maximum=1000.0,
+    step=0.05,
+    logarithmic=True,
+    hint="How much stronger it becomes where it is weak",
+)
+LEVEL = NumberSpec(
+    label="Level",
+    minimum=1e-6,
+    maximum=1000.0,
+    step=0.05,
+    logarithmic=True,
+    hint="What it never passes",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class SoftClip(KeepsTime):
+    """Limits to a level without a corner: level tanh(drive x / level).
+
+    Attributes
+    ----------
+    drive
+        Factor of what is weak.
+    level
+        Largest magnitude that can come out.
+    """
+
+    title: ClassVar[str] = "Soft clip"
+
+    drive: float = fields.number(2.0, DRIVE)
+    level: float = fields.number(1.0, LEVEL)
+    on: bool = fields.switch(True, ON)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    def applied(
+        self,
+        samples: Floats,
+        sample_rate_hz: float,
+        shift_s: float = 0.0,
+        duration_s: float | None = None,
+    ) -> Floats:
+        """Return the limited samples, (n_times,)."""
+        del sample_rate_hz, shift_s, duration_s
+        return self.level * np.tanh(samples * (self.drive / self.level))
+
+
+# What lies in a band.
+
+LOW = NumberSpec(
+    label="Lowest",
+    unit="Hz",
+    minimum=0.0,
+    maximum=20_000.0,
+    step=1.0,
+    hint="Lower frequencies are removed; 0: none",
+)
+HIGH = NumberSpec(
+    label="Highest",
+    unit="Hz",
+    minimum=1.0,
+    maximum=24_000.0,
+    step=0.02,
+    logarithmic=True,
+    hint="Higher frequencies are removed",
+)
+#: Gain falls from 1 to 0 over this part of an edge frequency, outside the band.
+SLOPE = 0.2
+# The tail of a slope of one hertz has died away after this time.
+_TAIL_S_HZ = 6.0
+
+
+@dataclass(frozen=True, slots=True)
+class BandLimit(KeepsTime):
+    """Keeps what lies in a band, without moving it in time.
+
+    The gain is 1 from ``low_hz`` to ``high_hz``, and falls as a raised cosine to 0 at 0.8
+    ``low_hz`` and 1.2 ``high_hz``; the phase is 0.  What would ring before the start and after the
+    end is left out, so that a clip that is cut hard keeps some of what lies outside.
+
+    Attributes
+    ----------
+    low_hz, high_hz
+        Edges; 0 removes nothing below, and an upper edge above half the rate nothing above.
+    """
+
+    title: ClassVar[str] = "Band limit"
+
+    # Part of the recipe, whatever the limb: so a file means that says no others.
+    low_hz: float = fields.number(BAND_HZ[0], LOW)
+    high_hz: float = fields.number(BAND_HZ[1], HIGH)
+    on: bool = fields.switch(True, ON)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+        if self.low_hz >= self.high_hz:
+            raise InvalidInputError(
+                f"BandLimit.low_hz is {self.low_hz:g}, expected less than high_hz, "
+                f"{self.high_hz:g} Hz"
+            )
+
+    def gains_at(self, frequencies_hz: Floats) -> Floats:
+        """Gain at frequencies, of their shape."""
+        found = np.ones(np.shape(frequencies_hz))
+        for edge_hz, over_hz in (
+            (self.low_hz, self.low_hz - frequencies_hz),
+            (self.high_hz, frequencies_hz - self.high_hz),
+        ):
+            if edge_hz > 0.0:
+                share = np.clip(over_hz / (SLOPE * edge_hz), 0.0, 1.0)
+                found = found * 0.5 * (1.0 + np.cos(np.pi * share))
+        return found
+
+    def applied(
+        self,
+        samples: Floats,
+        sample_rate_hz: float,
+        shift_s: float = 0.0,
+        duration_s: float | None = None,
+    ) -> Floats:
+        """Return the samples of the band, (n_times,)."""
+        if not samples.size:
+            return samples
+        length_s = own_duration_s(samples, sample_rate_hz, shift_s, duration_s)
+        spectrum, size = self._spectrum(samples, sample_rate_hz)
+        gains = self.gains_at(scipy.fft.rfftfreq(size, 1.0 / sample_rate_hz))
+        found: Floats = scipy.fft.irfft(spectrum * gains, size)[: samples.size]
+        length_s = max(length_s, (samples.size - 1) / sample_rate_hz)
+        return silent_outside(found, sample_rate_hz, shift_s, length_s)
+
+    def share_removed(self, samples: Floats, sample_rate_hz: float) -> float:
+        """Part of the energy of samples, (n_times,), that lies outside; 0 of silence."""
+        if not samples.any():
+            return 0.0
+        spectrum, size = self._spectrum(samples, sample_rate_hz)
+        frequencies_hz = scipy.fft.rfftfreq(size, 1.0 / sample_rate_hz)
+        energy = np.abs(spectrum) ** 2
+        # All but the first, and the last of an even number, stand for two.
+        energy[1 : -1 if size % 2 == 0 else None] *= 2.0
+        kept = energy @ self.gains_at(frequencies_hz) ** 2 / energy.sum()
+        return float(np.clip(1.0 - kept, 0.0, 1.0))
+
+    def _spectrum(self, samples: Floats, sample_rate_hz: float) -> tuple[Complexes, int]:
+        """Spectrum with room for what rings, and its number of samples."""
+        edges_hz = [SLOPE * edge_hz for edge_hz in (self.low_hz, self.high_hz) if edge_hz > 0.0]
+        tail_s = min(_TAIL_S_HZ / min(edges_hz), 60.0)
+        size = scipy.fft.next_fast_len(samples.size + int(tail_s * sample_rate_hz) + 1, real=True)
+        return scipy.fft.rfft(samples, size), size

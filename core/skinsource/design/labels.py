@@ -1,0 +1,233 @@
+"""What choices are called: the same words in the window, on the command line and in files.
+
+Scripts and design files use the short names (``upstream``, ``pca``, …), which never change.
+``docs/words.md`` shows all of it as a table.
+"""
+
+from dataclasses import dataclass, replace
+
+from skinsource.limbs.limb import PUBLISHED
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.signals.loudest_window import HOLD_WINDOW_S, LOUDEST_WINDOW_S
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Word:
+    """One value that can be chosen.
+
+    Attributes
+    ----------
+    name
+        In scripts and files.
+    title
+        Everywhere that people read.
+    sentence
+        What it means, for tooltips and help.
+    """
+
+    name: str
+    title: str
+    sentence: str
+
+    @property
+    def both(self) -> str:
+        """Title and, where it differs, name: ``"Principal axis (pca)"``."""
+        return self.title if self.title == self.name else f"{self.title} ({self.name})"
+
+
+#: What the sensors' own axes are.
+TRIAD = (
+    Word(
+        name="x",
+        title="x",
+        sentence="Along the skin, in a direction that differs from sensor to sensor.",
+    ),
+    Word(
+        name="y",
+        title="y",
+        sentence="Along the skin, at right angles to x; its direction too "
+        "differs from sensor to sensor.",
+    ),
+    Word(
+        name="z",
+        title="z",
+        sentence="Normal to the skin at every sensor: the one axis that can "
+        "be compared with its sign from place to place.",
+    ),
+)
+TRIAD_SENTENCE = (
+    "Each sensor measures along its own axes: z is normal to the skin, x and y lie along the "
+    "skin and point another way at each sensor, so that x here and x there are different "
+    "directions."
+)
+
+AXES = (
+    *TRIAD,
+    Word(name="xy", title="x, y", sentence="Motion along the skin."),
+    Word(
+        name="xz",
+        title="x, z",
+        sentence="Motion normal to the skin and in one direction along "
+        "it, which differs from sensor to sensor.",
+    ),
+    Word(
+        name="yz",
+        title="y, z",
+        sentence="Motion normal to the skin and in one direction along "
+        "it, which differs from sensor to sensor.",
+    ),
+    Word(name="xyz", title="x, y, z", sentence="Motion in every direction."),
+)
+METHODS = (
+    Word(
+        name="mag",
+        title="Magnitude",
+        sentence="Length of the acceleration vector at each "
+        "instant: never negative, and the same however a sensor is turned.",
+    ),
+    Word(
+        name="pca",
+        title="Principal axis",
+        sentence="Component along the direction in which "
+        "each output varies most; its sign cannot be compared between outputs.",
+    ),
+    Word(
+        name="rms",
+        title="RMS direction",
+        sentence="Component along the vector of the RMS values "
+        "of the axes at each output; depends on how the sensor is turned.",
+    ),
+    Word(
+        name="soc",
+        title="Sum of components",
+        sentence="Plain sum of the chosen axes; depends on how the sensor is turned.",
+    ),
+)
+SCALINGS = (
+    Word(
+        name="upstream",
+        title="Peak of each input",
+        sentence="Each input alone reaches its amplitude, in m/s², as its largest acceleration "
+        "at any output, on any one axis, as in the published toolbox.",
+    ),
+    Word(
+        name="relative",
+        title="Equal drives",
+        sentence="No rescaling: strong and weak places "
+        "keep their ratio; an amplitude of 1 is the measuring pulse.",
+    ),
+    Word(
+        name="probe",
+        title="Probe acceleration",
+        sentence="Amplitudes are accelerations of the probe in m/s², within about 3 dB.",
+    ),
+)
+# Of a limb whose responses answer a drive of unknown unit, in place of those above.
+_OF_DRIVES = {
+    "relative": "No rescaling: strong and weak places keep their ratio; an amplitude of 1 is one "
+    "unit of the drive that the responses of this limb answer.",
+    "probe": "Amplitudes are in the unit of the drive that the responses of this limb answer; "
+    "which one is not known.",
+}
+_LOUDEST = f"{LOUDEST_WINDOW_S * 1000:g} ms"
+SPANS = (
+    Word(
+        name="record",
+        title="Whole record",
+        sentence="Levels are the RMS over the whole "
+        "response, its silence included, as in the published toolbox: a later onset lowers "
+        "them.",
+    ),
+    Word(
+        name="loudest",
+        title=f"Loudest {_LOUDEST}",
+        sentence=f"Levels are the highest RMS of any {_LOUDEST}, "
+        "output by output: neither onset nor silence changes them. Spectra take the loudest "
+        f"{HOLD_WINDOW_S * 1e3:.0f} ms of each frequency: {_LOUDEST} tell frequencies apart that "
+        f"differ by {1 / LOUDEST_WINDOW_S:.0f} Hz, {HOLD_WINDOW_S * 1e3:.0f} ms by "
+        f"{1 / HOLD_WINDOW_S:.0f} Hz.",
+    ),
+)
+#: Those that come with the studio, or are published; a lab's own are found by `limb_word`.
+LIMBS = tuple(
+    Word(name=name, title=facts.title, sentence=facts.sentence) for name, facts in PUBLISHED.items()
+)
+
+#: Every choice that has a name of its own in files: field, what it chooses, its words.
+CHOICES = (
+    ("limb", "Limb", "Whose hand and arm.", LIMBS),
+    ("scaling", "Scaling", "What an amplitude of 1 means.", SCALINGS),
+    ("axes", "Axes", "Which of each sensor's own axes take part. " + TRIAD_SENTENCE, AXES),
+    ("method", "Method", "How several axes become one signal.", METHODS),
+    ("span", "Levels", "What a level is the RMS over.", SPANS),
+)
+
+#: Sides of hand and arm.
+BACK_SIDE, PALM_SIDE = "Back of the hand", "Palm side"
+
+
+def word_of(words: tuple[Word, ...], name: str) -> Word:
+    """The word whose short name is ``name``; an unknown name stands for itself.
+
+    >>> word_of(METHODS, "pca").title
+    'Principal axis'
+    """
+    known = {word.name: word for word in words}
+    return known.get(name) or Word(name=name, title=name, sentence="")
+
+
+def scalings_on(*, drive_unit_known: bool) -> tuple[Word, ...]:
+    """What scalings are called, and what they mean on a limb.
+
+    Parameters
+    ----------
+    drive_unit_known
+        See `skinsource.limbs.own_limbs.drive_unit_known`.
+    """
+    if drive_unit_known:
+        return SCALINGS
+    return tuple(
+        replace(word, sentence=_OF_DRIVES.get(word.name, word.sentence)) for word in SCALINGS
+    )
+
+
+def limb_word(name: str) -> Word:
+    """What a limb is called, a lab's own too; one that is not here stands for itself."""
+    facts = facts_of(name)
+    return Word(name=name, title=facts.title, sentence=facts.sentence)
+
+
+def short_limb_title(name: str) -> str:
+    """What a limb is called where there is little room: without the length of a published one.
+
+    >>> short_limb_title("synthetic-1")
+    'Synthetic 1'
+    """
+    title = limb_word(name).title
+    return title.partition(" (")[0] if name in PUBLISHED else title
+
+
+def signal_words(axes: str, method: str) -> str:
+    """How accelerations become one signal: ``"x, y, z, principal axis"``; one axis has no method.
+
+    >>> signal_words("z", "pca")
+    'z'
+    >>> signal_words("xy", "mag")
+    'x, y, magnitude'
+    """
+    title = word_of(AXES, axes).title
+    if len(axes) == 1:
+        return title
+    how = word_of(METHODS, method).title
+    # "RMS direction" keeps its capitals.
+    return f"{title}, {how[:1].lower() if how[1:2].islower() else how[:1]}{how[1:]}"
+
+
+def span_words(span: str) -> str:
+    """What a level is the RMS over, within a sentence: ``"loudest 100 ms"``."""
+    return word_of(SPANS, span).title.lower()
+
+
+def level_words(span: str) -> str:
+    """What a level is: ``"RMS over the whole record"``."""
+    return f"RMS over the {span_words(span)}"

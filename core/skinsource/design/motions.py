@@ -1,0 +1,695 @@
+"""Motions: recipes that write ordinary tracks, so that something seems to move over the skin.
+
+A motion is a frozen dataclass with fields from `skinsource.specs.fields`, and everything that
+`Motion` names.  To add one: write a file beside these, and name its class in `every_kind.MOTIONS`.
+"""
+
+from collections.abc import Iterable
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from itertools import groupby, pairwise
+from math import degrees, pi, remainder, sqrt
+from typing import Any, ClassVar, Protocol, runtime_checkable
+
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.quoting import quoted
+from skinsource.base.work import counted
+from skinsource.design.clips import Clip
+from skinsource.design.design import AMPLITUDE, PLACE, Input
+from skinsource.design.effects import Fade, Trim
+from skinsource.design.waveforms import Saw, Square, Tap, Tone, Triangle, Waveform, kinds
+from skinsource.specs import fields
+from skinsource.specs.fields import ListSpec, NumberSpec, RecipeSpec
+
+__all__ = [
+    "MOTIONS",
+    "Alternation",
+    "ApparentMotion",
+    "Motion",
+    "Phantom",
+    "Sweep",
+    "TapSequence",
+    "TravellingPhase",
+]
+
+
+# What every motion can do.
+
+
+@runtime_checkable
+class Motion(Protocol):
+    """A frozen dataclass that writes tracks.
+
+    Attributes
+    ----------
+    title
+        What a user calls it.
+    law
+        The rule by which times and amplitudes follow, in a line.
+    source
+        Where the rule comes from.
+    limits
+        What is known, and what is not, of it on the palm.
+    """
+
+    title: ClassVar[str]
+    law: ClassVar[str]
+    source: ClassVar[str]
+    limits: ClassVar[str]
+
+    @property
+    def path(self) -> tuple[int, ...]:
+        """Input places, in the order in which they are passed."""
+
+    @property
+    def waveform(self) -> Waveform:
+        """What plays at the places."""
+
+    @property
+    def summary(self) -> str:
+        """Its times in words."""
+
+    def tracks(self) -> tuple[Input, ...]:
+        """Return its tracks, one for each place, in the order of the path.
+
+        Raises
+        ------
+        InvalidInputError
+            A clip would start later than one may.
+        """
+
+
+# Field specifications and steps that several motions share.
+
+#: Places of one path; a place may come again.
+MAX_PATH = 100
+
+PATH = ListSpec(label="Path", of=PLACE, fewest=2, most=MAX_PATH, hint="Places, in their order")
+WAVEFORM = RecipeSpec(label="Waveform", kinds=kinds, hint="What plays at each place")
+START = NumberSpec(
+    label="Start", unit="s", minimum=0.0, maximum=600.0, step=0.005, hint="When it begins"
+)
+SPACING = NumberSpec(
+    label="Spacing",
+    unit="s",
+    minimum=0.001,
+    maximum=60.0,
+    step=0.005,
+    hint="From the start of one to the start of the next",
+)
+LEVEL = replace(AMPLITUDE, minimum=0.0, hint="Amplitude of each track")
+
+
+def grouped(clips: Iterable[tuple[int, Clip]], amplitude: float) -> tuple[Input, ...]:
+    """Return a track for each place that clips are for, in the order in which places come up."""
+    of_place: dict[int, list[Clip]] = {}
+    for place, clip in clips:
+        of_place.setdefault(place, []).append(clip)
+    return tuple(
+        Input(location=place, clips=tuple(of), amplitude=amplitude)
+        for place, of in of_place.items()
+    )
+
+
+def in_ms(time_s: float) -> str:
+    """A time in words: "79.3 ms".
+
+    >>> in_ms(0.0793)
+    '79.3 ms'
+    """
+    return f"{1e3 * time_s:.4g} ms"
+
+
+def beside(spacing_s: float, duration_s: float) -> str:
+    """What lies between two that follow each other: an overlap, a pause, or nothing."""
+    if abs(gap_s := spacing_s - duration_s) < 1e-9:
+        return "one right after the other"
+    return f"{in_ms(abs(gap_s))} {'apart' if gap_s > 0 else 'overlap'}"
+
+
+# From one motion to another.
+
+#: What goes over to a motion of another kind.
+_SHARED = ("amplitude", "onset_s")
+
+
+def with_field(motion: Motion, name: str, value: Any) -> Motion:
+    """Return ``motion`` with another value of a field.
+
+    Raises
+    ------
+    InvalidInputError
+        The value is not allowed, alone or beside the others.
+    """
+    recipe: Any = motion
+    return replace(recipe, **{name: value})
+
+
+def following(motion: Motion, other: Motion) -> Motion:
+    """Return ``motion`` along the path of ``other``, as strong and as late.
+
+    What it cannot do of the path is left out: a sweep does not stay at a place, and a phantom lies
+    between the first two different ones.
+    """
+    recipe: Any = motion
+    recipe = replace(recipe, **{name: getattr(other, name) for name in _SHARED})
+    moving = tuple(place for place, _ in groupby(other.path))
+    for path in (other.path, moving, tuple(dict.fromkeys(moving))[:2]):
+        with suppress(InvalidInputError):
+            return replace(recipe, path=path)
+    return recipe
+
+
+def path_of(text: str) -> tuple[int, ...]:
+    """The path that a text means: "16, 18, 20", "16 18 20" or "16-18-20".
+
+    Raises
+    ------
+    InvalidInputError
+        Something in it is no number of a place.
+    """
+    words = text.replace(",", " ").replace(";", " ").replace("-", " ").replace("→", " ").split()
+    wrong = next((word for word in words if not (word.isascii() and word.isdigit())), None)
+    if wrong is not None or any(len(word) > 3 for word in words):
+        found = wrong if wrong is not None else max(words, key=len)
+        raise InvalidInputError(
+            f"the path has {quoted(found)}, expected numbers of places, as in 16, 18, 20"
+        )
+    return tuple(int(word) for word in words)
+
+
+# Places in turn, again and again.
+
+ROUNDS = NumberSpec(
+    label="Rounds", minimum=1, maximum=200, whole=True, hint="How often the path is passed"
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Alternation:
+    """Bursts at each place of a path in turn, and from its beginning again.
+
+    Burst k, counted from 0 through all rounds, starts k times the spacing after the first.
+
+    Attributes
+    ----------
+    path
+        Input places, in their order; two of them alternate.
+    waveform
+        The burst.
+    spacing_s
+        From the start of one burst to the start of the next.
+    rounds
+        How often the path is passed.
+    amplitude
+        Of each track.
+    onset_s
+        When the first burst starts.
+    """
+
+    title: ClassVar[str] = "Alternation"
+    law: ClassVar[str] = "Burst k starts k × spacing after the first, at the next place in turn."
+    source: ClassVar[str] = "Timing alone; no law of perception stands behind it."
+    limits: ClassVar[str] = (
+        "Slow turns are felt as two places; about as fast as apparent motion has it, as one that "
+        "runs to and fro. On the palm vibration reaches the other place too: the levels of the "
+        "skin show how far the two are apart."
+    )
+
+    path: tuple[int, ...] = fields.field(PATH, (7, 9))
+    waveform: Waveform = fields.field(WAVEFORM, Tone(200.0, duration_s=0.1))
+    spacing_s: float = fields.number(0.2, SPACING)
+    rounds: int = fields.number(4, ROUNDS)
+    amplitude: float = fields.number(1.0, LEVEL)
+    onset_s: float = fields.number(0.0, START)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    @property
+    def summary(self) -> str:
+        """Its times in words."""
+        n, burst_s = self.rounds * len(self.path), self.waveform.duration_s
+        whole_s = (n - 1) * self.spacing_s + burst_s
+        return (
+            f"{counted(n, 'burst')} of {in_ms(burst_s)}, {beside(self.spacing_s, burst_s)}; "
+            f"{in_ms(whole_s)} in all"
+        )
+
+    def tracks(self) -> tuple[Input, ...]:
+        """Return a track for each place."""
+        places = self.path * self.rounds
+        clips = (
+            Clip(
+                onset_s=self.onset_s + k * self.spacing_s,
+                waveform=self.waveform,
+                label=f"{self.title} {k + 1}/{len(places)}",
+            )
+            for k in range(len(places))
+        )
+        return grouped(zip(places, clips, strict=True), self.amplitude)
+
+
+# Bursts that seem to be one that moves.
+
+#: Part of its duration by which a burst is ahead of the next, and what is added to it.
+SOA_PER_DURATION, SOA_OFFSET_S = 0.32, 0.0473
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ApparentMotion:
+    """Bursts at one place after the other that are felt as one moving smoothly.
+
+    The next starts 0.32 d + 47.3 ms after the one before, d being the duration of a burst.
+
+    Attributes
+    ----------
+    path
+        Input places, in their order.
+    waveform
+        The burst; its duration is d.
+    amplitude
+        Of each track.
+    onset_s
+        When the first burst starts.
+    """
+
+    title: ClassVar[str] = "Apparent motion"
+    law: ClassVar[str] = "From start to start 0.32 d + 47.3 ms, d the duration of a burst."
+    source: ClassVar[str] = (
+        "Israr and Poupyrev, Tactile Brush: drawing on skin with a tactile grid display, CHI 2011."
+    )
+    limits: ClassVar[str] = (
+        "Found on the back, with actuators some centimetres apart. On the palm places lie closer, "
+        "and vibration runs on through the skin; strokes were felt to move more evenly there with "
+        "steps between the places (Park et al., EuroHaptics 2016)."
+    )
+
+    path: tuple[int, ...] = fields.field(PATH, (16, 18, 20))
+    waveform: Waveform = fields.field(WAVEFORM, Tone(200.0, duration_s=0.1))
+    amplitude: float = fields.number(1.0, LEVEL)
+    onset_s: float = fields.number(0.0, START)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    @property
+    def spacing_s(self) -> float:
+        """From the start of one burst to the start of the next."""
+        return SOA_PER_DURATION * self.waveform.duration_s + SOA_OFFSET_S
+
+    @property
+    def summary(self) -> str:
+        """Its times in words."""
+        burst_s = self.waveform.duration_s
+        whole_s = (len(self.path) - 1) * self.spacing_s + burst_s
+        return (
+            f"{len(self.path)} bursts of {in_ms(burst_s)}, one every {in_ms(self.spacing_s)}, "
+            f"{beside(self.spacing_s, burst_s)}; {in_ms(whole_s)} in all"
+        )
+
+    def tracks(self) -> tuple[Input, ...]:
+        """Return a track for each place."""
+        n = len(self.path)
+        clips = (
+            Clip(
+                onset_s=self.onset_s + k * self.spacing_s,
+                waveform=self.waveform,
+                label=f"{self.title} {k + 1}/{n}",
+            )
+            for k in range(n)
+        )
+        return grouped(zip(self.path, clips, strict=True), self.amplitude)
+
+
+# Something between two places.
+
+TWO_PLACES = replace(PATH, most=2, different=True, label="Places", hint="The two places")
+POSITION = NumberSpec(
+    label="Position",
+    minimum=0.0,
+    maximum=1.0,
+    step=0.01,
+    hint="β: 0 is at the first place, 1 at the second",
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Phantom:
+    """The same at two places, as strong as if it lay between them.
+
+    At the position β from the first place (0) to the second (1), the first plays with sqrt(1 - β)
+    and the second with sqrt(β) of the amplitude, so that the sum of their energies stays.
+
+    Attributes
+    ----------
+    path
+        Two input places.
+    waveform
+        What both play.
+    position
+        β, 0 to 1.
+    amplitude
+        That of a single actuator where it is felt.
+    onset_s
+        When both start.
+    """
+
+    title: ClassVar[str] = "Phantom"
+    law: ClassVar[str] = "Amplitudes √(1-β) and √β at once: the sum of the energies stays."
+    source: ClassVar[str] = (
+        "Israr and Poupyrev, Tactile Brush, CHI 2011; first Alles, Information transmission by "
+        "phantom sensations, IEEE Trans. Man-Machine Systems 11, 1970."
+    )
+    limits: ClassVar[str] = (
+        "Both must be felt alike strong alone: places differ, and the scaling decides what the "
+        "amplitudes mean. On the hand the two also meet in the skin, where they add with their "
+        "phases; farther apart than a few centimetres they are felt as two."
+    )
+
+    path: tuple[int, ...] = fields.field(TWO_PLACES, (17, 19))
+    waveform: Waveform = fields.field(WAVEFORM, Tone(200.0, duration_s=0.3))
+    position: float = fields.number(0.5, POSITION)
+    amplitude: float = fields.number(1.0, LEVEL)
+    onset_s: float = fields.number(0.0, START)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    @property
+    def shares(self) -> tuple[float, float]:
+        """Parts of the amplitude: sqrt(1 - β) and sqrt(β)."""
+        return sqrt(1.0 - self.position), sqrt(self.position)
+
+    @property
+    def summary(self) -> str:
+        """Its amplitudes in words."""
+        first, second = self.shares
+        return (
+            f"{first:.3g} and {second:.3g} of the amplitude at once, for "
+            f"{in_ms(self.waveform.duration_s)}"
+        )
+
+    def tracks(self) -> tuple[Input, ...]:
+        """Return a track for each of both places; one that is silent is there all the same."""
+        # As amplitudes of tracks they count under every scaling; gains of single clips do not.
+        return tuple(
+            Input(
+                location=place,
+                clips=(
+                    Clip(
+                        onset_s=self.onset_s,
+                        waveform=self.waveform,
+                        label=f"{self.title} {k + 1}/2",
+                    ),
+                ),
+                amplitude=share * self.amplitude,
+            )
+            for k, (place, share) in enumerate(zip(self.path, self.shares, strict=True))
+        )
+
+
+# One waveform that moves along a path.
+
+OVERLAP = NumberSpec(
+    label="Overlap",
+    minimum=0.0,
+    maximum=1.0,
+    step=0.05,
+    hint="Part of the way between two places on which both play; 0 jumps, 1 glides all the time",
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sweep:
+    """One waveform that runs along a path while it plays.
+
+    Each leg of the path takes the same time.  On the middle part of it, the overlap, the place
+    behind fades out with cos(pi u / 2) and the one ahead fades in with sin(pi u / 2), u going
+    evenly from 0 to 1: the phantom's √(1-β) and √β with β = sin²(pi u / 2).  The sum of the
+    energies stays throughout, and what plays goes on without a break.
+
+    Attributes
+    ----------
+    path
+        Input places, in their order; no two after each other are the same.
+    waveform
+        What moves; its duration is that of the whole sweep.
+    overlap
+        Part of each leg on which both places play, 0 to 1.
+    amplitude
+        Of each track.
+    onset_s
+        When it starts.
+    """
+
+    title: ClassVar[str] = "Sweep"
+    law: ClassVar[str] = "Neighbours cross with √(1-β) and √β, each leg in the same time."
+    source: ClassVar[str] = (
+        "Energy of phantom sensations: Israr and Poupyrev, Tactile Brush, CHI 2011; equal legs "
+        "are this studio's choice."
+    )
+    limits: ClassVar[str] = (
+        "Legs of different length are passed at different speed. Between places of the palm the "
+        "waves of both meet in the skin, and add with their phases, not their energies; places "
+        "that feel it differently strong make it swell."
+    )
+
+    path: tuple[int, ...] = fields.field(PATH, (16, 18, 20))
+    waveform: Waveform = fields.field(WAVEFORM, Tone(200.0, duration_s=0.6))
+    overlap: float = fields.number(1.0, OVERLAP)
+    amplitude: float = fields.number(1.0, LEVEL)
+    onset_s: float = fields.number(0.0, START)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+        for here, there in pairwise(self.path):
+            if here == there:
+                raise InvalidInputError(
+                    f"Sweep.path goes from place {here} to {there}, expected another place; "
+                    "leave one of them out"
+                )
+
+    @property
+    def leg_s(self) -> float:
+        """From one place to the next."""
+        return self.waveform.duration_s / (len(self.path) - 1)
+
+    @property
+    def summary(self) -> str:
+        """Its times in words."""
+        return (
+            f"{len(self.path)} places in {in_ms(self.waveform.duration_s)}, {in_ms(self.leg_s)} "
+            f"from one to the next; two play for {in_ms(self.overlap * self.leg_s)} of that"
+        )
+
+    def tracks(self) -> tuple[Input, ...]:
+        """Return a track for each place."""
+        n = len(self.path)
+        return grouped(((self.path[k], self._clip(k, n)) for k in range(n)), self.amplitude)
+
+    def _clip(self, k: int, n: int) -> Clip:
+        cross_s = self.overlap * self.leg_s
+        begin_s = 0.0 if k == 0 else (k - 0.5) * self.leg_s - cross_s / 2
+        end_s = self.waveform.duration_s if k == n - 1 else (k + 0.5) * self.leg_s + cross_s / 2
+        return Clip(
+            onset_s=self.onset_s + begin_s,
+            waveform=self.waveform,
+            effects=(
+                Trim(start_s=begin_s, duration_s=end_s - begin_s),
+                Fade(
+                    in_s=cross_s if k > 0 else 0.0,
+                    out_s=cross_s if k < n - 1 else 0.0,
+                    shape="equal power",
+                ),
+            ),
+            label=f"{self.title} {k + 1}/{n}",
+        )
+
+
+# Taps along a path.
+
+TAPS = NumberSpec(
+    label="Taps", minimum=1, maximum=200, whole=True, hint="At each place before the next"
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TapSequence:
+    """The same number of taps at each place of a path, evenly spaced throughout.
+
+    Tap k, counted from 0 through all places, starts k times the spacing after the first.
+
+    Attributes
+    ----------
+    path
+        Input places, in their order.
+    waveform
+        The tap.
+    taps
+        How many there are at each place.
+    spacing_s
+        From the start of one tap to the start of the next, at the same place and from place to
+        place.
+    amplitude
+        Of each track.
+    onset_s
+        When the first tap starts.
+    """
+
+    title: ClassVar[str] = "Tap sequence"
+    law: ClassVar[str] = "Tap k starts k × spacing after the first, the same number at each place."
+    source: ClassVar[str] = (
+        "Geldard and Sherrick, The cutaneous “rabbit”: a perceptual illusion, Science 178, 1972; "
+        "range of times: Geldard, J. Invest. Dermatology 1985."
+    )
+    limits: ClassVar[str] = (
+        "From 20 to 260 ms between taps, taps are felt between the places, as if something hopped "
+        "along; slower ones stay where they are. Found on the arm: where the skin tells places "
+        "apart well, as on the palm and most of all at the fingertips, hops are short."
+    )
+
+    path: tuple[int, ...] = fields.field(PATH, (16, 18, 20))
+    waveform: Waveform = fields.field(WAVEFORM, Tap())
+    taps: int = fields.number(3, TAPS)
+    spacing_s: float = fields.number(0.06, SPACING)
+    amplitude: float = fields.number(1.0, LEVEL)
+    onset_s: float = fields.number(0.0, START)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    @property
+    def summary(self) -> str:
+        """Its times in words."""
+        n = self.taps * len(self.path)
+        whole_s = (n - 1) * self.spacing_s + self.waveform.duration_s
+        return f"{counted(n, 'tap')}, one every {in_ms(self.spacing_s)}; {in_ms(whole_s)} in all"
+
+    def tracks(self) -> tuple[Input, ...]:
+        """Return a track for each place."""
+        places = [place for place in self.path for _ in range(self.taps)]
+        clips = (
+            Clip(
+                onset_s=self.onset_s + k * self.spacing_s,
+                waveform=self.waveform,
+                label=f"{self.title} {k + 1}/{len(places)}",
+            )
+            for k in range(len(places))
+        )
+        return grouped(zip(places, clips, strict=True), self.amplitude)
+
+
+# One tone at all places, later and later in its phase.
+
+#: Waveforms with one frequency and a phase.
+_PERIODIC = (Tone, Square, Saw, Triangle)
+
+PERIODIC = RecipeSpec(
+    label="Waveform", kinds=lambda: _PERIODIC, hint="What plays at all places, with its phase"
+)
+DISTANCE = NumberSpec(
+    label="Distance",
+    unit="m",
+    minimum=0.0001,
+    maximum=1.0,
+    step=0.001,
+    hint="From one place to the next, as if all were equally far apart",
+)
+SPEED = NumberSpec(
+    label="Speed",
+    unit="m/s",
+    minimum=0.01,
+    maximum=1000.0,
+    step=0.05,
+    logarithmic=True,
+    hint="How fast the phase runs along the path",
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TravellingPhase:
+    """The same steady tone at all places at once, the phase lagging from place to place.
+
+    At place k it starts with the phase of the waveform less 2 pi frequency k distance / speed:
+    what a wave of this speed would have, that passes the places in their order.
+
+    Attributes
+    ----------
+    path
+        Input places, in their order.
+    waveform
+        A tone, square, saw or triangle wave.
+    distance_m
+        From one place to the next.
+    speed_m_s
+        Of the wave.
+    amplitude
+        Of each track.
+    onset_s
+        When all of them start.
+    """
+
+    title: ClassVar[str] = "Travelling phase"
+    law: ClassVar[str] = "At place k the phase lags by 2π × frequency × k × distance / speed."
+    source: ClassVar[str] = "Phase of a plane wave; the phased array of acoustics."
+    limits: ClassVar[str] = (
+        "The skin adds waves of its own, of 5 to 20 m/s and fading within centimetres, to the "
+        "phases of the actuators; whether a direction is felt is not known for the palm. Look at "
+        "the animation to see what runs where."
+    )
+
+    path: tuple[int, ...] = fields.field(PATH, (16, 18, 20))
+    waveform: Tone | Square | Saw | Triangle = fields.field(PERIODIC, Tone(100.0, duration_s=0.5))
+    distance_m: float = fields.number(0.02, DISTANCE)
+    speed_m_s: float = fields.number(5.0, SPEED)
+    amplitude: float = fields.number(1.0, LEVEL)
+    onset_s: float = fields.number(0.0, START)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    @property
+    def lag_turns(self) -> float:
+        """Turns by which the tone lags from one place to the next."""
+        return self.waveform.frequency_hz * self.distance_m / self.speed_m_s
+
+    @property
+    def summary(self) -> str:
+        """Its times in words."""
+        return (
+            f"{len(self.path)} places at once for {in_ms(self.waveform.duration_s)}, each "
+            f"{degrees(2 * pi * self.lag_turns):.4g}° behind the one before"
+        )
+
+    def tracks(self) -> tuple[Input, ...]:
+        """Return a track for each place."""
+        n = len(self.path)
+        clips = (
+            Clip(
+                onset_s=self.onset_s,
+                waveform=replace(self.waveform, phase_rad=self._phase_rad(k)),
+                label=f"{self.title} {k + 1}/{n}",
+            )
+            for k in range(n)
+        )
+        return grouped(zip(self.path, clips, strict=True), self.amplitude)
+
+    def _phase_rad(self, k: int) -> float:
+        if k == 0:
+            return self.waveform.phase_rad
+        lag = 2.0 * pi * remainder(k * self.lag_turns, 1.0)
+        return remainder(self.waveform.phase_rad - lag, 2.0 * pi)
+
+
+# Every kind of motion.
+
+#: Every kind of motion, in the order in which a user meets them.
+MOTIONS: tuple[type[Motion], ...] = (
+    Sweep,
+    ApparentMotion,
+    Alternation,
+    TapSequence,
+    TravellingPhase,
+    Phantom,
+)

@@ -1,0 +1,1 @@
+"""Presets, shipped and of the user."""

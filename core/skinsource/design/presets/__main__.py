@@ -1,0 +1,17 @@
+"""Writes the shipped presets to the data folder: ``python -m skinsource.design.presets``."""
+
+from skinsource.design.presets.presets import SUFFIX, save_preset, shipped_folder
+from skinsource.design.presets.shipped import SHIPPED
+
+
+def main() -> None:
+    """Write every file anew, and delete those of presets that are no more."""
+    folder = shipped_folder()
+    for old in folder.glob(f"*{SUFFIX}"):
+        old.unlink()
+    for preset in SHIPPED:
+        save_preset(folder, preset)
+
+
+if __name__ == "__main__":
+    main()

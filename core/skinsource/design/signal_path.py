@@ -1,0 +1,377 @@
+"""What a voice plays, written down."""
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.actuators.catalog import load, names
+from skinsource.actuators.equalising import (
+    PolePairReplacement,
+    RegularisedInverse,
+    followed_band,
+    net_velocity,
+)
+from skinsource.actuators.rigs import Rig
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import Band
+from skinsource.base.quoting import first_sentence
+from skinsource.design.clips import Clip
+from skinsource.design.effects import Effect, placed, played
+from skinsource.design.waveforms import Waveform
+
+Curve = tuple[tuple[float, float], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A waveform through its effects, somewhere in a chain.
+
+    Attributes
+    ----------
+    waveform, effects
+        What is played.
+    start
+        Sample of the chain at which its samples begin.
+    shift_s
+        How much later it starts itself: less than a sample.
+    gain
+        Factor.
+    """
+
+    waveform: Waveform
+    effects: tuple[Effect, ...] = ()
+    start: int = 0
+    shift_s: float = 0.0
+    gain: float = 1.0
+
+    @property
+    def title(self) -> str:
+        """Word for what is played."""
+        return self.waveform.title
+
+
+@dataclass(frozen=True, slots=True)
+class Chain:
+    """The way from recipes to a drive: a sum of parts, times a curve.
+
+    Equal chains play the same at one sample rate.
+
+    Attributes
+    ----------
+    parts
+        What sounds; the first sample of the earliest is sample 0.
+    curve
+        Breakpoints, s and factor, that all of it is multiplied with; none: nothing is.
+    curve_start
+        Sample of the curve's time at which the chain begins; 0 without a curve.
+    """
+
+    parts: tuple[Part, ...]
+    curve: Curve = ()
+    curve_start: int = 0
+    # Looked up several times for each edit, and as long to compute as there are parts.
+    _hash: int = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "_hash", hash((self.parts, self.curve, self.curve_start)))
+
+    def __hash__(self) -> int:
+        return self._hash
+
+    @property
+    def title(self) -> str:
+        """Words for what is played."""
+        return self.parts[0].title if len(self.parts) == 1 else f"{len(self.parts)} clips"
+
+
+# Sampled drives, far from over- and underflow.
+
+#: Largest sample of a drive or a response.  Far beyond it levels overflow, and NaN would come out.
+LARGEST = 1e30
+
+
+@dataclass(frozen=True, slots=True, eq=False, weakref_slot=True)
+class Drive:
+    """What a voice plays, scaled by a power of two so that its peak lies between 1 and 2.
+
+    Attributes
+    ----------
+    samples : (n_times,)
+        Scaled samples.
+    factor
+        The power of two that was divided out; nothing rounds.
+    """
+
+    samples: Floats
+    factor: float
+
+    @property
+    def silent(self) -> bool:
+        """Whether it holds nothing but zeros."""
+        return self.factor == 0.0
+
+
+def drive_played(
+    chain: Chain, sample_rate_hz: float, place: int, drawn: Callable[[Part], Floats]
+) -> Drive:
+    """Sum up what ``chain`` plays; its length is that of the samples.
+
+    Parameters
+    ----------
+    drawn
+        What each part plays before its gain, (n_times,).
+
+    Raises
+    ------
+    InvalidInputError
+        A part cannot be sampled, or a sample is not a usable number; the message names the place.
+    """
+    try:
+        pieces = [drawn(part) for part in chain.parts]
+    except InvalidInputError as error:
+        raise InvalidInputError(f"Input at place {place}, {chain.title}: {error}") from error
+    for part, piece in zip(chain.parts, pieces, strict=True):
+        _check(piece, part.title, place)
+    samples = _mixed(chain, sample_rate_hz, pieces)
+    if len(pieces) != 1 or samples is not pieces[0]:
+        _check(samples, chain.title, place)
+    return drive_of(samples)
+
+
+def _mixed(chain: Chain, sample_rate_hz: float, pieces: list[Floats]) -> Floats:
+    """Sum of the pieces of a chain, times their gains and the curve, (n_times,)."""
+    if len(pieces) == 1 and chain.parts[0].gain == 1.0 and not chain.curve:
+        return pieces[0]
+    placed = list(zip(chain.parts, pieces, strict=True))
+    total = np.zeros(max((part.start + piece.size for part, piece in placed), default=0))
+    for part, piece in placed:
+        total[part.start : part.start + piece.size] += part.gain * piece
+    if chain.curve:
+        time_s, factor = np.array(chain.curve).T
+        own_s = np.arange(chain.curve_start, chain.curve_start + total.size) / sample_rate_hz
+        total *= np.interp(own_s, time_s, factor)
+    return total
+
+
+def _check(samples: Floats, title: str, place: int) -> None:
+    bad = first_unusable(samples)
+    if bad is not None:
+        raise InvalidInputError(
+            f"Input at place {place}, {title}: sample {bad[0]} is {samples[bad]}, expected a "
+            f"finite number of at most {LARGEST:g}. Correct what the input plays, or mute it."
+        )
+
+
+def drive_of(samples: Floats) -> Drive:
+    """Scale ``samples`` by a power of two; all computing is then far from over- and underflow."""
+    peak = float(np.abs(samples).max(initial=0.0))
+    if peak == 0.0:
+        return Drive(samples, 0.0)
+    exponent = math.frexp(peak)[1] - 1
+    return Drive(np.ldexp(samples, -exponent), math.ldexp(1.0, exponent))
+
+
+def first_unusable(samples: Floats) -> tuple[int, ...] | None:
+    """Index of the first sample that is not finite or beyond `LARGEST`; None if all are sound."""
+    # NaN is the maximum of whatever holds it, and not less than anything.
+    if samples.size == 0 or np.abs(samples).max() <= LARGEST:
+        return None
+    return tuple(int(index) for index in np.argwhere(~(np.abs(samples) <= LARGEST))[0])
+
+
+# Drives that an actuator can follow.
+
+
+def refuse_unfollowed(
+    actuation: Actuation | None,
+    drive: Drive,
+    sample_rate_hz: float,
+    band_hz: Band | None,
+    place: int,
+) -> None:
+    """Refuse a drive that the equaliser refuses: one that leaves what it moves in motion.
+
+    Rate and band are those of the limb, None where its band is not known.
+
+    Raises
+    ------
+    InvalidInputError
+        It leaves a velocity; the message names the input place, and says what to do.
+    """
+    if actuation is None or actuation.equaliser is None:
+        return
+    lowest_hz = followed_band(band_hz, sample_rate_hz)[0]
+    found = net_velocity(drive.samples, sample_rate_hz, lowest_hz)
+    if not found.returns:
+        raise InvalidInputError(
+            f"Input at place {place} cannot be played through this actuator: it leaves a velocity, "
+            f"and {100.0 * found.share_below_band:.0f} % of its energy lies below {lowest_hz:g} "
+            "Hz. Choose a waveform whose velocity returns to zero, for a tap the 'Centred tap', or "
+            "let it fade in and out."
+        )
+
+
+# What a rig predicts through.
+
+
+def actuation_of_rig(
+    rig: Rig, equaliser: RegularisedInverse | PolePairReplacement | None = None
+) -> Actuation:
+    """Return the actuators of a rig, as they were measured, else as their models say.
+
+    Channels of which it is not known how they move are left out: nothing is predicted there.
+
+    Raises
+    ------
+    InvalidInputError
+        It is not known of any.
+    """
+    found = []
+    for one in rig.channels:
+        listed = load(one.actuator) if one.actuator in names() else None
+        model = one.moves_as if one.moves_as is not None else listed
+        if model is not None:
+            found.append(ActuatorAt(place=one.place, actuator=one.actuator, model=model))
+    if not found:
+        raise InvalidInputError(
+            "The rig does not say how any of its actuators moves. Measure one, or name one that "
+            "the library lists."
+        )
+    return Actuation(actuators=tuple(found), equaliser=equaliser, rig=rig.title or "rig")
+
+
+# From clips on a track to a chain, the sample at which it starts, and what it plays.
+
+
+def placed_chain(
+    clips: Iterable[Clip], gain_curve: Curve, sample_rate_hz: float
+) -> tuple[int, Chain]:
+    """Sample at which the first clip that sounds begins, and all of them from there on.
+
+    The order in which they are listed plays no part.
+    """
+    found = []
+    for one in clips:
+        if not one.muted:
+            at, shift_s = placed(one.waveform, one.effects, one.onset_s, sample_rate_hz)
+            found.append((at, shift_s, one.gain, one))
+    _put_in_order(found)
+    first = found[0][0] if found else 0
+    parts = tuple(
+        Part(one.waveform, tuple(effect for effect in one.effects if effect.on), at - first, *rest)
+        for at, *rest, one in found
+    )
+    return first, Chain(parts, gain_curve, first if gain_curve else 0)
+
+
+def drive_of_clips(
+    clips: Iterable[Clip], gain_curve: Curve, sample_rate_hz: float, place: int
+) -> tuple[int, Drive]:
+    """Sample at which the first clip that sounds begins, and what all play from there on.
+
+    Raises
+    ------
+    InvalidInputError
+        See `drive_played`, which names ``place``.
+    """
+    first, chain = placed_chain(clips, gain_curve, sample_rate_hz)
+
+    def drawn(part: Part) -> Floats:
+        return played(part.waveform, part.effects, sample_rate_hz, part.shift_s)
+
+    return first, drive_played(chain, sample_rate_hz, place, drawn)
+
+
+def _put_in_order(found: list[tuple[int, float, float, Clip]]) -> None:
+    """Sort by place and gain; what is alike in both by what it plays, in words.
+
+    Sums of three numbers depend on their order in the last digit.
+    """
+    found.sort(key=_where)
+    alike = len(found) - len(set(map(_where, found)))
+    if alike:
+        found.sort(key=lambda entry: (*_where(entry), repr(entry[3])))
+
+
+def _where(entry: tuple[int, float, float, Clip]) -> tuple[int, float, float]:
+    return entry[:3]
+
+
+# What sounds: all that the engine knows of a design's inputs.
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Voice:
+    """Something that plays at an input place.
+
+    Attributes
+    ----------
+    id
+        Tells voices apart.
+    location
+        Input place, 1, 2, 3, …
+    start
+        Sample at which it starts.
+    amplitude
+        Factor; what 1 means is a matter of scaling.
+    heard
+        Whether it takes part: neither muted nor beside a solo one.
+    chain
+        What it plays.
+    """
+
+    id: int
+    location: int
+    start: int
+    amplitude: float
+    heard: bool
+    chain: Chain
+
+    @property
+    def unit(self) -> "UnitVoice":
+        """The same without amplitude and start."""
+        return UnitVoice(self.chain, self.location)
+
+
+@dataclass(frozen=True, slots=True)
+class UnitVoice:
+    """A voice at amplitude 1 and start 0: what it plays, and where."""
+
+    chain: Chain
+    location: int
+
+
+@dataclass(frozen=True, slots=True)
+class UnplayableInput:
+    """An input that is heard and cannot be played.
+
+    Attributes
+    ----------
+    id
+        Tells inputs apart.
+    problem
+        Why, and what to do, as the error says it.
+    """
+
+    id: int
+    problem: str
+
+    @property
+    def sentence(self) -> str:
+        """Which input, and why."""
+        return first_sentence(self.problem)
+
+
+def unplayable_words(unplayable: Sequence[UnplayableInput]) -> str:
+    """One sentence on inputs that cannot be played; empty where there are none."""
+    if not unplayable:
+        return ""
+    words, more = unplayable[0].sentence, len(unplayable) - 1
+    if more == 0:
+        return words
+    others = "1 more input" if more == 1 else f"{more} more inputs"
+    return f"{words.removesuffix('.')}; {others} cannot be played either."

@@ -1,0 +1,220 @@
+"""What is looked at: an immutable value, saved with the design."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import MOST_PLACES, Axes
+from skinsource.base.quoting import quoted
+from skinsource.design import labels
+from skinsource.design.comparing import NUMBERS, Snapshot, shown
+from skinsource.design.design import Design
+from skinsource.limbs.own_limbs import outputs_on
+from skinsource.signals.analysis.windows import MOST_WINDOWS
+from skinsource.signals.loudest_window import Span
+from skinsource.signals.projection import Method
+from skinsource.specs import fields
+from skinsource.specs.fields import (
+    ChoiceSpec,
+    ListSpec,
+    NumberSpec,
+    PlainSpec,
+    Range,
+    RangeSpec,
+    RecipeSpec,
+    SwitchSpec,
+)
+from skinsource.specs.spec import Misfit
+
+#: A value of one field of a panel's settings.
+Plain = None | bool | int | float | str | tuple[float, ...]
+#: Settings of panels: (name of the panel, ((name of a field, its value), …)), by name.
+PanelFields = tuple[tuple[str, tuple[tuple[str, Plain], ...]], ...]
+
+
+def _choice_of(label: str, options: tuple[labels.Word, ...]) -> ChoiceSpec:
+    return ChoiceSpec(label=label, options=tuple((word.name, word.title) for word in options))
+
+
+AXES = _choice_of("Axes", labels.AXES)
+METHOD = _choice_of("Method", labels.METHODS)
+SPAN = _choice_of("Levels", labels.SPANS)
+OUTPUTS = ListSpec(
+    label="Outputs",
+    of=NumberSpec(label="Output", minimum=1, maximum=MOST_PLACES, whole=True),
+    most=MOST_PLACES,
+    different=True,
+)
+SELECTED_INPUTS = ListSpec(
+    label="Selected inputs",
+    of=NumberSpec(label="Id of an input", minimum=1, maximum=2**31 - 1, whole=True),
+    different=True,
+)
+SELECTED_CLIPS = ListSpec(
+    label="Selected clips",
+    of=NumberSpec(label="Id of a clip", minimum=1, maximum=2**31 - 1, whole=True),
+    most=100_000,
+    different=True,
+)
+PLAYHEAD = NumberSpec(label="Playhead", unit="s", minimum=0.0, maximum=1e6)
+SLOW_MOTION = NumberSpec(
+    label="Slow motion",
+    minimum=1.0,
+    maximum=200.0,
+    hint="How many times slower than it happens it is played; only at 1 can it be heard",
+)
+DELAY_REMOVED = SwitchSpec(label="Remove pre-trigger delay")
+TIME_RANGE = RangeSpec(label="Zoom of time axes", unit="s")
+WINDOWS_CUT = ChoiceSpec(
+    label="Windows",
+    options=(("count", "By number"), ("length", "By length")),
+    hint="How the response is cut into windows that follow each other",
+)
+WINDOW_COUNT = NumberSpec(
+    label="Number",
+    minimum=1,
+    maximum=MOST_WINDOWS,
+    whole=True,
+    hint="Into how many windows the stimulus is cut",
+)
+WINDOW_LENGTH = NumberSpec(
+    label="Length",
+    unit="s",
+    minimum=0.005,
+    maximum=60.0,
+    step=0.005,
+    hint="How long each window is",
+)
+PANELS = PlainSpec(label="Settings of panels")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SnapshotSpec(RecipeSpec):
+    """A snapshot: it was looked through when it was made, and cannot have changed since.
+
+    A view is made anew at each look.
+    """
+
+    def checked(self, value: Any) -> Any:
+        """Return ``value`` itself."""
+        if not isinstance(value, Snapshot):
+            raise Misfit("a Snapshot")
+        return value
+
+
+SNAPSHOTS = ListSpec(
+    label="Snapshots",
+    of=SnapshotSpec(label="Snapshot", kinds=lambda: (Snapshot,)),
+    most=1 + len(NUMBERS),
+)
+LEVELS_MATCHED = SwitchSpec(
+    label="Match levels", hint="Snapshots are shown as loud as each other at the loudest output"
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class View:
+    """What is looked at.
+
+    Attributes
+    ----------
+    axes, method
+        See `skinsource.project_axes`.
+    span
+        What levels average over: ``"record"``, the whole response, or its ``"loudest"`` window.
+    outputs
+        Selected outputs, from 1, in the order in which they were selected; the limb says which
+        it has, see `Limb.n_outputs`.
+    selected_inputs
+        Ids of the selected inputs; the one that was selected last stands last.  An id that no
+        input of the design has selects nothing.
+    selected_clips
+        Ids of the selected clips, the last one last.  Where none of a selected input is, the first
+        one that it lists stands for it.
+    playhead_s
+        Where the playhead stands.
+    slow_motion
+        How many times slower than it happens it is played.
+    delay_removed
+        Whether time axes are shifted by the pre-trigger delay of the responses.
+    time_range_s
+        Zoom of time axes; ``None``: everything.
+    windows_cut, window_count, window_s
+        Whether the response is cut into as many windows as ``window_count``, or into windows as
+        long as ``window_s``: see `skinsource.signals.analysis.windows.windows_over`.
+    snapshots
+        Designs to compare with, each under a number of its own; the one that was stored or shown
+        last stands last.
+    levels_matched
+        Whether they are shown and played as loud as each other; exports never are.
+    panels
+        What only one panel looks at, see `skinsource.design.panel_settings`.
+    """
+
+    axes: Axes = fields.choice("xyz", AXES)
+    method: Method = fields.choice("pca", METHOD)
+    span: Span = fields.choice("record", SPAN)
+    outputs: tuple[int, ...] = fields.field(OUTPUTS, (29, 52))
+    selected_inputs: tuple[int, ...] = fields.field(SELECTED_INPUTS, (1,))
+    selected_clips: tuple[int, ...] = fields.field(SELECTED_CLIPS, ())
+    playhead_s: float = fields.number(0.0, PLAYHEAD)
+    slow_motion: float = fields.number(1.0, SLOW_MOTION)
+    delay_removed: bool = fields.switch(False, DELAY_REMOVED)
+    time_range_s: Range | None = fields.interval(None, TIME_RANGE)
+    windows_cut: str = fields.choice("count", WINDOWS_CUT)
+    window_count: int = fields.number(5, WINDOW_COUNT)
+    window_s: float = fields.number(0.12, WINDOW_LENGTH)
+    snapshots: tuple[Snapshot, ...] = fields.field(SNAPSHOTS, ())
+    levels_matched: bool = fields.switch(False, LEVELS_MATCHED)
+    panels: PanelFields = fields.field(PANELS, ())
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+        numbers = [one.number for one in self.snapshots]
+        if len(set(numbers)) < len(numbers):
+            raise InvalidInputError(
+                f"View.snapshots have the numbers {numbers}, expected different ones"
+            )
+        if not _is_table(self.panels) or not all(_is_table(held) for _, held in self.panels):
+            raise InvalidInputError(
+                f"View.panels is {quoted(self.panels)}, expected pairs of a panel's name and its "
+                "fields, each once"
+            )
+        in_order = tuple((name, tuple(sorted(held))) for name, held in sorted(self.panels))
+        # What is as it was keeps its identity, by which panels find their settings again.
+        if in_order != self.panels:
+            object.__setattr__(self, "panels", in_order)
+
+    def match_gain(self, design: Design) -> float:
+        """Factor with which the skin is shown, and the stimulus played, while ``design`` is shown.
+
+        It is that of the snapshot that ``design`` is: what is edited is shown as it is.
+        """
+        held = shown(self.snapshots, design) if self.levels_matched else None
+        return 1.0 if held is None else held.gain
+
+    @property
+    def selected_input(self) -> int | None:
+        """Id of the input that was selected last, or None."""
+        return self.selected_inputs[-1] if self.selected_inputs else None
+
+    @property
+    def selected_clip(self) -> int | None:
+        """Id of the clip that was selected last, or None."""
+        return self.selected_clips[-1] if self.selected_clips else None
+
+
+def _is_table(pairs: Any) -> bool:
+    """Whether these are pairs of a name and something, and no name stands there twice."""
+    if not isinstance(pairs, tuple):
+        return False
+    if not all(isinstance(pair, tuple) and len(pair) == 2 for pair in pairs):
+        return False
+    names = [name for name, _ in pairs]
+    return all(isinstance(name, str) and name for name in names) and len(set(names)) == len(names)
+
+
+def view_on(limb: str, view: View) -> View:
+    """A view as it can be looked at on a limb: of its outputs, those that the limb has."""
+    outputs = outputs_on(limb, view.outputs)
+    return view if outputs == view.outputs else replace(view, outputs=outputs)

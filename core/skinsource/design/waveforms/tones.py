@@ -1,0 +1,472 @@
+"""A sine burst."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from decimal import Decimal, localcontext
+from itertools import pairwise
+from math import ceil, pi
+from typing import Any, ClassVar, Literal, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import BAND_HZ
+from skinsource.design.waveform import DURATION, LONGEST_S, WINDOW, take_lists
+from skinsource.signals.generators import WindowName, sample_count, sinusoid
+from skinsource.signals.sampling import shift_of, turns
+from skinsource.signals.synthesis import (
+    DIGITS,
+    bent_turns,
+    burst,
+    linear_sweep_turns,
+    logarithmic_sweep_turns,
+    refuse_aliases,
+    sampled_series,
+)
+from skinsource.specs import fields
+from skinsource.specs.fields import ChoiceSpec, NumberSpec, PointsSpec
+
+FREQUENCY = NumberSpec(
+    label="Frequency",
+    unit="Hz",
+    minimum=0.01,
+    maximum=100_000.0,
+    step=0.02,
+    logarithmic=True,
+    below_half_rate=True,
+    felt_hz=BAND_HZ,
+)
+PHASE = NumberSpec(
+    label="Phase", unit="rad", minimum=-2 * pi, maximum=2 * pi, step=pi / 36, hint="Phase at onset"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Tone:
+    """A sine burst.
+
+    Attributes
+    ----------
+    frequency_hz, phase_rad, duration_s
+        Frequency (25 to 600 Hz is the measured band; it must be below half the sample rate of
+        the limb), phase at onset, length.
+    window
+        ``"none"``, ``"tukey"`` or ``"hanning"``.
+    """
+
+    title: ClassVar[str] = "Tone"
+
+    frequency_hz: float = fields.number(100.0, FREQUENCY)
+    phase_rad: float = fields.number(0.0, PHASE)
+    duration_s: float = fields.number(0.2, DURATION)
+    window: WindowName = fields.choice("tukey", WINDOW)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
+        """Drive, (n_times,), of peak 1."""
+        return sinusoid(
+            self.frequency_hz,
+            self.duration_s,
+            phase_rad=self.phase_rad,
+            window_name=self.window,
+            sample_rate_hz=sample_rate_hz,
+            shift_s=shift_s,
+        )
+
+
+# When the samples of a recipe lie.
+
+__all__ = ["count_of", "instants", "shift_of", "turns"]
+
+
+def count_of(duration_s: float, sample_rate_hz: float, shift_s: float) -> int:
+    """Samples that a recipe takes: one more where it does not start on one."""
+    return sample_count(duration_s, sample_rate_hz) + (shift_of(shift_s, sample_rate_hz) > 0.0)
+
+
+def instants(duration_s: float, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
+    """A recipe's own time at its samples, (n_times,), in s; the first is negative if shifted."""
+    n = count_of(duration_s, sample_rate_hz, shift_s)
+    return np.arange(n) / sample_rate_hz - shift_s
+
+
+# A tone that swells and fades.
+
+CARRIER = replace(FREQUENCY, label="Carrier")
+MODULATOR = replace(
+    FREQUENCY, label="Modulator", minimum=0.1, felt_hz=None, hint="How often it swells per second"
+)
+DEPTH = NumberSpec(
+    label="Depth", minimum=0.0, maximum=1.0, step=0.01, hint="1: down to silence; 0: a plain tone"
+)
+MODULATOR_PHASE = replace(
+    PHASE, label="Modulator phase", hint="Phase of the modulator at onset; π begins at the quietest"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class AmplitudeModulated:
+    """A tone whose amplitude is modulated by a sine.
+
+    (1 + depth cos(2 pi modulator t + modulator phase)) / (1 + depth)
+    sin(2 pi carrier t + phase): three lines, at the carrier and one modulator below and above.
+    Its loudest moments have peak 1.
+
+    Attributes
+    ----------
+    carrier_hz, modulator_hz
+        Frequencies; their sum must be below half the sample rate.
+    depth
+        0 to 1.
+    duration_s
+        Length, 0.001 to 600 s.
+    phase_rad, modulator_phase_rad
+        Phases at onset.
+    window
+        ``"none"``, ``"tukey"`` or ``"hanning"``.
+    """
+
+    title: ClassVar[str] = "Amplitude modulated"
+
+    carrier_hz: float = fields.number(200.0, CARRIER)
+    modulator_hz: float = fields.number(20.0, MODULATOR)
+    depth: float = fields.number(1.0, DEPTH)
+    duration_s: float = fields.number(0.2, DURATION)
+    phase_rad: float = fields.number(0.0, PHASE)
+    modulator_phase_rad: float = fields.number(0.0, MODULATOR_PHASE)
+    window: WindowName = fields.choice("none", WINDOW)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
+        """Drive, (n_times,), of peak 1."""
+        refuse_aliases("carrier_hz", self.carrier_hz, sample_rate_hz)
+        if self.depth:
+            highest_hz = self.carrier_hz + self.modulator_hz
+            refuse_aliases("carrier_hz + modulator_hz", highest_hz, sample_rate_hz)
+        n = count_of(self.duration_s, sample_rate_hz, shift_s)
+        found = turns(self.carrier_hz, n, sample_rate_hz, shift_s)
+        found *= 2.0 * pi
+        found += self.phase_rad
+        np.sin(found, out=found)
+        swell = turns(self.modulator_hz, n, sample_rate_hz, shift_s)
+        swell *= 2.0 * pi
+        swell += self.modulator_phase_rad
+        np.cos(swell, out=swell)
+        swell *= self.depth
+        swell += 1.0
+        found *= swell
+        found /= 1.0 + self.depth
+        return burst(found, self.window, sample_rate_hz, shift_s)
+
+
+# A tone that swings up and down.
+
+DEVIATION = NumberSpec(
+    label="Deviation",
+    unit="Hz",
+    minimum=0.0,
+    maximum=100_000.0,
+    step=5.0,
+    hint="How far the frequency swings to either side of the carrier",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class FrequencyModulated:
+    """A tone whose frequency is modulated by a sine.
+
+    sin(2 pi carrier t + phase + (deviation / modulator) (sin(2 pi modulator t + modulator phase)
+    - sin(modulator phase))): the frequency is carrier + deviation cos(2 pi modulator t +
+    modulator phase).  The lines beside the carrier, one modulator apart, have no end: by Carson's
+    rule 98 % of the energy lie within deviation + modulator of it, and what lies at or above half
+    the sample rate folds down, as with the formula sampled.
+
+    Attributes
+    ----------
+    carrier_hz, modulator_hz, deviation_hz
+        Frequency, swings per second, and how far they go; carrier + deviation, the highest
+        frequency that it passes, must be below half the sample rate.
+    duration_s
+        Length, 0.001 to 600 s.
+    phase_rad, modulator_phase_rad
+        Phases at onset.
+    window
+        ``"none"``, ``"tukey"`` or ``"hanning"``.
+
+    References
+    ----------
+    Carson, Notes on the theory of modulation, Proceedings of the IRE 10(1), 1922.
+    """
+
+    title: ClassVar[str] = "Frequency modulated"
+
+    carrier_hz: float = fields.number(200.0, CARRIER)
+    modulator_hz: float = fields.number(20.0, replace(MODULATOR, hint="Swings per second"))
+    deviation_hz: float = fields.number(50.0, DEVIATION)
+    duration_s: float = fields.number(0.2, DURATION)
+    phase_rad: float = fields.number(0.0, PHASE)
+    modulator_phase_rad: float = fields.number(
+        0.0, replace(MODULATOR_PHASE, hint="Phase of the modulator at onset; 0 begins highest")
+    )
+    window: WindowName = fields.choice("none", WINDOW)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
+        """Drive, (n_times,), of peak 1."""
+        refuse_aliases("carrier_hz", self.carrier_hz, sample_rate_hz)
+        refuse_aliases("modulator_hz", self.modulator_hz, sample_rate_hz)
+        highest_hz = self.carrier_hz + self.deviation_hz
+        refuse_aliases("carrier_hz + deviation_hz", highest_hz, sample_rate_hz)
+        n = count_of(self.duration_s, sample_rate_hz, shift_s)
+        swing = turns(self.modulator_hz, n, sample_rate_hz, shift_s)
+        # Of a small angle the sine is more exact, and the deviation may multiply it by thousands.
+        swing -= np.rint(swing)
+        swing *= 2.0 * pi
+        swing += self.modulator_phase_rad
+        np.sin(swing, out=swing)
+        swing -= np.sin(self.modulator_phase_rad)
+        swing *= self.deviation_hz / self.modulator_hz
+        found = turns(self.carrier_hz, n, sample_rate_hz, shift_s)
+        found *= 2.0 * pi
+        found += self.phase_rad
+        found += swing
+        return burst(np.sin(found, out=found), self.window, sample_rate_hz, shift_s)
+
+
+# A tone that rises or falls.
+
+Law = Literal["linear", "logarithmic"]
+
+START = replace(FREQUENCY, label="From", hint="Frequency at onset")
+END = replace(FREQUENCY, label="To", hint="Frequency at the end; a lower one falls")
+LAW = ChoiceSpec(
+    label="Law",
+    options=(("linear", "Linear"), ("logarithmic", "Logarithmic")),
+    hint="Linear: equal steps in Hz in equal times; logarithmic: equal factors",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Chirp:
+    """A sine whose frequency goes from f0 to f1 in the time T.
+
+    sin(2 pi p(t) + phase), with p(t) = f0 t + (f1 - f0) t² / 2T (linear: the frequency is
+    f0 + (f1 - f0) t / T), or p(t) = f0 T ((f1 / f0)^(t / T) - 1) / ln(f1 / f0) (logarithmic:
+    it is f0 (f1 / f0)^(t / T)).  The phase is wrong by less than 1e-12 rad at any time.
+
+    Attributes
+    ----------
+    start_hz, end_hz
+        f0 and f1, 0.01 Hz up to below half the sample rate; the end may be the lower one.
+    duration_s
+        T, 0.001 to 600 s.
+    law
+        ``"linear"`` or ``"logarithmic"``.
+    phase_rad
+        Phase at onset.
+    window
+        ``"none"``, ``"tukey"`` or ``"hanning"``.  None to begin with: it would take away the
+        first and the last frequencies.
+    """
+
+    title: ClassVar[str] = "Chirp"
+
+    # Part of the recipe, whatever the limb: so a file means that says no others.
+    start_hz: float = fields.number(BAND_HZ[0], START)
+    end_hz: float = fields.number(BAND_HZ[1], END)
+    duration_s: float = fields.number(1.0, DURATION)
+    law: Law = fields.choice("linear", LAW)
+    phase_rad: float = fields.number(0.0, PHASE)
+    window: WindowName = fields.choice("none", WINDOW)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
+        """Drive, (n_times,), of peak 1."""
+        refuse_aliases("start_hz", self.start_hz, sample_rate_hz)
+        refuse_aliases("end_hz", self.end_hz, sample_rate_hz)
+        n = count_of(self.duration_s, sample_rate_hz, shift_s)
+        if self.start_hz == self.end_hz:
+            found = turns(self.start_hz, n, sample_rate_hz, shift_s)
+        else:
+            swept = linear_sweep_turns if self.law == "linear" else logarithmic_sweep_turns
+            ends_hz = self.start_hz, self.end_hz
+            found = swept(ends_hz, self.duration_s, n, sample_rate_hz, shift_s)
+        found *= 2.0 * pi
+        found += self.phase_rad
+        return burst(np.sin(found, out=found), self.window, sample_rate_hz, shift_s)
+
+
+# A tone whose frequency and amplitude are drawn.
+
+#: Time, frequency, amplitude.
+Point = tuple[float, float, float]
+
+POINTS = PointsSpec(
+    label="Points",
+    columns=(
+        NumberSpec(label="Time", unit="s", minimum=0.0, maximum=LONGEST_S, step=0.01),
+        replace(FREQUENCY, minimum=0.0),
+        NumberSpec(label="Amplitude", minimum=0.0, maximum=1.0, step=0.05),
+    ),
+    most=2000,
+    hint="Frequency and amplitude go straight from each point to the next",
+)
+_SHORTEST_S = 0.001
+
+
+@dataclass(frozen=True, slots=True)
+class Glide:
+    """A sine whose frequency f(t) and amplitude a(t) go straight from point to point.
+
+    a(t) sin(2 pi p(t)), with p(t) the integral of f from 0 to t: piecewise a parabola, whose
+    turns are added up exactly, so that the phase is wrong by less than 1e-12 rad at any time.
+    Two points at one time are a step of frequency or amplitude; the phase never jumps.
+
+    Attributes
+    ----------
+    points
+        ((time in s, frequency in Hz, amplitude from 0 to 1), …), 2 to 2000 of them, times never
+        falling.  Before the first point its values hold; the last one, between 1 ms and 600 s,
+        ends the tone.  Frequencies are 0 Hz up to below half the sample rate.
+    """
+
+    title: ClassVar[str] = "Glide"
+
+    points: tuple[Point, ...] = fields.field(
+        POINTS, ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0), (0.4, 240.0, 1.0), (0.5, 240.0, 0.0))
+    )
+
+    def __post_init__(self) -> None:
+        take_lists(self, "points")
+        fields.check(self)
+        if self.duration_s < _SHORTEST_S:
+            raise InvalidInputError(
+                f"Glide.points end at {self.duration_s:g} s, expected a last time of at least "
+                f"{_SHORTEST_S:g} s"
+            )
+
+    @property
+    def duration_s(self) -> float:
+        """Time of the last point."""
+        return self.points[-1][0]
+
+    @classmethod
+    def like(cls, waveform: Any) -> "Glide":
+        """A glide with the frequency of a waveform that has one, or two, and with its length."""
+        low_hz: Any = getattr(waveform, "start_hz", getattr(waveform, "frequency_hz", None))
+        high_hz: Any = getattr(waveform, "end_hz", low_hz)
+        if low_hz is None or waveform.duration_s < _SHORTEST_S:
+            return cls()
+        return cls(((0.0, low_hz, 1.0), (waveform.duration_s, high_hz, 1.0)))
+
+    def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
+        """Drive, (n_times,), within the drawn amplitude of peak 1 or less."""
+        refuse_aliases("frequency_hz", max(hz for _, hz, _ in self.points), sample_rate_hz)
+        n = count_of(self.duration_s, sample_rate_hz, shift_s)
+        found = np.zeros(n)
+        rate, shift = Decimal(sample_rate_hz), Decimal(shift_s)
+        turned = Decimal(0)
+        first = 1 if shift_s else 0
+        for before, after in pairwise(((0.0, *self.points[0][1:]), *self.points)):
+            with localcontext(prec=DIGITS):
+                (start, low, _), (end, high, _) = (map(Decimal, one) for one in (before, after))
+                began, until = turned, min(ceil((end + shift) * rate), n)
+                turned = (turned + (low + high) / 2 * (end - start)) % 1
+                if until <= first:
+                    continue
+                course = low, (high - low) / (end - start), first / rate - shift - start
+            found[first:until] = _stretch(
+                began, course, (before, after), until - first, sample_rate_hz
+            )
+            first = until
+        return found
+
+
+def _stretch(
+    turned: Decimal,
+    course: tuple[Decimal, Decimal, Decimal],
+    ends: tuple[Point, Point],
+    n: int,
+    rate_hz: float,
+) -> NDArray[np.float64]:
+    """Samples between two points, from the time ``course[2]`` after the first on, (n,)."""
+    low, slope, since = course
+    (start_s, _, low_level), (end_s, _, high_level) = ends
+    part = (float(since) + np.arange(n) / rate_hz) / (end_s - start_s)
+    level = low_level + (high_level - low_level) * np.clip(part, 0.0, 1.0)
+    return level * np.sin(2.0 * pi * bent_turns(turned, low, slope, since, n, rate_hz))
+
+
+# A burst of a wave that is made of its harmonics.
+
+
+class PeriodicBurst(Protocol):
+    """The fields that such recipes have in common."""
+
+    @property
+    def frequency_hz(self) -> float:
+        """How often it repeats in a second."""
+        ...
+
+    @property
+    def duration_s(self) -> float:
+        """Length of the burst."""
+        ...
+
+    @property
+    def phase_rad(self) -> float:
+        """Phase of the first harmonic at onset."""
+        ...
+
+    @property
+    def window(self) -> WindowName:
+        """How the burst fades."""
+        ...
+
+
+def harmonic_burst(
+    recipe: PeriodicBurst,
+    series: Callable[[Floats], Complexes],
+    sample_rate_hz: float,
+    shift_s: float,
+    *,
+    mean: float = 0.0,
+) -> Floats:
+    """Cut a burst out of a periodic wave, (n_times,).
+
+    Parameters
+    ----------
+    recipe
+        Says how often the wave repeats, where it begins, how long it lasts, and how it fades.
+    series, mean
+        Coefficients of its harmonics, and what it swings about: see
+        `skinsource.signals.synthesis.sampled_series`.
+    sample_rate_hz, shift_s
+        As for each recipe's ``samples``.
+
+    Raises
+    ------
+    InvalidInputError
+        The frequency is not below half the sample rate.
+    """
+    refuse_aliases("frequency_hz", recipe.frequency_hz, sample_rate_hz)
+    found = sampled_series(
+        series,
+        recipe.frequency_hz,
+        recipe.phase_rad,
+        count_of(recipe.duration_s, sample_rate_hz, shift_s),
+        sample_rate_hz,
+        shift_s,
+        mean=mean,
+    )
+    return burst(found, recipe.window, sample_rate_hz, shift_s)

@@ -1,0 +1,382 @@
+"""What only the panel of the actuator looks at."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.actuators.actuator import Actuator
+from skinsource.actuators.catalog import ActuatorProfile, names, profile, shape_names
+from skinsource.actuators.equalising import (
+    BOOST,
+    NEW_QUALITY,
+    PHASE,
+    Equaliser,
+    PolePairReplacement,
+    RegularisedInverse,
+    equalised,
+    followed_band,
+    net_velocity,
+    resonance_of,
+)
+from skinsource.actuators.measured_response import MeasuredResponse
+from skinsource.actuators.prediction import Prediction, duty_of, predicted
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import BAND_HZ, Band
+from skinsource.engine.gains import Placed
+from skinsource.specs import fields
+from skinsource.specs.fields import (
+    ChoiceSpec,
+    NumberSpec,
+    PlainSpec,
+    Range,
+    RangeSpec,
+    TextSpec,
+    specs_of,
+)
+
+ACTUATOR = TextSpec(label="Actuator", longest=100, one_line=True)
+#: Stands in place of a listed name for a response that was measured.
+MEASURED = "measured"
+_TITLE = "Measured response"
+# A view keeps no more parts for a panel.
+_MOST_POINTS = 2000
+POINTS = PlainSpec(label=_TITLE)
+FROM = TextSpec(label="Measured as", longest=100, one_line=True)
+PARAMETERS = PlainSpec(label="Changed parameters")
+EQUALISER = ChoiceSpec(
+    label="Equaliser",
+    options=(
+        ("inverse", "Regularised inverse"),
+        ("pole_pair", "Pole-pair replacement"),
+        ("none", "None"),
+    ),
+    hint="What makes the actuator move as the design says",
+)
+STRENGTH = NumberSpec(
+    label="Amplitude 1 is",
+    unit="m/s²",
+    minimum=1e-3,
+    maximum=1e3,
+    step=0.02,
+    logarithmic=True,
+    hint="Acceleration of the contactor that an amplitude of 1 asks for",
+)
+VOLTS = NumberSpec(
+    label="Amplitude 1 is",
+    unit="V",
+    minimum=1e-3,
+    maximum=1e3,
+    step=0.02,
+    logarithmic=True,
+    hint="Voltage that an amplitude of 1 puts on the actuator",
+)
+PICTURE = ChoiceSpec(
+    label="Picture", options=(("response", "Response"), ("step", "Step")), hint="Over what"
+)
+LAYOUT = ChoiceSpec(label="Layout", options=(("overlaid", "Overlaid"), ("stacked", "Stacked")))
+ZOOM = RangeSpec(label="Zoom")
+USUAL = "example-voice-coil"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ActuatorSettings:
+    """Which actuator and equaliser are looked at.
+
+    Attributes
+    ----------
+    actuator
+        A name of `skinsource.actuators.names` or ``shape_names``, or ``"measured"``.
+    measured, measured_from
+        Points of a response that was measured, (Hz, m/s² per V, rad) each, and its title.
+    parameters
+        What was changed of it: pairs of a field of the model and its value.
+    equaliser
+        ``"inverse"``, ``"pole_pair"`` or ``"none"``.
+    boost_db, phase, new_quality
+        See the equalisers.
+    strength_m_per_s2, volts
+        What an amplitude of 1 asks for, with an equaliser and without.
+    picture
+        ``"response"`` over frequency or ``"step"`` over time.
+    layout, zoom
+        How curves are drawn.
+    """
+
+    actuator: str = fields.text(USUAL, ACTUATOR)
+    measured: Any = fields.field(POINTS, ())
+    measured_from: str = fields.text("", FROM)
+    parameters: Any = fields.field(PARAMETERS, ())
+    equaliser: str = fields.choice("inverse", EQUALISER)
+    boost_db: float = fields.number(20.0, BOOST)
+    phase: str = fields.choice("linear", PHASE)
+    new_quality: float = fields.number(0.7, NEW_QUALITY)
+    strength_m_per_s2: float = fields.number(1.0, STRENGTH)
+    volts: float = fields.number(1.0, VOLTS)
+    picture: str = fields.choice("response", PICTURE)
+    layout: str = fields.choice("overlaid", LAYOUT)
+    zoom: Range | None = fields.interval(None, ZOOM)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    @property
+    def profile(self) -> ActuatorProfile:
+        """What the library knows of the actuator; the usual one where its name is not known."""
+        if self.actuator == MEASURED:
+            found = _measured(self.measured, self.measured_from)
+            if found is not None:
+                return found
+        known = self.actuator in (*names(), *shape_names())
+        return profile(self.actuator if known else USUAL)
+
+    @property
+    def measured_title(self) -> str:
+        """What the response that was measured is called; "" where none can be looked at."""
+        found = _measured(self.measured, self.measured_from)
+        return "" if found is None else found.title
+
+    @property
+    def model(self) -> Actuator | None:
+        """The model with what was changed; None where there is a shape only."""
+        published = self.profile.model
+        if not isinstance(published, Actuator):
+            return None
+        try:
+            return replace(published, **dict(self.parameters))
+        except (InvalidInputError, TypeError, ValueError):
+            # Of another actuator, or of a newer studio.
+            return published
+
+    def made(self, model: Actuator) -> Equaliser | None:
+        """The equaliser for a model; None where there is none."""
+        if self.equaliser == "inverse":
+            return RegularisedInverse(self.boost_db, self.phase)
+        if self.equaliser == "pole_pair":
+            return PolePairReplacement(*resonance_of(model), self.new_quality)
+        return None
+
+    def with_measured(self, found: MeasuredResponse, title: str) -> "ActuatorSettings":
+        """Look at all of a response that was measured; of very many points, at some."""
+        step = -(-len(found.points) // _MOST_POINTS)
+        points = found.points[::step]
+        return replace(
+            self,
+            actuator=MEASURED,
+            measured=points,
+            measured_from=title,
+            parameters=(),
+            zoom=None,
+        )
+
+    def with_parameter(self, name: str, value: float) -> "ActuatorSettings":
+        """Another value of one field of the model; what is as published is not kept."""
+        changed: dict[str, float] = dict(self.parameters)
+        changed.pop(name, None)
+        if getattr(self.profile.model, name) != value:
+            changed[name] = value
+        return replace(self, parameters=tuple(changed.items()))
+
+
+@lru_cache(maxsize=8)
+def _measured(points: Any, title: str) -> ActuatorProfile | None:
+    """What is known of a response that was measured; None where it is none."""
+    try:
+        model = MeasuredResponse(points)
+    except (InvalidInputError, TypeError, ValueError, IndexError):
+        # Of a newer studio, or written by hand.
+        return None
+    return ActuatorProfile(
+        title=title or _TITLE,
+        source=f"{len(model.points)} points that were measured, from {model.points[0][0]:.4g} to "
+        f"{model.points[-1][0]:.4g} Hz.",
+        calibration="As far as the measurement is; the current is not known.",
+        gain_calibrated=True,
+        model=model,
+    )
+
+
+def actuator_spec(measured: str = "") -> ChoiceSpec:
+    """The actuators that can be chosen: complete ones first, then ``measured`` if there is one."""
+    moving = tuple((name, profile(name).title) for name in names())
+    shapes = tuple((name, f"{profile(name).title} (shape)") for name in shape_names())
+    own = ((MEASURED, f"{measured} (measured)"),) if measured else ()
+    return ChoiceSpec(
+        label="Actuator",
+        options=(*moving, *own, *shapes),
+        hint="Of shapes only the resonance is known: nothing is predicted in volts",
+    )
+
+
+# What a design asks of an actuator.
+
+#: A longer drive is looked at where it is strongest, for so many seconds.
+LONGEST_S = 1.0
+# Fine enough for figures that are read; exports are checked at 48 kHz.
+_LEAST_RATE_HZ = 20_000
+_SHAPE = "Too little is known of this actuator to predict volts."
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Demand:
+    """Figures of one place.
+
+    Attributes
+    ----------
+    place
+        Its number; None where nothing plays.
+    part
+        Whether only the strongest part of a long drive was looked at.
+    figures
+        What is predicted; None where the drive is refused.
+    refusal
+        Why there are no figures, or "".
+    leaves_velocity
+        Whether that is because the drive leaves a velocity.
+    """
+
+    place: int | None
+    part: bool = False
+    figures: Prediction | None = None
+    refusal: str = ""
+    leaves_velocity: bool = False
+
+
+def place_looked_at(placed: Sequence[Placed], selected_input: int | None) -> int | None:
+    """Place of the selected input, else of the first that plays."""
+    for one in placed:
+        if one.voice.id == selected_input:
+            return one.voice.location
+    return placed[0].voice.location if placed else None
+
+
+def drive_at(placed: Sequence[Placed], place: int) -> Floats:
+    """All that is played at a place, (n_times,), from time 0 on."""
+    here = [one for one in placed if one.voice.location == place]
+    total = np.zeros(max((one.end for one in here), default=0))
+    for one in here:
+        factor = one.voice.amplitude * one.drive.factor
+        if factor:
+            total[one.start : one.end] += factor * one.drive.samples
+    return total
+
+
+def demand_of(
+    settings: ActuatorSettings,
+    placed: Sequence[Placed],
+    selected_input: int | None,
+    sample_rate_hz: float,
+    band_hz: Band | None = BAND_HZ,
+) -> Demand:
+    """What the place that is looked at asks for.
+
+    Parameters
+    ----------
+    settings
+        Actuator and equaliser, and what an amplitude of 1 is.
+    placed
+        What plays where, in order of time.
+    selected_input
+        Its place is looked at, else the first that plays.
+    sample_rate_hz
+        Of the drives, Hz.
+    band_hz
+        Of the limb; None: not known.
+    """
+    place, model = place_looked_at(placed, selected_input), settings.model
+    if place is None:
+        return Demand(place=None)
+    if model is None:
+        return Demand(place=place, refusal=_SHAPE)
+    drive = drive_at(placed, place)
+    shown, band = strongest(drive, sample_rate_hz), followed_band(band_hz, sample_rate_hz)
+    part = shown.size < drive.size
+    try:
+        equaliser = settings.made(model)
+        if equaliser is None:
+            voltage = settings.volts * shown
+        else:
+            asked = settings.strength_m_per_s2 * shown
+            voltage = equalised(
+                asked, sample_rate_hz, model, equaliser, band_hz=band, lead_s=0.1, tail_s=0.1
+            )
+        (found,) = predicted(
+            voltage,
+            int(sample_rate_hz),
+            model,
+            thermal=settings.profile.thermal,
+            least_rate_hz=-(-_LEAST_RATE_HZ // int(sample_rate_hz)) * int(sample_rate_hz),
+        )
+    except InvalidInputError as error:
+        rest = net_velocity(shown, sample_rate_hz, band[0])
+        left = settings.equaliser != "none" and not rest.returns
+        words = str(error)
+        refusal = f"{words[:1].upper()}{words[1:]}"
+        return Demand(place=place, part=part, refusal=refusal, leaves_velocity=left)
+    # Of the drive itself: what the filter rings for before and after is no part of the design.
+    found = replace(found, duty=duty_of(drive, sample_rate_hz))
+    return Demand(place=place, part=part, figures=found)
+
+
+def strongest(drive: Floats, sample_rate_hz: float) -> Floats:
+    """The drive, or where it is long the part around its peak."""
+    most = int(LONGEST_S * sample_rate_hz)
+    if drive.size <= most:
+        return drive if drive.size else np.zeros(1)
+    start = min(max(int(np.abs(drive).argmax()) - most // 2, 0), drive.size - most)
+    return drive[start : start + most]
+
+
+# Between what is looked at and what a design is predicted through.
+
+
+def actuation_of(settings: ActuatorSettings) -> Actuation | None:
+    """What predictions go through under these settings; None for a shape."""
+    model: Any = settings.model
+    if model is None:
+        return None
+    equaliser: Any = settings.made(model)
+    one = ActuatorAt(actuator=settings.profile.title, model=model)
+    return Actuation(actuators=(one,), equaliser=equaliser)
+
+
+def settings_through(settings: ActuatorSettings, actuated: Actuation | None) -> ActuatorSettings:
+    """The settings that stand for what a design is predicted through.
+
+    As they were where it is not, or goes through what no settings stand for.
+    """
+    if actuated is None or len(actuated.actuators) > 1:
+        return settings
+    (one,) = actuated.actuators
+    if isinstance(one.model, MeasuredResponse):
+        found = settings.with_measured(one.model, one.actuator)
+        found = replace(found, **_of(actuated.equaliser))
+        return found if actuation_of(found) == actuated else settings
+    listed = next((name for name in names() if profile(name).title == one.actuator), None)
+    if listed is None or type(profile(listed).model) is not type(one.model):
+        return settings
+    before = profile(listed).model
+    changed = tuple(
+        (name, getattr(one.model, name))
+        for name in specs_of(one.model)
+        if getattr(one.model, name) != getattr(before, name)
+    )
+    found = replace(settings, actuator=listed, parameters=changed, **_of(actuated.equaliser))
+    # The same values in another order are the same settings.
+    if dict(found.parameters) == dict(settings.parameters):
+        found = replace(found, parameters=settings.parameters)
+    return found if actuation_of(found) == actuated else settings
+
+
+def _of(equaliser: Equaliser | None) -> dict[str, Any]:
+    """Settings of an equaliser."""
+    if isinstance(equaliser, RegularisedInverse):
+        phase, boost_db = equaliser.phase, equaliser.boost_db
+        return {"equaliser": "inverse", "boost_db": boost_db, "phase": phase}
+    if isinstance(equaliser, PolePairReplacement):
+        return {"equaliser": "pole_pair", "new_quality": equaliser.new_quality}
+    return {"equaliser": "none"}

@@ -1,0 +1,812 @@
+"""Rules from drives to what they ask of the actuator that is looked at."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import scipy
+
+from skinsource.actuators.actuation import Actuation, transfers_of
+from skinsource.base.arrays import Floats
+from skinsource.base.job import Stop, stop_if
+from skinsource.base.published import Band
+from skinsource.design.panel_settings import SpectrogramSettings, settings_of
+from skinsource.design.signal_path import Drive, UnplayableInput, Voice, unplayable_words
+from skinsource.design.view import View
+from skinsource.engine import level_rules
+from skinsource.engine.actuator_demand import (
+    ActuatorSettings,
+    Demand,
+    actuation_of,
+    demand_of,
+    settings_through,
+)
+from skinsource.engine.gains import Placed, Responses
+from skinsource.engine.moments import Moments, Projection
+from skinsource.engine.spectra import TotalSpectrum
+from skinsource.engine.streaming import (
+    StreamedVibration,
+    Vibration,
+    loudest_energies,
+    loudest_energies_streamed,
+)
+from skinsource.engine.transforms import Played, forward
+from skinsource.limbs.limb import PUBLISHED, Limb
+from skinsource.limbs.scaling import Scaling, per_probe_acceleration
+from skinsource.limbs.surface.operator import SurfaceOperator
+from skinsource.perception.hand_arm import weighted_rms
+from skinsource.perception.sensation import sensation_magnitude, site_offsets_db
+from skinsource.perception.thresholds import (
+    CHANNELS,
+    PerceptionSettings,
+    table_threshold,
+    threshold_rms,
+)
+from skinsource.perception.validity import (
+    SPATIAL_LIMIT_HZ,
+    Finding,
+    Findings,
+    are_probe_accelerations,
+    fastest_probe,
+    found_in_drives,
+    found_in_outputs,
+    found_in_setup,
+)
+from skinsource.signals.analysis.noise import (
+    LEAST_ABOVE_NOISE_DB,
+    noise_rms,
+    predicted_noise_energy,
+    tells_noise,
+    windowed_noise_energy,
+)
+from skinsource.signals.analysis.spectrogram import Spectrogram, spectrogram
+from skinsource.signals.analysis.statistics import (
+    Statistics,
+    band_rms,
+    crest_factor,
+    dominant_frequency,
+    onset_time,
+)
+from skinsource.signals.analysis.transfer import Transfer, transfer_function
+from skinsource.signals.analysis.wave_speed import (
+    TravellingWave,
+    line_distances_mm,
+    straightness,
+    travelling_wave,
+)
+from skinsource.signals.analysis.windows import Windows
+from skinsource.signals.loudest_window import Span, window_samples
+from skinsource.signals.projection import MainAxes, main_axes
+
+
+def actuator_looked_at(
+    actuator_settings: ActuatorSettings, actuation: Actuation | None
+) -> ActuatorSettings:
+    """Actuator and equaliser, and what an amplitude of 1 is; not how they are drawn."""
+    found = settings_through(actuator_settings, actuation)
+    if actuation is not None and actuation == actuation_of(found):
+        # Amplitudes are what the contactor, or the coil, gets.
+        found = replace(found, strength_m_per_s2=1.0, volts=1.0)
+    usual = ActuatorSettings()
+    return replace(found, picture=usual.picture, layout=usual.layout, zoom=None)
+
+
+def actuator_demand(
+    sampled_voices: tuple[Placed, ...],
+    selected_input: int | None,
+    sample_rate_hz: float,
+    band_hz: Band | None,
+    actuator_looked_at: ActuatorSettings,
+) -> Demand:
+    """What the place of the selected input asks of the actuator."""
+    return demand_of(actuator_looked_at, sampled_voices, selected_input, sample_rate_hz, band_hz)
+
+
+ACTUATOR_RULES = (actuator_looked_at, actuator_demand)
+
+
+# Rules from the noise of responses to that in predictions.
+
+
+def place_drives(
+    responses: Responses, placed: tuple[Placed, ...], stop: Stop
+) -> tuple[tuple[int, Floats], ...]:
+    """What is played at each place, (place, (n_times,)), as the responses to it are scaled.
+
+    In probe scaling that is the acceleration of the probe, m/s².
+    """
+    moving = [one for one in placed if one.moves]
+    to_places = responses.to(one.voice.location for one in moving)
+    gains = responses.gains(
+        [one.sounding(to) for one, to in zip(moving, to_places, strict=True)], stop
+    )
+    length = max((one.end for one in moving), default=0)
+    found: dict[int, Floats] = {}
+    for one, gain in zip(moving, gains, strict=True):
+        total = found.setdefault(one.voice.location, np.zeros(length))
+        total[one.start : one.end] += one.voice.amplitude * gain * one.drive.samples
+    return tuple(found.items())
+
+
+def noise_energy(
+    place_drives: tuple[tuple[int, Floats], ...],
+    limb_data: Limb,
+    scaling: Scaling,
+    actuation: Actuation | None,
+    match_gain: float,
+) -> Floats | None:
+    """Energy of the noise of the responses in the prediction, (n_outputs, n_axes).
+
+    None where there is none to tell: in silence, and where `place_noise` knows of none.
+    """
+    noise = noise_of_places(place_drives, limb_data)
+    if noise is None:
+        return None
+    drives = shaped_drives(place_drives, limb_data, scaling, actuation)
+    return match_gain**2 * predicted_noise_energy(drives, noise, limb_data.n_taps)
+
+
+def output_noise_rms(
+    noise_energy: Floats | None, projection: Projection, record_samples: int
+) -> Floats | None:
+    """RMS over the whole record of what is noise in each projected signal, (n_outputs,)."""
+    if noise_energy is None:
+        return None
+    return projected_rms(noise_energy, projection, record_samples)
+
+
+def above_noise_db(record_rms: Floats, output_noise_rms: Floats | None) -> Floats | None:
+    """Level of each output above that of its noise, (n_outputs,), dB; None: nothing is known."""
+    if output_noise_rms is None:
+        return None
+    ratio = np.divide(
+        record_rms, output_noise_rms, out=np.zeros_like(record_rms), where=output_noise_rms > 0.0
+    )
+    with np.errstate(divide="ignore"):
+        level: Floats = 20.0 * np.log10(ratio)
+    return np.maximum(level, -200.0)
+
+
+NOISE_RULES = (place_drives, noise_energy, output_noise_rms, above_noise_db)
+
+
+def place_noise(limb: Limb, place: int) -> Floats | None:
+    """RMS of the noise in the responses to a place, (n_outputs, n_axes); None: not known.
+
+    Synthetic limbs have none, and some of one's own too few samples before the pulse.
+    """
+    rate, before_s = limb.sample_rate_hz, limb.pre_trigger_delay_s
+    if limb.synthetic or not tells_noise(rate, before_s):
+        return None
+    return noise_rms(limb.response_to(place), rate, before_s)
+
+
+def noise_of_places(
+    place_drives: tuple[tuple[int, Floats], ...], limb: Limb
+) -> dict[int, Floats] | None:
+    """Noise of the responses to each place that plays; None: nothing does, or one is not known."""
+    found = {place: place_noise(limb, place) for place, _ in place_drives}
+    noise = {place: one for place, one in found.items() if one is not None}
+    return noise if noise and len(noise) == len(found) else None
+
+
+def projected_rms(energy: Floats, projection: Projection, n_times: int) -> Floats:
+    """RMS over ``n_times`` along a projection, of energies along the axes, (..., n_axes)."""
+    chosen = energy[..., list(projection.axis_numbers)]
+    if projection.directions is not None:
+        chosen = chosen * np.square(projection.directions)
+    return np.sqrt(chosen.sum(axis=-1) / n_times)
+
+
+def divided_by_pulse(limb: Limb, scaling: Scaling) -> bool:
+    """Whether responses are divided by the measuring pulse, their noise with them."""
+    return scaling == "probe" and not limb.per_unit_drive
+
+
+def probe_inverse(n_taps: int, sample_rate_hz: float) -> Floats:
+    """What a response is convolved with to be one per probe acceleration, (n_taps,)."""
+    pulse = np.zeros(n_taps)
+    pulse[n_taps // 2] = 1.0
+    return per_probe_acceleration(pulse, sample_rate_hz)
+
+
+def noise_path(limb: Limb, scaling: Scaling, actuation: Actuation | None, place: int) -> Floats:
+    """Impulse response that the noise in the responses to a place goes through, (n,).
+
+    In probe scaling that is the inverse pulse, with its middle at half of its length; through an
+    actuator, it is followed by what equaliser and actuator of the place make of a drive.
+    """
+    rate = limb.sample_rate_hz
+    path = np.ones(1)
+    if divided_by_pulse(limb, scaling):
+        path = probe_inverse(limb.n_taps, rate)
+    if actuation is None:
+        return path
+    transfers = transfers_of(actuation, rate, limb.band_hz)
+    return scipy.signal.oaconvolve(path, transfers[actuation.at(place).place].samples)
+
+
+def shaped_drives(
+    place_drives: tuple[tuple[int, Floats], ...],
+    limb: Limb,
+    scaling: Scaling,
+    actuation: Actuation | None,
+) -> dict[int, Floats]:
+    """What the noise of the responses is convolved with, by place: see `noise_path`."""
+    return {
+        place: scipy.signal.oaconvolve(played, noise_path(limb, scaling, actuation, place))
+        for place, played in place_drives
+    }
+
+
+# Rules from the vibration to its levels along each axis by itself, whatever axes are chosen.
+
+
+def single_axes(limb_data: Limb) -> tuple[Projection, ...]:
+    """Each axis that the limb measures along, by itself."""
+    along = np.ones((limb_data.n_outputs, 1))
+    return tuple(Projection((number,), along) for number in range(limb_data.n_axes))
+
+
+def axis_record_rms(
+    single_axes: tuple[Projection, ...],
+    moments: Moments,
+    total_spectrum: TotalSpectrum | None,
+    record_samples: int,
+) -> tuple[Floats, ...]:
+    """RMS over the whole record along each axis, (n_outputs,) each, in m/s²."""
+    return tuple(
+        level_rules.record_rms(moments, one, total_spectrum, record_samples) for one in single_axes
+    )
+
+
+def axis_levels_db(
+    single_axes: tuple[Projection, ...],
+    axis_record_rms: tuple[Floats, ...],
+    span: Span,
+    limb_data: Limb,
+    total_spectrum: TotalSpectrum | None,
+    streamed_vibration: StreamedVibration | None,
+    stop: Stop,
+) -> tuple[Floats, ...]:
+    """RMS level along each axis, (n_outputs,) each, in dB re 1 m/s²: as if it alone were chosen."""
+    found = []
+    for one, record in zip(single_axes, axis_record_rms, strict=True):
+        loudest = level_rules.loudest_rms(
+            span, limb_data, one, total_spectrum, streamed_vibration, stop
+        )
+        found.append(level_rules.output_levels_db(level_rules.output_rms(record, loudest)))
+    return tuple(found)
+
+
+def axis_surface_levels_db(
+    surface: SurfaceOperator, axis_levels_db: tuple[Floats, ...]
+) -> tuple[Floats, ...]:
+    """The same over the back of hand and arm, (rows, columns) each; NaN outside the outline."""
+    return tuple(surface.interpolate(levels) for levels in axis_levels_db)
+
+
+def axis_above_noise_db(
+    single_axes: tuple[Projection, ...],
+    axis_record_rms: tuple[Floats, ...],
+    noise_energy: Floats | None,
+    record_samples: int,
+) -> tuple[Floats | None, ...]:
+    """Level along each axis above that of its noise, (n_outputs,) each, dB; None: not known."""
+    return tuple(
+        above_noise_db(record, output_noise_rms(noise_energy, one, record_samples))
+        for one, record in zip(single_axes, axis_record_rms, strict=True)
+    )
+
+
+AXIS_RULES = (
+    single_axes,
+    axis_record_rms,
+    axis_levels_db,
+    axis_surface_levels_db,
+    axis_above_noise_db,
+)
+
+
+# Rules from traces of the selected outputs to their figures, spectrograms and main axes.
+
+
+def stimulus_start_s(placed: tuple[Placed, ...], sample_rate_hz: float) -> float:
+    """When the first input that is heard starts, s; 0 where none is."""
+    return min((one.start for one in placed if one.moves), default=0) / sample_rate_hz
+
+
+def output_statistics(
+    axis_traces: Floats,
+    selected_traces: Floats,
+    selected_projection: Projection,
+    shown_outputs: tuple[int, ...],
+    output_rms: Floats,
+    response_time_s: Floats,
+    stimulus_start_s: float,
+    sample_rate_hz: float,
+    stop: Stop,
+) -> Statistics:
+    """Figures of the selected outputs; the RMS is that of the map.
+
+    Delays count from the start of the first input.  The dominant frequency is that of the motion
+    along the chosen axes: a magnitude is rectified and would show twice of it.
+    """
+    rms = output_rms[[output - 1 for output in shown_outputs]]
+    peak = np.abs(selected_traces).max(axis=-1, initial=0.0)
+    n_times = selected_traces.shape[-1]
+    dominant_hz = np.empty(len(shown_outputs))
+    for row, of_axes in enumerate(axis_traces):
+        stop_if(stop)
+        spectra = forward(of_axes, n_times)
+        if selected_projection.directions is None:
+            power = np.sum(np.square(np.abs(spectra)), axis=0)
+        else:
+            power = np.square(np.abs(selected_projection.directions[row] @ spectra))
+        dominant_hz[row] = dominant_frequency(power, sample_rate_hz / n_times)
+    return Statistics(
+        rms=rms,
+        peak=peak,
+        crest=crest_factor(peak, rms),
+        dominant_hz=dominant_hz,
+        delay_s=onset_time(selected_traces, response_time_s) - stimulus_start_s,
+    )
+
+
+def spectrogram_output(
+    shown_outputs: tuple[int, ...], spectrogram_settings: SpectrogramSettings
+) -> int:
+    """Which output the spectrogram is of; 0 where none is selected."""
+    wanted = spectrogram_settings.output
+    return wanted if wanted in shown_outputs else (shown_outputs or (0,))[-1]
+
+
+def spectrogram_window_s(spectrogram_settings: SpectrogramSettings) -> float:
+    """Length of its window."""
+    return spectrogram_settings.window_s
+
+
+def output_spectrogram(
+    selected_traces: Floats,
+    shown_outputs: tuple[int, ...],
+    spectrogram_output: int,
+    spectrogram_window_s: float,
+    sample_rate_hz: float,
+    stop: Stop,
+) -> Spectrogram | None:
+    """Spectrogram of one of the selected outputs; None where there is none."""
+    if not spectrogram_output:
+        return None
+    row = selected_traces[shown_outputs.index(spectrogram_output)]
+    return spectrogram(row, sample_rate_hz, spectrogram_window_s, stop)
+
+
+def output_band_rms(
+    vibration: Vibration,
+    axis_numbers: tuple[int, ...],
+    limb_data: Limb,
+    sample_rate_hz: float,
+    stop: Stop,
+) -> tuple[Floats, Floats] | None:
+    """Bands of 2 Hz, and the RMS of all outputs in each, (n_outputs, n_axes, n_bins).
+
+    Middles of the bands in Hz, RMS in m/s², as `band_rms` of the outputs' traces;
+    None of what is too long to be transformed at once.
+    """
+    if vibration.streamed is not None:
+        return None
+    outputs = tuple(range(1, limb_data.n_outputs + 1))
+    transforms = vibration.transforms(outputs, axis_numbers, stop)
+    return band_rms(transforms, vibration.n_times, sample_rate_hz, limb_data.band_hz)
+
+
+def output_main_axes(axis_traces: Floats, axis_numbers: tuple[int, ...]) -> MainAxes | None:
+    """Along which direction each selected output moves most; None: not of a single axis."""
+    return main_axes(axis_traces) if len(axis_numbers) > 1 else None
+
+
+OUTPUT_RULES = (
+    stimulus_start_s,
+    output_statistics,
+    spectrogram_output,
+    spectrogram_window_s,
+    output_spectrogram,
+    output_band_rms,
+    output_main_axes,
+)
+
+
+# Rules from vibrations to levels above the thresholds of detection.
+
+#: Levels of what is not felt at all.
+SILENT_DB = -200.0
+_NO_SCALE = "Levels above threshold need accelerations: choose the scaling Probe acceleration"
+_NO_SITES = "Which outputs lie on hairy skin is known of the published limbs only"
+_OWN = "own"
+# Before and after a drive, so that a weighted one has room to ring.
+_ROOM_S = 0.2
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Sensation:
+    """Levels above the threshold of detection, of the loudest 100 ms.
+
+    Attributes
+    ----------
+    by_channel
+        ``"P"`` and ``"NP I"``, or ``"own"`` for thresholds of one's own: (n_outputs,), dB.
+    level_db : (n_outputs,)
+        The highest of them.
+    strength : (n_outputs,) or None
+        See `skinsource.perception.sensation_magnitude`; None for thresholds of one's own.
+    problem
+        Why there are none; "" where there are.
+    band_hz
+        Frequencies that count: those that the limb was measured at, or, where that is not known,
+        those of the thresholds of one's own.
+    """
+
+    by_channel: Mapping[str, Floats]
+    level_db: Floats
+    strength: Floats | None = None
+    problem: str = ""
+    band_hz: Band | None = None
+
+
+def sensation(
+    perception_settings: PerceptionSettings,
+    total_spectrum: TotalSpectrum | None,
+    streamed_vibration: StreamedVibration | None,
+    limb_data: Limb,
+    scaling: Scaling,
+    stop: Stop,
+) -> Sensation:
+    """Level of each output above the thresholds: energies add up over axes and frequencies."""
+    table = perception_settings.thresholds
+    problem = _problem(limb_data, scaling, own=bool(table))
+    if problem:
+        return Sensation(by_channel={}, level_db=np.zeros(0), problem=problem)
+    rate = limb_data.sample_rate_hz
+    band_hz = limb_data.band_hz or (table[0][0], table[-1][0])
+    offsets: dict[Any, Floats] = {} if table else {**site_offsets_db(limb_data.name)}
+    found: dict[Any, Floats] = {}
+    for channel in (_OWN,) if table else CHANNELS:
+
+        def weights(frequency_hz: Floats, channel: str = channel) -> Floats:
+            return _weights(frequency_hz, channel, perception_settings, band_hz)
+
+        energy = _loudest(total_spectrum, streamed_vibration, limb_data, weights, stop)
+        with np.errstate(divide="ignore"):
+            level = 10.0 * np.log10(energy / window_samples(rate))
+        found[channel] = np.maximum(level - offsets.get(channel, 0.0), SILENT_DB)
+    return Sensation(
+        by_channel=found,
+        level_db=np.array(list(found.values())).max(axis=0),
+        strength=None if table else sensation_magnitude(found),
+        band_hz=band_hz,
+    )
+
+
+def sensation_db(sensation: Sensation) -> Floats:
+    """Level of each output above threshold, (n_outputs,), dB; none where it is not known."""
+    return sensation.level_db
+
+
+def surface_sensation_db(surface: SurfaceOperator, sensation_db: Floats) -> Floats | None:
+    """The same over the back of hand and arm, (rows, columns)."""
+    return surface.interpolate(sensation_db) if sensation_db.size else None
+
+
+def contact_weighted_rms(
+    place_drives: tuple[tuple[int, Floats], ...],
+    limb_data: Limb,
+    scaling: Scaling,
+    actuation: Actuation | None,
+) -> tuple[tuple[int, float], ...] | None:
+    """Acceleration of each probe through Wh of ISO 5349-1, RMS over what it plays, m/s².
+
+    None where drives are no accelerations.
+    """
+    if not are_probe_accelerations(limb_data, scaling, actuated=actuation is not None):
+        return None
+    return tuple(
+        (place, float(weighted_rms(np.trim_zeros(played), limb_data.sample_rate_hz)))
+        for place, played in place_drives
+        if played.any()
+    )
+
+
+PERCEPTION_RULES = (sensation, sensation_db, surface_sensation_db, contact_weighted_rms)
+
+
+def _problem(limb: Limb, scaling: Scaling, *, own: bool) -> str:
+    if scaling != "probe":
+        return _NO_SCALE
+    # As many outputs do not make them lie where those of the published limbs do.
+    return _NO_SITES if limb.name not in PUBLISHED and not own else ""
+
+
+def _weights(
+    frequency_hz: Floats,
+    channel: str,
+    settings: PerceptionSettings,
+    band_hz: Band,
+) -> Floats:
+    """One over the threshold within the band, else 0: what is slower was not measured."""
+    low, high = band_hz
+    inside = (frequency_hz >= low) & (frequency_hz <= high)
+    at = np.where(inside, frequency_hz, low)
+    if channel == _OWN:
+        threshold = table_threshold(settings.thresholds, at)
+    elif channel == "P":
+        threshold = threshold_rms(at, "P", area_cm2=settings.area_cm2)
+    else:
+        threshold = threshold_rms(at, "NP I")
+    return np.where(inside, 1.0 / threshold, 0.0)
+
+
+def _loudest(
+    total: TotalSpectrum | None,
+    streamed: StreamedVibration | None,
+    limb: Limb,
+    weights: Callable[[Floats], Floats],
+    stop: Stop,
+) -> Floats:
+    """Energy of the loudest window of the weighted vibration, all axes together, (n_outputs,)."""
+    every = Projection(tuple(range(limb.n_axes)), None)
+    rate, n_window = limb.sample_rate_hz, window_samples(limb.sample_rate_hz)
+    if streamed is not None:
+        weighted = streamed.played_through(lambda one: _through(one, weights, rate))
+        return loudest_energies_streamed(weighted, every, limb.n_outputs, n_window, stop)
+    if total is None:
+        return np.zeros(limb.n_outputs)
+    frequency_hz = _bins_hz(total.n_fft, rate)
+    return loudest_energies(total.times(weights(frequency_hz)), every, n_window, stop)
+
+
+def _through(played: Played, weights: Callable[[Floats], Floats], rate: float) -> Played:
+    """What is played through a weighting, which begins a little earlier and ends later."""
+    room = round(_ROOM_S * rate)
+    samples = np.pad(played.drive.samples, room)
+    n_fft = scipy.fft.next_fast_len(samples.size, real=True)
+    frequency_hz = _bins_hz(n_fft, rate)
+    heard = scipy.fft.irfft(scipy.fft.rfft(samples, n_fft) * weights(frequency_hz), n_fft)
+    first = played.start - room
+    heard = heard[max(-first, 0) : samples.size]
+    return replace(played, drive=Drive(heard, played.drive.factor), start=max(first, 0))
+
+
+def _bins_hz(n_fft: int, rate: float) -> Floats:
+    return np.arange(n_fft // 2 + 1, dtype=np.float64) * (rate / n_fft)
+
+
+# The rules from all that plays to what a prediction is not good for, and how fast probes are.
+
+
+def validity(
+    place_drives: tuple[tuple[int, Floats], ...],
+    above_noise_db: Floats | None,
+    limb_data: Limb,
+    scaling: Scaling,
+    actuation: Actuation | None,
+    unplayable_inputs: tuple[UnplayableInput, ...],
+) -> Findings:
+    """Conditions of the measurement, and whether they are kept (`perception.validity`)."""
+    synthetic = limb_data.synthetic
+    places = [place for place, _ in place_drives]
+    return (
+        *_left_out(unplayable_inputs),
+        *found_in_drives(
+            place_drives,
+            limb_data.sample_rate_hz,
+            scaling,
+            probe=actuation is None,
+            unit_known=not limb_data.per_unit_drive,
+            band_hz=limb_data.band_hz,
+            # Where a lab put its outputs is another matter.
+            spatial_limit_hz=SPATIAL_LIMIT_HZ if limb_data.name in PUBLISHED else None,
+        ),
+        found_in_outputs(above_noise_db, synthetic=synthetic, silent=not place_drives),
+        *found_in_setup(synthetic=synthetic, scaling=scaling, places=places),
+    )
+
+
+def fastest_probe_m_per_s(
+    place_drives: tuple[tuple[int, Floats], ...],
+    limb_data: Limb,
+    scaling: Scaling,
+    actuation: Actuation | None,
+) -> float | None:
+    """Largest velocity of any probe, in m/s; None: not known, or actuators move in their place."""
+    if not are_probe_accelerations(limb_data, scaling, actuated=actuation is not None):
+        return None
+    drives = [samples for _, samples in place_drives]
+    return fastest_probe(drives, limb_data.sample_rate_hz, limb_data.band_hz)
+
+
+def _left_out(unplayable: tuple[UnplayableInput, ...]) -> Findings:
+    """Say that a prediction is not of all inputs, wherever its numbers are taken."""
+    words = unplayable_words(unplayable)
+    if not words:
+        return ()
+    sentence = f"{words} The prediction leaves out what cannot be played."
+    return (Finding(name="inputs", state="left", sentence=sentence, in_short=sentence),)
+
+
+VALIDITY_RULES = (validity, fastest_probe_m_per_s)
+
+
+# Rules from responses to transfer functions, and from traces to waves along a line.
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class LineWave:
+    """A wave along the selected outputs.
+
+    Attributes
+    ----------
+    outputs
+        Those with a place on the map, in the order in which they were selected.
+    wave
+        Its delays and levels along ``axis``.
+    axis
+        ``"z"``, or the last axis of a limb that has no z.
+    """
+
+    outputs: tuple[int, ...]
+    wave: TravellingWave
+    axis: str = "z"
+
+
+def transfer_place(voices: tuple[Voice, ...], selected_input: int | None) -> int:
+    """Input place that the transfer function is from: of the input selected last, or the first.
+
+    0 where there is no input.
+    """
+    chosen = next((one.location for one in voices if one.id == selected_input), None)
+    return chosen or next((one.location for one in voices), 0)
+
+
+def transfer(
+    limb_data: Limb,
+    driven_limb: Limb,
+    transfer_place: int,
+    shown_outputs: tuple[int, ...],
+    axis_numbers: tuple[int, ...],
+    scaling: Scaling,
+    actuation: Actuation | None,
+) -> Transfer | None:
+    """From one input place to the selected outputs; None where there is neither.
+
+    In probe scaling per m/s² of the probe; otherwise per sample of 1 of the drive.
+    """
+    if not (transfer_place and shown_outputs):
+        return None
+    rows = [output - 1 for output in shown_outputs]
+    rate, n_taps = driven_limb.sample_rate_hz, driven_limb.n_taps
+    response = driven_limb.response_to(transfer_place)[rows][:, list(axis_numbers)]
+    if divided_by_pulse(driven_limb, scaling):
+        response = per_probe_acceleration(response, rate)
+    noise = place_noise(limb_data, transfer_place)
+    sigma = np.zeros(response.shape[:2]) if noise is None else noise[rows][:, list(axis_numbers)]
+    path = noise_path(limb_data, scaling, actuation, transfer_place)
+    # Behind an actuator responses are longer than what was measured, and so noisy.
+    share = limb_data.n_taps / n_taps
+    gain = np.sqrt(share) * np.abs(scipy.fft.rfft(path, n_taps))
+    return transfer_function(response, rate, sigma, gain, band_hz=driven_limb.band_hz)
+
+
+def line_wave(
+    vibration: Vibration,
+    shown_outputs: tuple[int, ...],
+    limb_data: Limb,
+    above_noise_db: Floats | None,
+    sample_rate_hz: float,
+    stop: Stop,
+) -> LineWave | None:
+    """Wave along the selected outputs, taken as a line; None: fewer than two have a place.
+
+    Along z, the one axis that means the same at every sensor.
+    """
+    limb_map = limb_data.map
+    places = limb_map.output_positions
+    outputs = tuple(k for k in shown_outputs if np.isfinite(places[k - 1]).all())
+    if len(outputs) < 2:
+        return None
+    rows = [output - 1 for output in outputs]
+    mm_per_px = limb_data.hand_length_mm / limb_map.hand_length_px
+    # A limb of one's own may lack z: its last axis then.
+    axis = limb_data.axes.index("z") if "z" in limb_data.axes else limb_data.n_axes - 1
+    traces = vibration.traces(outputs, (axis,), stop)[:, 0]
+    trusted = None if above_noise_db is None else above_noise_db[rows] >= LEAST_ABOVE_NOISE_DB
+    distance_mm = line_distances_mm(places[rows], mm_per_px)
+    wave = travelling_wave(
+        traces, distance_mm, sample_rate_hz, trusted, stop, straight=straightness(places[rows])
+    )
+    return LineWave(outputs=outputs, wave=wave, axis=limb_data.axes[axis])
+
+
+WAVE_RULES = (transfer_place, transfer, line_wave)
+
+
+# Rules from the noise of responses to that in consecutive windows of a prediction.
+
+_LEAST_RATIO = 10.0 ** (LEAST_ABOVE_NOISE_DB / 20.0)
+
+
+def noise_rms_of_windows(
+    place_drives: tuple[tuple[int, Floats], ...],
+    limb_data: Limb,
+    scaling: Scaling,
+    actuation: Actuation | None,
+    match_gain: float,
+    projection: Projection,
+    windows: Windows,
+) -> Floats | None:
+    """RMS in each window of what is noise in each projected signal, (n_windows, n_outputs), m/s².
+
+    None where there is none to tell, as for `noise_energy`.
+    """
+    noise = noise_of_places(place_drives, limb_data)
+    if noise is None:
+        return None
+    n_taps = limb_data.n_taps
+    late = n_taps // 2 if divided_by_pulse(limb_data, scaling) else 0
+    later = replace(windows, first_sample=windows.first_sample + late)
+    drives = shaped_drives(place_drives, limb_data, scaling, actuation)
+    energy = windowed_noise_energy(drives, noise, n_taps, later)
+    return match_gain * projected_rms(energy, projection, windows.window_samples)
+
+
+def noisy_outputs_of_windows(
+    rms_of_windows: Floats, noise_rms_of_windows: Floats | None
+) -> tuple[tuple[int, ...], ...]:
+    """Outputs that are mostly noise in each window; none where noise is not known."""
+    if noise_rms_of_windows is None:
+        return ((),) * len(rms_of_windows)
+    noisy = rms_of_windows < _LEAST_RATIO * noise_rms_of_windows
+    return tuple(tuple(int(k) + 1 for k in np.flatnonzero(one)) for one in noisy)
+
+
+def windows_in_noise(
+    rms_of_windows: Floats, noise_rms_of_windows: Floats | None, limb_data: Limb
+) -> tuple[bool, ...]:
+    """Whether all outputs on the map together are mostly noise in each window.
+
+    How far such a window reaches is how the noise is spread.
+    """
+    if noise_rms_of_windows is None:
+        return (False,) * len(rms_of_windows)
+    placed = np.isfinite(limb_data.map.output_positions[:, 0])
+    found, noise = (
+        np.sqrt(np.sum(np.square(one[:, placed]), axis=1))
+        for one in (rms_of_windows, noise_rms_of_windows)
+    )
+    return tuple(bool(one) for one in found < _LEAST_RATIO * noise)
+
+
+WINDOW_NOISE_RULES = (noise_rms_of_windows, noisy_outputs_of_windows, windows_in_noise)
+
+
+# Rules from traces and responses to what panels of analysis show, and what they depend on.
+
+RULES = (
+    *NOISE_RULES,
+    *WINDOW_NOISE_RULES,
+    *OUTPUT_RULES,
+    *AXIS_RULES,
+    *WAVE_RULES,
+    *VALIDITY_RULES,
+    *PERCEPTION_RULES,
+    *ACTUATOR_RULES,
+)
+
+
+def choices_of(view: View) -> dict[str, Any]:
+    """What of a view only these rules start from, by name."""
+    return {
+        "spectrogram_settings": settings_of(view, "spectrogram", SpectrogramSettings),
+        "actuator_settings": settings_of(view, "actuator", ActuatorSettings),
+        "perception_settings": settings_of(view, "perception", PerceptionSettings),
+    }

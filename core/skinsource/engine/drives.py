@@ -1,0 +1,208 @@
+"""Samples of clips: drawn once, and again through their effects once."""
+
+from collections.abc import Hashable
+from weakref import WeakValueDictionary
+
+import numpy as np
+
+from skinsource.base.arrays import Booleans, Complexes, Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.job import Stop, stop_if
+from skinsource.base.work import tally
+from skinsource.design.clips import Clip
+from skinsource.design.effects import Effect, placed, played
+from skinsource.design.signal_path import (
+    Chain,
+    Curve,
+    Drive,
+    Part,
+    UnitVoice,
+    drive_played,
+    placed_chain,
+)
+from skinsource.design.waveforms import Waveform
+from skinsource.engine.memory import CLIPS_BYTES, DRIVES_BYTES, Memory
+from skinsource.engine.transforms import forward
+
+
+class DrawnClips:
+    """What waveforms play, with and without effects, in bounded memory."""
+
+    def __init__(self, budget_bytes: int) -> None:
+        self._known = Memory[Floats](budget_bytes, lambda samples: samples.nbytes)
+        # Long ones exceed the budget; what a graph still holds is not drawn twice.
+        self._alive: WeakValueDictionary[Hashable, Floats] = WeakValueDictionary()
+
+    def of(
+        self,
+        waveform: Waveform,
+        effects: tuple[Effect, ...],
+        sample_rate_hz: float,
+        shift_s: float,
+    ) -> Floats:
+        """What comes out of the last effect, (n_times,), read-only."""
+        if not effects:
+            return self._drawn(waveform, sample_rate_hz, shift_s)
+        key = waveform, effects, sample_rate_hz, shift_s
+        known = self._find(key)
+        if known is not None:
+            return known
+        return self._kept(key, played(waveform, effects, sample_rate_hz, shift_s, draw=self._drawn))
+
+    def _drawn(self, waveform: Waveform, sample_rate_hz: float, shift_s: float) -> Floats:
+        key = waveform, sample_rate_hz, shift_s
+        known = self._find(key)
+        if known is not None:
+            return known
+        samples = waveform.samples(sample_rate_hz, shift_s)
+        tally(samples_drawn=samples.size)
+        return self._kept(key, samples)
+
+    def _find(self, key: Hashable) -> Floats | None:
+        known = self._known.find(key)
+        if known is None:
+            known = self._alive.get(key)
+            if known is not None:
+                self._known.add(key, known)
+        return known
+
+    def _kept(self, key: Hashable, samples: Floats) -> Floats:
+        samples.flags.writeable = False
+        self._alive[key] = samples
+        self._known.add(key, samples)
+        return samples
+
+
+# What clips play, for pictures of them.
+
+_Known = tuple[Clip, float, Floats | None]
+
+
+class ClipWaveforms:
+    """Samples of the clips of a design; those of clips that did not change are not looked up."""
+
+    def __init__(self, drawn: DrawnClips) -> None:
+        self._drawn = drawn
+        self._known: dict[int, _Known] = {}
+
+    def of(
+        self, tracks: tuple[tuple[Clip, ...], ...], sample_rate_hz: float, stop: Stop
+    ) -> tuple[tuple[Floats | None, ...], ...]:
+        """What each clip of each track plays, (n_times,), after its effects and before its gain.
+
+        None: it cannot be sampled.
+        """
+        found: dict[int, _Known] = {}
+        for clips in tracks:
+            for one in clips:
+                known = self._known.get(one.id)
+                if known is None or known[0] is not one or known[1] != sample_rate_hz:
+                    stop_if(stop)
+                    known = one, sample_rate_hz, self._samples(one, sample_rate_hz)
+                found[one.id] = known
+        self._known = found
+        return tuple(tuple(found[one.id][2] for one in clips) for clips in tracks)
+
+    def _samples(self, one: Clip, sample_rate_hz: float) -> Floats | None:
+        effects = tuple(effect for effect in one.effects if effect.on)
+        try:
+            _, shift_s = placed(one.waveform, effects, one.onset_s, sample_rate_hz)
+            return self._drawn.of(one.waveform, effects, sample_rate_hz, shift_s)
+        except InvalidInputError:
+            return None
+
+
+# Chains of tracks: put together once for the clips of each.
+
+_placed_chains_Known = tuple[tuple[Clip, ...], Curve, float, tuple[int, Chain]]
+#: Far more than a design has tracks.
+_MOST = 1000
+
+
+class PlacedChains:
+    """The latest chain of each track; it takes a look at the clips to see whether it still is."""
+
+    def __init__(self) -> None:
+        self._known: dict[int, _placed_chains_Known] = {}
+
+    def of(
+        self, id: int, clips: tuple[Clip, ...], gain_curve: Curve, sample_rate_hz: float
+    ) -> tuple[int, Chain]:
+        """Start and chain of the track with this id, see `placed_chain`."""
+        known = self._known.get(id)
+        if known is not None and known[0] is clips and known[1:3] == (gain_curve, sample_rate_hz):
+            return known[3]
+        found = placed_chain(clips, gain_curve, sample_rate_hz)
+        if len(self._known) >= _MOST:
+            self._known.clear()
+        self._known[id] = clips, gain_curve, sample_rate_hz, found
+        return found
+
+
+# Drives: summed once per chain, transformed once per length, delayed by a phase ramp.
+
+
+class Drives:
+    """Drawn clips, drives of chains, and their spectra, in bounded memory.
+
+    Attributes
+    ----------
+    clips
+        What clips play.
+    """
+
+    def __init__(self, budget_bytes: int = DRIVES_BYTES, clips_bytes: int = CLIPS_BYTES) -> None:
+        self.clips = DrawnClips(clips_bytes)
+        self._drawn = Memory[Drive](budget_bytes, lambda drive: drive.samples.nbytes)
+        self._spectra = Memory[Complexes](budget_bytes, lambda spectrum: spectrum.nbytes)
+        # Long drives exceed the budget; what a graph still holds is not drawn twice.
+        self._alive: WeakValueDictionary[tuple[Chain, float], Drive] = WeakValueDictionary()
+
+    def drawn(self, unit: UnitVoice, sample_rate_hz: float) -> Drive:
+        """Samples of what a voice plays; refused where one of them is not a usable number."""
+        key = unit.chain, sample_rate_hz
+        drive = self._drawn.find(key)
+        if drive is None:
+            drive = self._alive.get(key) or self._played(unit, sample_rate_hz)
+            self._alive[key] = drive
+            self._drawn.add(key, drive)
+        return drive
+
+    def spectrum(
+        self, unit: UnitVoice, drive: Drive, sample_rate_hz: float, n_fft: int
+    ) -> Complexes:
+        """Spectrum of the ``drive`` of a voice from time 0 on, (n_fft // 2 + 1,)."""
+        return self._spectra.get(
+            (unit.chain, sample_rate_hz, n_fft), lambda: forward(drive.samples, n_fft)
+        )
+
+    def _played(self, unit: UnitVoice, sample_rate_hz: float) -> Drive:
+        def drawn(part: Part) -> Floats:
+            return self.clips.of(part.waveform, part.effects, sample_rate_hz, part.shift_s)
+
+        return drive_played(unit.chain, sample_rate_hz, unit.location, drawn)
+
+
+def delayed(spectrum: Complexes, delay_samples: int, n_fft: int) -> Complexes:
+    """Spectrum of the same signal ``delay_samples`` later; it must not run out of ``n_fft``."""
+    if delay_samples == 0:
+        return spectrum
+    # The turns are reduced in whole numbers, so that long delays lose no accuracy.
+    turns = (np.arange(spectrum.shape[-1]) * delay_samples) % n_fft / n_fft
+    return spectrum * np.exp(-2j * np.pi * turns)
+
+
+def active_samples(played: Booleans, n_taps: int) -> Booleans:
+    """When the skin can move at all: at and after samples of a drive other than 0, (n_times,).
+
+    Parameters
+    ----------
+    played : (n_times,) of bool
+        Where the drive is not zero.
+    n_taps
+        Samples of the responses.
+    """
+    counts = np.cumsum(played, dtype=np.int64)
+    before = np.zeros_like(counts)
+    before[n_taps:] = counts[:-n_taps]
+    return counts > before

@@ -1,0 +1,625 @@
+"""What no sample of a channel exceeds, without computing the samples."""
+
+import math
+import sys
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import chain, repeat
+from sys import getsizeof
+from typing import NamedTuple
+from weakref import ref
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource.actuators.actuation import Actuation
+from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.job import Stop, never, stop_if
+from skinsource.base.work import tally
+from skinsource.design.signal_path import Drive, UnitVoice, Voice, refuse_unfollowed
+from skinsource.engine.drives import ClipWaveforms, Drives, PlacedChains
+from skinsource.engine.memory import GAINS_BYTES, Memory
+from skinsource.engine.spectra import (
+    BAND_BINS,
+    ExactSpectra,
+    ResponseSpectra,
+    ResponseSpectrum,
+    Stack,
+)
+from skinsource.engine.transforms import Blocks, forward, inverse
+from skinsource.limbs.limb import Limb
+from skinsource.limbs.scaling import Scaling
+
+#: Far above the rounding of a bound; this keeps it above the samples.
+_MARGIN = 1.0 + 1e-6
+# Three transforms, each wrong by at most a few units in the last place per butterfly.
+_ROUNDING_FACTOR = 8.0
+
+
+def rounding_bound(norms: float, n_fft: int) -> float:
+    """How wrong no sample of a convolution by transforms is.
+
+    Parameters
+    ----------
+    norms
+        Norm of the drive times that of the response; their sum, where several are added.
+    n_fft
+        Length of the transforms.
+    """
+    return _ROUNDING_FACTOR * sys.float_info.epsilon * math.log2(n_fft) * norms
+
+
+def channel_bounds(
+    samples: Floats,
+    spectra: Complexes,
+    responses: Sequence[ResponseSpectrum],
+    *,
+    tight: bool = True,
+) -> Floats:
+    """What no sample of each channel exceeds, for pieces of drives.
+
+    The smallest of three: sums of magnitudes over frequency (tight for tones); sums over sections
+    of the response of its norm there and the largest norm of the drive in a window as long (tight
+    for noise); largest sample times sum of the response (tight for pulses).
+
+    Parameters
+    ----------
+    samples : (n_pieces, n)
+        Pieces of drives; zeros after them change nothing.
+    spectra : (n_pieces, n_bins)
+        Their spectra at the length of the responses'.
+    responses : n_pieces of them
+        Responses to the place where each piece is played.
+    tight
+        Whether by frequency too: what that needs of the responses takes long to prepare.
+
+    Returns
+    -------
+    (n_pieces, n_channels)
+    """
+    section_norms = np.array([response.norms.sections for response in responses])
+    bounds: Floats = (
+        section_norms @ _largest_norms(samples, responses[0].norms.section_lengths)[:, :, None]
+    )[:, :, 0]
+    by_peak = np.array([response.norms.absolute_sums for response in responses])
+    by_peak *= np.abs(samples).max(axis=-1, initial=0.0)[:, None]
+    np.minimum(bounds, by_peak, out=bounds)
+    if tight:
+        np.minimum(bounds, _bounds_by_frequency(spectra, responses), out=bounds)
+    bounds *= _MARGIN
+    return bounds
+
+
+def _bounds_by_frequency(spectra: Complexes, responses: Sequence[ResponseSpectrum]) -> Floats:
+    starts = np.arange(0, spectra.shape[-1], BAND_BINS)
+    # The drives are scaled: their squares are far from over- and underflow.
+    magnitudes = np.sqrt(np.square(spectra.real) + np.square(spectra.imag))
+    bands = np.add.reduceat(magnitudes, starts, axis=-1)
+    bounds = np.empty((len(spectra), len(responses[0].rows)))
+    for row, response, band in zip(bounds, responses, bands, strict=True):
+        # Not a matrix product, whose threads wait for each other without sleeping.
+        np.vecdot(response.band_magnitudes, band, out=row)
+    return bounds
+
+
+def _largest_norms(samples: Floats, lengths: tuple[int, ...]) -> Floats:
+    """Largest norm of a drive in windows of some lengths, (n_pieces, n_lengths)."""
+    energy = np.zeros((samples.shape[0], samples.shape[1] + 1))
+    np.cumsum(np.square(samples), axis=-1, out=energy[:, 1:])
+    # A window may reach beyond either end of the piece: then it holds the rest of it.
+    found = {n: _largest_rise(energy, n) for n in set(lengths)}
+    return np.sqrt(np.stack([found[n] for n in lengths], axis=-1))
+
+
+def _largest_rise(energy: Floats, n: int) -> Floats:
+    if n >= energy.shape[-1]:
+        return energy[:, -1]
+    return (energy[:, n:] - energy[:, :-n]).max(axis=-1)
+
+
+# The exact signed maximum of the vibration by a unit voice, from few of its channels.
+#
+# Channels are transformed in the order of what bounds their samples, until no bound exceeds the
+# maximum found: the result is that of the full search.
+
+#: Channels of a voice that are transformed before its bounds are looked at again.
+_BATCHES = (4, 8, 8, 16)
+#: Blocks whose bounds are held together.
+_BLOCKS_AT_ONCE = 128
+
+
+class Peak(NamedTuple):
+    """The signed maximum of a vibration: its value, channel and sample.
+
+    Where the vibration is nowhere above 0 its place means nothing.
+    """
+
+    value: float
+    channel: int = 0
+    time: int = 0
+
+
+def peaks_of(
+    drives: Sequence[Floats],
+    spectra: Sequence[Complexes],
+    responses: Sequence[ResponseSpectrum],
+    stop: Stop = never,
+    *,
+    tight: bool = True,
+) -> list[Peak]:
+    """Signed maximum of each drive convolved with its responses, over channels and times.
+
+    Parameters
+    ----------
+    drives : (n_times,) each
+        They may differ in length.
+    spectra : (n_fft // 2 + 1,) each
+        Their spectra, where ``n_fft`` holds the whole convolution; empty for drives that are
+        searched block by block.
+    responses
+        Responses to the place of each drive, at the same ``n_fft``, or at that of blocks.
+    tight
+        As in `channel_bounds`; blocks are searched with tight ones.
+    """
+    if not spectra:
+        pairs = zip(drives, responses, strict=True)
+        return [_peak_by_blocks(drive, response, stop) for drive, response in pairs]
+    padded = np.zeros((len(drives), max(drive.size for drive in drives)))
+    for line, drive in zip(padded, drives, strict=True):
+        line[: drive.size] = drive
+    bounds = channel_bounds(padded, np.array(spectra), responses, tight=tight)
+    order = np.argsort(-bounds, axis=-1, kind="stable")
+    peaks = [Peak(-np.inf) for _ in spectra]
+    largest = np.full(len(peaks), -np.inf)
+    begin = 0
+    for batch in chain(_BATCHES, repeat(_BATCHES[-1])):
+        stop_if(stop)
+        chosen = order[:, begin : begin + batch]
+        begin += batch
+        open_ones = np.take_along_axis(bounds, chosen, axis=-1) > largest[:, None]
+        if not open_ones.any():
+            return peaks
+        which = np.nonzero(open_ones)[0]
+        channel = chosen[open_ones]
+        signals = _signals(spectra, responses, np.bincount(which, minlength=len(peaks)), channel)
+        time = signals.argmax(axis=-1)
+        value = signals[np.arange(time.size), time]
+        for row in np.flatnonzero(value > largest[which]).tolist():
+            k = int(which[row])
+            if value[row] > largest[k]:
+                largest[k] = value[row]
+                peaks[k] = Peak(float(value[row]), int(channel[row]), int(time[row]))
+    return peaks
+
+
+def _signals(
+    spectra: Sequence[Complexes],
+    responses: Sequence[ResponseSpectrum],
+    counts: NDArray[np.int64],
+    channels: NDArray[np.int64],
+) -> Floats:
+    """Vibrations by drives at so many channels of each, (n_channels, n_fft)."""
+    found = np.empty((channels.size, spectra[0].size), np.complex128)
+    end = 0
+    for spectrum, response, count in zip(spectra, responses, counts.tolist(), strict=True):
+        begin, end = end, end + count
+        if count:
+            np.multiply(response.rows[channels[begin:end]], spectrum, out=found[begin:end])
+    tally(search_transforms=channels.size)
+    return inverse(found, responses[0].n_fft)
+
+
+def _peak_by_blocks(samples: Floats, response: ResponseSpectrum, stop: Stop) -> Peak:
+    peak = Peak(-np.inf)
+    cut = Blocks(response.taps.shape[-1])
+    starts = range(0, samples.size + cut.overlap, cut.n_samples)
+    for k in range(0, len(starts), _BLOCKS_AT_ONCE):
+        stop_if(stop)
+        found = {first: cut.segment(samples, first) for first in starts[k : k + _BLOCKS_AT_ONCE]}
+        sounding = {first: segment for first, segment in found.items() if segment is not None}
+        if len(sounding) < len(found) and peak.value < 0.0:
+            peak = Peak(0.0)
+        if sounding:
+            segments = np.array(list(sounding.values()))
+            spectra = forward(segments, cut.n_fft)
+            bounds = channel_bounds(segments, spectra, [response] * len(segments))
+            peak = _search(spectra, response, bounds, list(sounding), peak, stop)
+    return peak
+
+
+def _search(
+    spectra: Complexes,
+    response: ResponseSpectrum,
+    bounds: Floats,
+    starts: list[int],
+    peak: Peak,
+    stop: Stop,
+) -> Peak:
+    """Largest sample of blocks of a vibration, or ``peak`` if none exceeds it.
+
+    Parameters
+    ----------
+    spectra : (n_blocks, n_bins)
+        Spectra of the blocks of the drive.
+    bounds : (n_blocks, n_channels)
+        What no sample of a block and channel exceeds.
+    starts
+        First sample of the response in each block.
+    """
+    overlap = response.taps.shape[-1] - 1
+    flat = bounds.ravel()
+    order = np.argsort(-flat, kind="stable")
+    begin = 0
+    for batch in chain(_BATCHES, repeat(_BATCHES[-1])):
+        stop_if(stop)
+        chosen = order[begin : begin + batch]
+        begin += batch
+        chosen = np.sort(chosen[flat[chosen] > peak.value])
+        if chosen.size == 0:
+            break
+        block, channel = np.divmod(chosen, bounds.shape[-1])
+        signals = inverse(response.rows[channel] * spectra[block], response.n_fft)[:, overlap:]
+        tally(search_transforms=chosen.size)
+        row, time = divmod(int(signals.argmax()), signals.shape[-1])
+        if signals[row, time] > peak.value:
+            first = starts[block[row]]
+            peak = Peak(float(signals[row, time]), int(channel[row]), first + time)
+    return peak
+
+
+# What vibrations by unit voices are multiplied with, so that an amplitude means what it should.
+
+# Below it a reciprocal overflows.
+_SMALLEST = float(np.finfo(np.float64).tiny)
+
+
+def unit_gains(
+    drives: Sequence[Drive],
+    spectra: Sequence[Complexes],
+    responses: Sequence[ResponseSpectrum],
+    stop: Stop = never,
+    *,
+    tight: bool = True,
+) -> list[float]:
+    """What vibrations by scaled samples of drives are multiplied with under upstream's scaling.
+
+    One over their signed maxima, or no division where no sample is positive.
+
+    Parameters
+    ----------
+    drives
+        None of them silent.
+    spectra : (n_fft // 2 + 1,) each
+        Of the scaled samples, at the length of the responses'; empty for drives that are searched
+        block by block.
+    responses
+        Responses to the place of each drive.
+    tight
+        As in `channel_bounds`.
+    """
+    samples = [drive.samples for drive in drives]
+    peaks = peaks_of(samples, spectra, responses, stop, tight=tight)
+    # The factor of the drive cancels: the vibration reaches the amplitude whatever it was.
+    return [
+        1.0 / peak.value if is_positive(peak, drive, response) else drive.factor
+        for drive, peak, response in zip(drives, peaks, responses, strict=True)
+    ]
+
+
+def is_positive(peak: Peak, drive: Drive, response: ResponseSpectrum) -> bool:
+    """Whether the maximum of a vibration is above 0 by more than the rounding of its transforms."""
+    return exceeds_rounding(peak.value, drive, response.norms.energies.max(), response.n_fft)
+
+
+def exceeds_rounding(largest: float, drive: Drive, energy: float, n_fft: int) -> bool:
+    """Whether a sample is above the rounding of transforms of ``drive`` and of a response.
+
+    ``energy`` is the norm of that response, or more.
+    """
+    norms = float(np.linalg.norm(drive.samples) * energy)
+    return largest >= max(_SMALLEST, rounding_bound(norms, n_fft))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sounding:
+    """A unit voice that is not silent, its drive, and the responses to its place."""
+
+    unit: UnitVoice
+    drive: Drive
+    response: ResponseSpectrum
+
+
+class Gains:
+    """Gains of unit voices under upstream's scaling, in bounded memory."""
+
+    def __init__(self, drives: Drives) -> None:
+        self._drives = drives
+        self._known = Memory[float](GAINS_BYTES, getsizeof)
+
+    def of(
+        self, limb: Limb, voices: Sequence[Sounding], *, in_blocks: bool, stop: Stop = never
+    ) -> list[float]:
+        """Gain of each voice; what is not known is found together.
+
+        With ``in_blocks`` the responses are of the length of blocks, else all of one length that
+        holds each drive and its response.
+        """
+        # What is remembered of a limb does not keep its responses in memory.
+        keys = [(ref(limb), one.unit, one.response.n_fft, in_blocks) for one in voices]
+        known = {key: gain for key in keys if (gain := self._known.find(key)) is not None}
+        pairs = zip(keys, voices, strict=True)
+        missing = {key: one for key, one in pairs if key not in known}
+        if missing:
+            rate, new = limb.sample_rate_hz, list(missing.values())
+            spectra = [
+                self._drives.spectrum(one.unit, one.drive, rate, one.response.n_fft)
+                for one in new
+                if not in_blocks
+            ]
+            drives, responses = [one.drive for one in new], [one.response for one in new]
+            found = unit_gains(drives, spectra, responses, stop)
+            for key, gain in zip(missing, found, strict=True):
+                known[key] = gain
+                self._known.add(key, gain)
+        return [known[key] for key in keys]
+
+
+# What rules remember beyond their latest result: drives, spectra of responses, gains.
+
+
+class Remembered:
+    """Saves time and changes no result; it belongs to one thread, and graphs may share it."""
+
+    def __init__(self) -> None:
+        self.responses = ResponseSpectra()
+        self.chains = PlacedChains()
+        self.drives = Drives()
+        self.clip_waveforms = ClipWaveforms(self.drives.clips)
+        self.gains = Gains(self.drives)
+        self.exact_spectra = ExactSpectra()
+
+
+# Voices with their drives, or why they cannot be played.
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """A voice, what it plays, and the sample at which it starts."""
+
+    voice: Voice
+    drive: Drive
+    start: int
+
+    @property
+    def end(self) -> int:
+        """Sample after its last one."""
+        return self.start + self.drive.samples.size
+
+    @property
+    def moves(self) -> bool:
+        """Whether the skin moves at all because of it."""
+        return self.voice.amplitude != 0.0 and not self.drive.silent
+
+    def sounding(self, response: ResponseSpectrum) -> Sounding:
+        """The same without amplitude and start, with the responses to its place."""
+        return Sounding(self.voice.unit, self.drive, response)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CheckedVoice:
+    """What a voice plays.
+
+    Attributes
+    ----------
+    drive
+        None: it cannot be sampled.
+    problem
+        Why it cannot be played, as the error says it; empty: it can.
+    """
+
+    drive: Drive | None
+    problem: str = ""
+
+    @property
+    def played(self) -> Drive | None:
+        """The drive, unless the voice cannot be played."""
+        return None if self.problem else self.drive
+
+
+def checked_voice(
+    remembered: Remembered,
+    unit: UnitVoice,
+    limb: Limb,
+    actuation: Actuation | None,
+    *,
+    leave_out: bool,
+) -> CheckedVoice:
+    """Return what a voice plays.
+
+    Parameters
+    ----------
+    leave_out
+        Whether a voice that cannot be played is returned with the reason, instead of an error.
+
+    Raises
+    ------
+    InvalidInputError
+        It cannot be sampled, the limb does not have its place, there is no actuator at its place,
+        or that cannot follow it.
+    """
+    drive = None
+    try:
+        drive = remembered.drives.drawn(unit, limb.sample_rate_hz)
+        if not drive.silent:
+            limb.check_place(unit.location)
+            if actuation is not None:
+                actuation.at(unit.location)
+        refuse_unfollowed(actuation, drive, limb.sample_rate_hz, limb.band_hz, unit.location)
+    except InvalidInputError as error:
+        if not leave_out:
+            raise
+        return CheckedVoice(drive, str(error))
+    return CheckedVoice(drive)
+
+
+# How wrong the traces are: some samples computed again, exactly; and how wrong they can be.
+
+#: Samples that are computed again, and the factor from their largest error to the estimate.
+N_SAMPLES, ESTIMATE_FACTOR = 64, 4.0
+# Drawn to find enough where something moves; checked wherever they fall.
+_N_DRAWN, _N_ANYWHERE = 4096, 16
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TraceError:
+    """Error of the traces, relative to their largest sample.
+
+    Attributes
+    ----------
+    estimate
+        Four times the largest error among 64 samples that were computed again, as sums of products
+        in extended precision.
+    bound
+        What no sample exceeds.
+    """
+
+    estimate: float
+    bound: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Heard:
+    """A voice as the check sees it.
+
+    ``weight`` is what the vibration by the scaled samples is multiplied with.
+    """
+
+    drive: Drive
+    delay_samples: int
+    weight: float
+    response: ResponseSpectrum
+
+    def exact(self, output: int, axis: int, time: int) -> np.longdouble:
+        """One sample of the vibration, by its definition."""
+        taps = self.response.taps[output - 1, axis]
+        last = time - self.delay_samples
+        first = max(last - taps.size + 1, 0)
+        piece = self.drive.samples[first : max(last + 1, 0)].astype(np.longdouble)
+        products = piece * taps[last - first - piece.size + 1 : last - first + 1][::-1]
+        return np.longdouble(self.weight) * products.sum()
+
+    def rounding(self, outputs: tuple[int, ...], axes: tuple[int, ...]) -> float:
+        """Size of the products whose rounding adds up, in the strongest of some channels."""
+        energies = self.response.norms.energies.reshape(self.response.taps.shape[:2])
+        strongest = energies[[output - 1 for output in outputs]][:, list(axes)].max()
+        return float(abs(self.weight) * np.linalg.norm(self.drive.samples) * strongest)
+
+
+def exact_gains(
+    drives: Sequence[Drive],
+    spectra: Sequence[Complexes],
+    responses: Sequence[ResponseSpectrum],
+    stop: Stop,
+) -> list[float]:
+    """Gains as `skinsource.engine.gains.unit_gains`, from maxima computed by definition.
+
+    Transforms say where a maximum is, not how large.
+    """
+    peaks = peaks_of([drive.samples for drive in drives], spectra, responses, stop)
+    gains = []
+    for drive, response, peak in zip(drives, responses, peaks, strict=True):
+        one = Heard(drive=drive, delay_samples=0, weight=1.0, response=response)
+        output, axis = divmod(peak.channel, response.taps.shape[1])
+        value = float(one.exact(output + 1, axis, peak.time))
+        positive = is_positive(peak, drive, response) and value > 0.0
+        gains.append(1.0 / value if positive else drive.factor)
+    return gains
+
+
+def _checked_places(samples: Floats) -> list[int]:
+    """Random places, most of them where there is something to be wrong: long designs rest a lot."""
+    drawn = np.random.default_rng(0).integers(0, samples.size, _N_DRAWN)
+    sounding = drawn[samples[drawn] != 0.0][: N_SAMPLES - _N_ANYWHERE]
+    return [*sounding.tolist(), *drawn[: N_SAMPLES - sounding.size].tolist()]
+
+
+def trace_error_of(
+    traces: Floats, outputs: tuple[int, ...], axes: tuple[int, ...], heard: list[Heard]
+) -> TraceError | None:
+    """Check ``traces``, (n_outputs, n_axes, n_times); None where there is nothing to check."""
+    peak = float(np.abs(traces).max(initial=0.0))
+    if peak == 0.0 or not heard:
+        return None
+    worst = np.longdouble(0.0)
+    for place in _checked_places(traces.reshape(-1)):
+        row, column, time = np.unravel_index(int(place), traces.shape)
+        exact = sum(
+            (one.exact(outputs[row], axes[column], int(time)) for one in heard), np.longdouble(0.0)
+        )
+        worst = max(worst, abs(exact - np.longdouble(traces[row, column, time])))
+    n_fft = max(one.response.n_fft for one in heard)
+    norms = sum(one.rounding(outputs, axes) for one in heard)
+    return TraceError(
+        estimate=float(ESTIMATE_FACTOR * worst / peak),
+        bound=rounding_bound(norms, n_fft) / peak,
+    )
+
+
+# Responses of a limb at the length that a design is transformed at.
+
+
+@dataclass(frozen=True, slots=True)
+class Responses:
+    """Reads and transforms responses when they are asked for; remembers them.
+
+    Attributes
+    ----------
+    remembered
+        Where what is found is kept.
+    limb, scaling
+        Whose responses, and what an amplitude of 1 means.
+    n_fft
+        Length of the transforms; None: that of blocks.
+    """
+
+    remembered: Remembered
+    limb: Limb
+    scaling: Scaling
+    n_fft: int | None
+
+    @property
+    def blocks(self) -> Blocks:
+        """How long drives are cut."""
+        return Blocks(self.limb.n_taps)
+
+    def to(self, places: Iterable[int]) -> list[ResponseSpectrum]:
+        """Responses to each of some places."""
+        places = list(places)
+        if self.n_fft is None:
+            stack = self.stack(places)
+            return [stack.responses[place] for place in places] if stack is not None else []
+        spectra = self.remembered.responses
+        return [spectra.of(self.limb, place, self.scaling, self.n_fft) for place in places]
+
+    def stack(self, places: Iterable[int]) -> Stack | None:
+        """Responses to some places for matrix products over blocks; None for no places."""
+        used = tuple(sorted(set(places)))
+        if not used:
+            return None
+        n_fft = self.blocks.n_fft
+        return self.remembered.responses.stack(self.limb, used, self.scaling, n_fft)
+
+    def drive_spectrum(self, unit: UnitVoice, drive: Drive) -> Complexes:
+        """Spectrum of what a voice plays, from time 0 on, (n_bins,); not for blocks."""
+        if self.n_fft is None:
+            raise ValueError("long drives have no spectrum as a whole")
+        rate = self.limb.sample_rate_hz
+        return self.remembered.drives.spectrum(unit, drive, rate, self.n_fft)
+
+    def gains(self, voices: Sequence[Sounding], stop: Stop = never) -> list[float]:
+        """What vibrations by unit voices, none of them silent, are multiplied with."""
+        if self.scaling != "upstream":
+            return [one.drive.factor for one in voices]
+        in_blocks = self.n_fft is None
+        return self.remembered.gains.of(self.limb, voices, in_blocks=in_blocks, stop=stop)

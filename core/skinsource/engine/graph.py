@@ -1,0 +1,195 @@
+"""Demand-driven evaluation of named quantities.
+
+A *rule* is a pure function.  Its name is the quantity it computes; its parameters name the
+quantities it needs.  That is all the wiring there is.
+"""
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping
+from difflib import get_close_matches
+from inspect import signature
+from operator import is_
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from skinsource.base.job import Stop, never, stop_if
+from skinsource.base.quoting import quoted
+from skinsource.base.work import Work, counting, tally
+
+
+class UnknownQuantity(LookupError):
+    """Nothing computes the quantity that was asked for."""
+
+
+class Graph:
+    """Computes what is asked for, and nothing else; recomputes only what changed.
+
+    Not thread-safe: one graph belongs to one thread.
+
+    Attributes
+    ----------
+    runs
+        How often each rule has run.
+    work
+        What the latest evaluation did.
+
+    Raises
+    ------
+    ValueError
+        Two rules have the same name, or rules need each other in a circle.
+    """
+
+    def __init__(self, *rules: Callable[..., Any]) -> None:
+        names = Counter(_name(rule) for rule in rules)
+        twice = [name for name, times in names.items() if times > 1]
+        if twice:
+            raise ValueError(f"two rules compute {quoted(twice[0])}; expected one")
+        self._rules = {_name(rule): rule for rule in rules}
+        self._needs = {
+            name: tuple(signature(rule).parameters) for name, rule in self._rules.items()
+        }
+        self._refuse_circles()
+        self._orders: dict[tuple[frozenset[str], frozenset[str]], tuple[_Step, ...]] = {}
+        self._memo: dict[str, tuple[list[Any], Any]] = {}
+        self.runs: Counter[str] = Counter()
+        self.work = Work()
+
+    @property
+    def rules(self) -> dict[str, Callable[..., Any]]:
+        """The rules, by name."""
+        return dict(self._rules)
+
+    def needs_of(self, name: str) -> tuple[str, ...]:
+        """Quantities that a rule needs, in its order; none for what is given."""
+        return tuple(need for need in self._needs.get(name, ()) if need != "stop")
+
+    def upstream_of(self, names: Iterable[str]) -> frozenset[str]:
+        """What quantities depend on: themselves, what rules compute, and what is given."""
+        found: set[str] = set()
+        waiting = set(names)
+        while waiting:
+            name = waiting.pop()
+            if name in self._rules:
+                waiting.update(need for need in self.needs_of(name) if need not in found)
+            found.add(name)
+        return frozenset(found)
+
+    def evaluate(
+        self,
+        wanted: Iterable[str],
+        given: Mapping[str, Any],
+        stop: Stop = never,
+    ) -> dict[str, Any]:
+        """Return the ``wanted`` quantities, starting from the ``given`` ones.
+
+        ``stop`` is asked before each rule runs; once true, `skinsource.base.errors.Stopped` is
+        raised. A rule that takes long has a parameter ``stop`` and asks itself.
+        """
+        known = {"stop": stop, **given}
+        wanted = frozenset(wanted)
+        with counting() as self.work:
+            for step in self._order(wanted, frozenset(known)):
+                known[step.name] = self._refresh(step, known)
+        return {name: known[name] for name in wanted}
+
+    def _order(self, wanted: frozenset[str], known: frozenset[str]) -> "tuple[_Step, ...]":
+        """Rules that lead from what is known to what is wanted, each after those it needs."""
+        if (wanted, known) not in self._orders:
+            steps: dict[str, _Step] = {}
+            for name in sorted(wanted):
+                self._add(name, known, steps)
+            self._orders[wanted, known] = tuple(steps.values())
+        return self._orders[wanted, known]
+
+    def _add(self, name: str, known: frozenset[str], steps: "dict[str, _Step]") -> None:
+        if name in known or name in steps:
+            return
+        if name not in self._rules:
+            raise UnknownQuantity(_unknown(name, self._rules))
+        for need in self._needs[name]:
+            self._add(need, known, steps)
+        # How to stop is handed on, but is no part of what the result depends on.
+        needs = tuple(need for need in self._needs[name] if need != "stop")
+        steps[name] = _Step(name, self._rules[name], needs, "stop" in self._needs[name])
+
+    def _refresh(self, step: "_Step", known: dict[str, Any]) -> Any:
+        name = step.name
+        inputs = [known[need] for need in step.needs]
+        memo = self._memo.get(name)
+        if memo is not None and _all_same(memo[0], inputs):
+            return memo[1]
+        stop_if(known["stop"])
+        if memo is not None and isinstance(memo[1], np.ndarray):
+            # No array equals another: this one goes before the next is made, long ones are large.
+            del self._memo[name]
+            memo = None
+        given = dict(zip(step.needs, inputs, strict=True))
+        if step.takes_stop:
+            given["stop"] = known["stop"]
+        result = step.rule(**given)
+        self.runs[name] += 1
+        tally(rules_run=1)
+        _freeze(result)  # it is remembered, and shared with other threads
+        if memo is not None and _same(memo[1], result):
+            result = memo[1]  # equal, so what follows from it stands
+        self._memo[name] = inputs, result
+        return result
+
+    def _refuse_circles(self) -> None:
+        settled: set[str] = set()
+
+        def visit(name: str, path: tuple[str, ...]) -> None:
+            if name in path:
+                raise ValueError("rules need each other: " + " -> ".join((*path, name)))
+            if name in settled or name not in self._rules:
+                return
+            for need in self._needs[name]:
+                visit(need, (*path, name))
+            settled.add(name)
+
+        for name in self._rules:
+            visit(name, ())
+
+
+class _Step(NamedTuple):
+    """A rule, and what it needs."""
+
+    name: str
+    rule: Callable[..., Any]
+    needs: tuple[str, ...]
+    takes_stop: bool
+
+
+def _all_same(old: list[Any], new: list[Any]) -> bool:
+    # Most are what they were, which is quickly seen.
+    return all(map(is_, old, new)) or all(map(_same, old, new))
+
+
+def _name(rule: Callable[..., Any]) -> str:
+    return str(rule.__name__)
+
+
+def _same(old: Any, new: Any) -> bool:
+    # Arrays are compared by identity: a rule that did not run returned the same object.
+    if old is new:
+        return True
+    if isinstance(old, np.ndarray):
+        return False
+    if isinstance(old, tuple) and isinstance(new, tuple):
+        return len(old) == len(new) and all(map(_same, old, new))
+    return type(old) is type(new) and bool(old == new)
+
+
+def _freeze(result: Any) -> None:
+    if isinstance(result, np.ndarray):
+        result.flags.writeable = False
+    elif isinstance(result, tuple):
+        for part in result:
+            _freeze(part)
+
+
+def _unknown(name: str, known: Iterable[str]) -> str:
+    close = get_close_matches(name, list(known), n=1)
+    hint = f"; perhaps {quoted(close[0])} is meant" if close else ""
+    return f"no rule computes {quoted(name)}{hint}"

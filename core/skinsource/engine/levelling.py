@@ -1,0 +1,71 @@
+"""Predicted levels of the wavelets of a train, each alone."""
+
+from dataclasses import replace
+
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.job import Progress, Stop, never, silent, stop_if
+from skinsource.design.design import Design
+from skinsource.design.view import View
+from skinsource.design.waveforms import WaveletTrain
+from skinsource.design.waveforms.wavelet_train import SOFTEST_DB
+from skinsource.engine.evaluation import Evaluator
+from skinsource.signals.loudest_window import LOUDEST_WINDOW_S
+
+#: What is measured, for labels.
+MEASURE = f"loudest {LOUDEST_WINDOW_S * 1000:g} ms of any output"
+_LOOK = View(axes="xyz", method="mag", span="loudest")
+
+
+def wavelet_levels_db(
+    design: Design, clip_id: int, *, progress: Progress = silent, stop: Stop = never
+) -> tuple[float, ...]:
+    """Level of each wavelet of a train where it is strongest on the skin, its own gain left out.
+
+    Each wavelet is predicted alone, on the limb and at the place of its track, through the effects
+    of its clip; the others rest.  Its level is the highest RMS of any 100 ms of the length of the
+    acceleration vector, at whatever output that is highest.
+
+    Parameters
+    ----------
+    design
+        What holds the clip.
+    clip_id
+        The clip, which plays a `WaveletTrain`.
+    progress, stop
+        Told after each wavelet; asked before each.
+
+    Returns
+    -------
+    In dB, as many as frequencies.  Only differences between them count: amplitudes and gains are
+    left out, and what scaling does to all frequencies alike.  Of a wavelet that moves nothing,
+    minus infinity.
+
+    Raises
+    ------
+    InvalidInputError
+        The clip plays no wavelet train, or there is no such clip.
+    DatasetMissingError
+        The limb is a measured one, and the measured dataset is not installed.
+    Stopped
+        ``stop`` said so.
+    """
+    clip, track = design.clip(clip_id), design.track_of(clip_id)
+    train = clip.waveform
+    if not isinstance(train, WaveletTrain):
+        raise InvalidInputError(
+            f"clip {clip_id} plays a {type(train).__name__}, expected a WaveletTrain"
+        )
+    # Each wavelet scaled to its own peak would be alike before anything is done.
+    scaling = "relative" if design.scaling == "upstream" else design.scaling
+    evaluator, levels_db = Evaluator(), []
+    count = len(train.frequencies_hz)
+    for j in range(count):
+        stop_if(stop)
+        gains_db = tuple(0.0 if k == j else SOFTEST_DB for k in range(count))
+        alone = replace(clip, gain=1.0, muted=False, waveform=replace(train, gains_db=gains_db))
+        player = replace(track, clips=(alone,), amplitude=1.0, muted=False, solo=False)
+        played = replace(design, inputs=(player,), scaling=scaling)
+        found = evaluator.evaluate(played, ("output_levels_db",), _LOOK)["output_levels_db"]
+        levels_db.append(float(found.max()))
+        progress(j + 1, count, f"Wavelet {j + 1} of {count}")
+    return tuple(levels_db)

@@ -1,0 +1,161 @@
+"""Every quantity the studio can show.  To add one, write one function here.
+
+A function's name is the quantity it computes, its parameters are the quantities it needs; those
+fields of the design and of the view that numbers depend on are given, see `sources`.
+"""
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from skinsource.base.arrays import Floats
+from skinsource.base.job import Stop
+from skinsource.base.published import Band
+from skinsource.design.design import Design, Input, audible_indices
+from skinsource.design.signal_path import Voice
+from skinsource.design.view import View
+from skinsource.engine import analysis_rules, level_rules, trace_rules, vibration_rules, voice_rules
+from skinsource.engine import time_rules as in_time_rules
+from skinsource.engine import window_rules as in_windows_rules
+from skinsource.engine.gains import Remembered
+from skinsource.engine.graph import Graph
+from skinsource.engine.shared import Shared
+from skinsource.engine.time_rules import block_of
+from skinsource.limbs.limb import Limb, LimbMap
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.limbs.surface.operator import SurfaceOperator
+
+
+def voices(
+    remembered: Remembered, inputs: tuple[Input, ...], sample_rate_hz: float
+) -> tuple[Voice, ...]:
+    """What sounds where, from when, how strong, through what chain: one for each input."""
+    heard = set(audible_indices(inputs))
+    found = []
+    for index, one in enumerate(inputs):
+        start, chain = remembered.chains.of(one.id, one.clips, one.gain_curve, sample_rate_hz)
+        found.append(
+            Voice(
+                id=one.id,
+                location=one.location,
+                start=start,
+                amplitude=one.amplitude,
+                heard=index in heard,
+                chain=chain,
+            )
+        )
+    return tuple(found)
+
+
+def clip_waveforms(
+    remembered: Remembered, inputs: tuple[Input, ...], sample_rate_hz: float, stop: Stop
+) -> tuple[tuple[Floats | None, ...], ...]:
+    """What each clip of each input plays, muted or not, after its effects and before its gain.
+
+    None: it cannot be sampled.
+    """
+    tracks = tuple(one.clips for one in inputs)
+    return remembered.clip_waveforms.of(tracks, sample_rate_hz, stop)
+
+
+def limb_map(limb_data: Limb) -> LimbMap:
+    """Outline of the limb and places on it."""
+    return limb_data.map
+
+
+def sample_rate_hz(limb_data: Limb) -> float:
+    """Sample rate of drives and responses."""
+    return limb_data.sample_rate_hz
+
+
+def band_hz(limb_data: Limb) -> Band | None:
+    """In which the limb was measured; None: not known."""
+    return limb_data.band_hz
+
+
+def surface_levels_db(surface: SurfaceOperator, output_levels_db: Floats) -> Floats:
+    """RMS level over the back of hand and arm, (rows, columns), dB; NaN outside the outline."""
+    return surface.interpolate(output_levels_db)
+
+
+def response_time_s(response_samples: int, driven_limb: Limb, delay_removed: bool) -> Floats:
+    """Sampling instants of the response, (n_times,), in seconds."""
+    shift_s = driven_limb.pre_trigger_delay_s if delay_removed else 0.0
+    first = driven_limb.lead_samples
+    return np.arange(-first, response_samples - first) / driven_limb.sample_rate_hz - shift_s
+
+
+#: All rules but those of `skinsource.engine.shared.Shared`.
+RULES: tuple[Callable[..., Any], ...] = (
+    voices,
+    clip_waveforms,
+    limb_map,
+    sample_rate_hz,
+    band_hz,
+    surface_levels_db,
+    response_time_s,
+    *voice_rules.RULES,
+    *vibration_rules.RULES,
+    *level_rules.RULES,
+    *trace_rules.RULES,
+    *in_time_rules.RULES,
+    *analysis_rules.RULES,
+    *in_windows_rules.RULES,
+)
+
+
+def sources(
+    design: Design, view: View, *, match_gain: float = 1.0, leave_out_unplayable: bool = False
+) -> dict[str, Any]:
+    """Return what evaluation starts from, by name: nothing that no quantity depends on.
+
+    Parameters
+    ----------
+    design, view
+        What is predicted, and how it is looked at.
+    match_gain
+        Factor on all that the skin does, see `View.match_gain`; drives do not have it.
+    leave_out_unplayable
+        Whether inputs that cannot be played are left out and listed in ``unplayable_inputs``; else
+        they are an error.
+    """
+    return {
+        "limb": design.limb,
+        # One that is imported anew under its name is another one.
+        "limb_digest": design.limb_digest or facts_of(design.limb).digest,
+        "limb_mirrored": facts_of(design.limb).mirrored,
+        "inputs": design.inputs,
+        "scaling": design.scaling,
+        "actuation": design.actuated,
+        "match_gain": match_gain,
+        "leave_out_unplayable": leave_out_unplayable,
+        "axes": view.axes,
+        "method": view.method,
+        "span": view.span,
+        "outputs": view.outputs,
+        "selected_input": view.selected_input,
+        "delay_removed": view.delay_removed,
+        "moving_block": block_of(view.playhead_s),
+        **analysis_rules.choices_of(view),
+        "windows_cut": view.windows_cut,
+        "window_count": view.window_count,
+        "window_s": view.window_s,
+    }
+
+
+def new_graph(shared: Shared | None = None) -> Graph:
+    """Return a graph of all quantities, which has not computed anything.
+
+    Parameters
+    ----------
+    shared
+        What it shares with other graphs of its thread; nothing, unless given.
+    """
+    return Graph(*RULES, *(shared or Shared()).rules())
+
+
+def graphs_that_share() -> Callable[[], Graph]:
+    """Return a function that makes graphs, all for one thread, which share what they can."""
+    return partial(new_graph, Shared())

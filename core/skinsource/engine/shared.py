@@ -1,0 +1,80 @@
+"""What graphs share: limbs, the operators of their maps, and what rendering remembers.
+
+Two graphs that look at one limb read and transform its responses once.  All that is remembered
+takes at most as much as `skinsource.engine.memory` says; a limb itself, with the responses that
+were read, stays as long as a graph holds it.
+"""
+
+from collections.abc import Callable
+from typing import Any
+from weakref import WeakValueDictionary, ref
+
+from skinsource.actuators.actuation import Actuation
+from skinsource.base.job import Stop
+from skinsource.engine.gains import Remembered
+from skinsource.engine.memory import SURFACES_BYTES, Memory
+from skinsource.engine.spectra import actuated_limb
+from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.limb import Limb
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.limbs.scaling import Scaling
+from skinsource.limbs.surface.operator import SurfaceOperator
+from skinsource.limbs.surface.surface import kept_surface_operator
+
+_Actuated = tuple[ref[Limb], Actuation, Scaling]
+
+
+class Shared:
+    """Hand the same one to several graphs, all of one thread.
+
+    Its methods are rules: their names are what they compute.
+    """
+
+    def __init__(self) -> None:
+        self._remembered = Remembered()
+        self._limbs: WeakValueDictionary[tuple[str, str, bool], Limb] = WeakValueDictionary()
+        self._actuated: WeakValueDictionary[_Actuated, Limb] = WeakValueDictionary()
+        self._surfaces = Memory[SurfaceOperator](SURFACES_BYTES, _bytes_of)
+
+    def rules(self) -> tuple[Callable[..., Any], ...]:
+        """The methods that are rules."""
+        return self.remembered, self.limb_data, self.driven_limb, self.surface
+
+    def remembered(self) -> Remembered:
+        """What rendering remembers."""
+        return self._remembered
+
+    def limb_data(self, limb: str, limb_digest: str, limb_mirrored: bool) -> Limb:
+        """The limb, with its responses read when touched."""
+        # Once no graph holds it, it is opened anew: its name may mean other data by then.
+        key = limb, limb_digest, limb_mirrored
+        found = self._limbs.get(key)
+        if found is None:
+            found = self._limbs[key] = load_limb(limb, limb_digest)
+        return found
+
+    def driven_limb(self, limb_data: Limb, actuation: Actuation | None, scaling: Scaling) -> Limb:
+        """The limb as drives meet it: through the actuators, where there are any."""
+        if actuation is None:
+            return limb_data
+        key = ref(limb_data), actuation, scaling
+        found = self._actuated.get(key)
+        if found is None:
+            found = self._actuated[key] = actuated_limb(limb_data, actuation, scaling)
+        return found
+
+    def limb_of(self, name: str, digest: str = "") -> Limb:
+        """The limb that a design names."""
+        facts = facts_of(name)
+        return self.limb_data(name, digest or facts.digest, facts.mirrored)
+
+    def surface(self, limb_data: Limb, stop: Stop) -> SurfaceOperator:
+        """Operator from outputs to the pixels of the map."""
+        return self._surfaces.get(
+            ref(limb_data), lambda: kept_surface_operator(limb_data, stop=stop)
+        )
+
+
+def _bytes_of(operator: SurfaceOperator) -> int:
+    weights = operator.weights
+    return weights.data.nbytes + weights.indices.nbytes + weights.indptr.nbytes

@@ -1,0 +1,720 @@
+"""One channel of a stimulus."""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from math import ceil, floor
+from typing import Any, Literal
+
+import numpy as np
+
+from skinsource.actuators.actuation import Actuation
+from skinsource.actuators.catalog import load, names
+from skinsource.actuators.equalising import Equaliser, equalised, followed_band
+from skinsource.actuators.rigs import Rig, RigChannel
+from skinsource.base.arguments import one_of, real_number, whole_number
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.job import Progress, Stop, never, silent, stop_if
+from skinsource.base.published import BAND_HZ, Band, check_input_location
+from skinsource.base.quoting import quoted
+from skinsource.base.work import counted
+from skinsource.design.amplitudes import ARBITRARY_UNIT, drive_unit
+from skinsource.design.design import Design, Input, audible_inputs
+from skinsource.design.effects import played
+from skinsource.design.signal_path import Part, drive_played, placed_chain
+from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.limb import Limb
+from skinsource.limbs.locations import input_words
+from skinsource.limbs.scaling import Scaling
+from skinsource.signals.resampling import MAX_RATE_HZ, PASSED_SHARE, by_ratio
+from skinsource.signals.sampling import NEAR, band_limited_delay
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Channel:
+    """What goes to one actuator, or to whatever else is wired to an output.
+
+    Attributes
+    ----------
+    number
+        Its place among the channels, from 1.
+    place
+        Input place of the actuator; None: it drives no actuator (sync, or left silent).
+    title
+        Words for it.
+    inputs
+        Ids of the inputs of the design that it plays.
+    loss_db
+        How much of its energy does not reach the sample rate.
+    """
+
+    number: int
+    place: int | None
+    title: str
+    inputs: tuple[int, ...] = ()
+    loss_db: float = 0.0
+
+
+# Channels with their samples.
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Stimulus:
+    """Sampled channels side by side.
+
+    Attributes
+    ----------
+    channels
+        What they are; none where nothing is heard.
+    samples : (n_channels, n_times)
+        Amplitude times gain times waveform, read-only.
+    sample_rate_hz
+        Their rate.
+    limb
+        Name of the limb that the design is for.
+    scaling
+        What an amplitude of 1 means in that design.
+    start_s
+        Time of the design at which the first sample lies.
+    own_rate_hz
+        Rate at which the design was sampled: nothing above its half is in the samples.
+    unit
+        Of the samples of channels that have a place, see `skinsource.design.amplitudes.drive_unit`.
+    limb_band_hz
+        In which the limb was measured; None: not known.
+    """
+
+    channels: tuple[Channel, ...]
+    samples: Floats
+    sample_rate_hz: float
+    limb: str
+    scaling: Scaling
+    start_s: float = 0.0
+    own_rate_hz: float
+    unit: str
+    limb_band_hz: Band | None = BAND_HZ
+
+    def __post_init__(self) -> None:
+        if self.samples.ndim != 2 or len(self.channels) != self.samples.shape[0]:
+            raise ValueError(
+                f"samples have the shape {self.samples.shape}, expected "
+                f"({len(self.channels)} channels, n_times)"
+            )
+        held = self.samples.view()
+        held.flags.writeable = False
+        object.__setattr__(self, "samples", held)
+
+    @property
+    def n_times(self) -> int:
+        """Samples of each channel."""
+        return self.samples.shape[1]
+
+    @property
+    def duration_s(self) -> float:
+        """How long it lasts."""
+        return self.n_times / self.sample_rate_hz
+
+    @property
+    def band_hz(self) -> Band:
+        """Lowest and highest frequency at which what is written is what was predicted."""
+        lower_hz = min(self.sample_rate_hz, self.own_rate_hz)
+        low_hz, high_hz = self.limb_band_hz or (0.0, np.inf)
+        return low_hz, min(high_hz, PASSED_SHARE * 0.5 * lower_hz)
+
+    @property
+    def driving(self) -> tuple[int, ...]:
+        """Rows of the channels that drive an actuator."""
+        return tuple(row for row, one in enumerate(self.channels) if one.place is not None)
+
+    def with_samples(self, samples: Floats, **changes: object) -> "Stimulus":
+        """Return a copy that holds other samples."""
+        return replace(self, samples=samples, **changes)  # type: ignore[arg-type]
+
+
+def numbered(channels: Iterable[Channel]) -> tuple[Channel, ...]:
+    """Number ``channels`` from 1 in their order."""
+    return tuple(replace(one, number=number) for number, one in enumerate(channels, start=1))
+
+
+def peaks(samples: Floats) -> Floats:
+    """Largest absolute sample of each channel, (n_channels,); without a copy of them all."""
+    if not samples.shape[1]:
+        return np.zeros(samples.shape[0])
+    return np.maximum(samples.max(axis=1), -samples.min(axis=1))
+
+
+# Which channel goes to which output of a device.
+
+#: Outputs of the largest device that is thought of.
+MOST_OUTPUTS = 1024
+
+
+def in_order(stimulus: Stimulus, outputs: Sequence[int]) -> Stimulus:
+    """Return the channels in another order.
+
+    Parameters
+    ----------
+    stimulus
+        Channels 1, 2, 3, …
+    outputs
+        For each output of the device, from the first on, the number of the channel that it gets;
+        0: it stays silent.
+
+    Raises
+    ------
+    InvalidInputError
+        A number that no channel has, a channel that is named twice, or one that is left out.
+    """
+    known = len(stimulus.channels)
+    numbers = [whole_number("Channel map", number, 0, known) for number in outputs]
+    used = [number for number in numbers if number]
+    if len(numbers) > MOST_OUTPUTS or sorted(used) != list(range(1, known + 1)):
+        raise InvalidInputError(
+            f"Channel map is {quoted(list(outputs))}, expected each channel from 1 to {known} "
+            f"once, and 0 for outputs that stay silent, at most {MOST_OUTPUTS} altogether. Say "
+            "which tracks take part where a channel shall be left out."
+        )
+    silent = Channel(number=0, place=None, title="Silent")
+    samples = np.zeros((len(numbers), stimulus.n_times))
+    channels = []
+    for row, number in enumerate(numbers):
+        channels.append(stimulus.channels[number - 1] if number else silent)
+        if number:
+            samples[row] = stimulus.samples[number - 1]
+    return stimulus.with_samples(samples, channels=numbered(channels))
+
+
+# Fades at both ends of a stimulus.
+
+
+def faded(stimulus: Stimulus, fade_in_s: float = 0.0, fade_out_s: float = 0.0) -> Stimulus:
+    """Fade all channels that drive an actuator in and out, along half a cosine.
+
+    The first and the last sample become 0.
+
+    Parameters
+    ----------
+    stimulus
+        As it would be cut off hard.
+    fade_in_s, fade_out_s
+        How long; 0: nothing is changed at that end.
+
+    Raises
+    ------
+    InvalidInputError
+        A fade is longer than the stimulus.
+    """
+    factor = np.ones(stimulus.n_times)
+    duration_s = stimulus.duration_s
+    for name, length_s, part in (
+        ("fade_in_s", fade_in_s, factor),
+        ("fade_out_s", fade_out_s, factor[::-1]),
+    ):
+        given_s = real_number(
+            name,
+            length_s,
+            f"a time from 0 to {duration_s:g} s, the length of the stimulus",
+            least=0.0,
+            most=duration_s,
+        )
+        n = round(given_s * stimulus.sample_rate_hz)
+        part[:n] *= _rise(n)
+    if np.all(factor == 1.0):
+        return stimulus
+    samples = stimulus.samples.copy()
+    samples[list(stimulus.driving)] *= factor
+    return stimulus.with_samples(samples)
+
+
+def _rise(n: int) -> Floats:
+    """From 0 on, towards 1 at sample n, (n,)."""
+    rise: Floats = 0.5 - 0.5 * np.cos(np.pi * np.arange(n) / max(n, 1))
+    return rise
+
+
+# Which sample is full scale.
+
+
+def full_scale_factor(stimulus: Stimulus) -> float:
+    """One factor for all channels that brings the largest sample to 1; 1 where all are silent.
+
+    Channels that drive no actuator play no part.
+    """
+    rows = list(stimulus.driving)
+    peak = float(peaks(stimulus.samples)[rows].max(initial=0.0)) if rows else 0.0
+    if peak == 0.0:
+        return 1.0
+    factor = 1.0 / peak
+    # Rounded down, so that the largest sample is 1 and not the next number above it.
+    return float(np.nextafter(factor, 0.0)) if peak * factor > 1.0 else factor
+
+
+def scaled(stimulus: Stimulus, factor: float) -> Stimulus:
+    """Multiply the channels that drive an actuator with ``factor``."""
+    if factor == 1.0:
+        return stimulus
+    factors = np.ones((len(stimulus.channels), 1))
+    factors[list(stimulus.driving)] = factor
+    return stimulus.with_samples(stimulus.samples * factors)
+
+
+# When a stimulus begins and ends.
+
+#: Longest silence that is put before a stimulus.
+LONGEST_LEAD_IN_S = 60.0
+
+
+def part_of_time(stimulus: Stimulus, from_s: float, to_s: float) -> Stimulus:
+    """Return the samples from one time of the design up to, not including, another.
+
+    What sounds at these times is cut off hard; see `faded`.  Where the stimulus ends earlier,
+    silence follows.
+
+    Raises
+    ------
+    InvalidInputError
+        The times are not in order, or no sample lies between them.
+    """
+    begin_s = real_number("from_s", from_s, "a time of the design from 0 on", least=0.0)
+    end_s = real_number("to_s", to_s, f"a time after from_s, {begin_s:g} s", least=begin_s)
+    first, end = (
+        ceil((time_s - stimulus.start_s) * stimulus.sample_rate_hz - NEAR)
+        for time_s in (begin_s, end_s)
+    )
+    first = max(first, 0)
+    if end <= first:
+        raise InvalidInputError(
+            f"to_s is {end_s:g} and from_s is {begin_s:g}: no sample lies between them, expected "
+            "at least one. Take a longer part."
+        )
+    found = np.zeros((len(stimulus.channels), end - first))
+    inside = stimulus.samples[:, first:end]
+    found[:, : inside.shape[1]] = inside
+    return stimulus.with_samples(found, start_s=stimulus.start_s + first / stimulus.sample_rate_hz)
+
+
+def with_lead_in(stimulus: Stimulus, silence_s: float) -> Stimulus:
+    """Put silence before a stimulus, rounded up to whole samples."""
+    n = lead_in_samples(silence_s, stimulus.sample_rate_hz)
+    if not n:
+        return stimulus
+    found = np.zeros((len(stimulus.channels), n + stimulus.n_times))
+    found[:, n:] = stimulus.samples
+    return stimulus.with_samples(found, start_s=stimulus.start_s - n / stimulus.sample_rate_hz)
+
+
+def lead_in_samples(length_s: float, sample_rate_hz: float) -> int:
+    """Return how many samples a lead-in has: rounded up.
+
+    Raises
+    ------
+    InvalidInputError
+        It is negative, or longer than `LONGEST_LEAD_IN_S`.
+    """
+    length_s = real_number(
+        "lead_in_s",
+        length_s,
+        f"a time from 0 to {LONGEST_LEAD_IN_S:g} s",
+        least=0.0,
+        most=LONGEST_LEAD_IN_S,
+    )
+    return ceil(length_s * sample_rate_hz - NEAR)
+
+
+# From a design to the channels that actuators get.
+
+#: Something that is done to a stimulus at the rate of the device: an equaliser, for instance.
+Stage = Callable[[Stimulus], Stimulus]
+
+#: Samples of all channels together: one gigabyte.
+MOST_SAMPLES = 2**27
+_PER = ("place", "input")
+
+
+def stimulus_of(
+    design: Design,
+    sample_rate_hz: int | None = None,
+    *,
+    per: Literal["place", "input"] = "place",
+    inputs: Iterable[int] | None = None,
+    clips: Iterable[int] | None = None,
+    stages: Sequence[Stage] = (),
+    limb: Limb | None = None,
+    lead_in_s: float = 0.0,
+    progress: Progress = silent,
+    stop: Stop = never,
+) -> Stimulus:
+    """Return what the actuators get to play a design.
+
+    Each channel is amplitude x gain x waveform, at the rate of the limb, where the prediction is
+    made from the same samples; another rate is reached by `skinsource.resample`, so that what is
+    played is what is predicted.  Sample 0 is time 0 of the design, unless there is a lead-in.
+
+    Parameters
+    ----------
+    design, sample_rate_hz
+        Inputs that are not heard are left out; whole hertz, None: the rate of the limb.
+    per
+        ``"place"``: one channel for each place in use, in the order of first use, so that inputs
+        at one place add up.  ``"input"``: one channel for each input.
+    inputs, clips
+        Ids of the inputs, or of the clips, that take part; None: all of them.
+    stages
+        What is done at the end, at ``sample_rate_hz``, one after the other.
+    limb
+        Of the design, where it is open already.
+    lead_in_s
+        How long before time 0 it begins: silence, but for what rings there at another rate.
+    progress, stop
+        As of a job: told how many channels have their rate; `Stopped` is raised.
+
+    Raises
+    ------
+    InvalidInputError
+        A place, an id, a rate or a sample that cannot be, or more samples than can be held.
+    DatasetMissingError
+        The limb is a measured one, and the measured dataset is not installed.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> found = ss.stimulus_of(ss.Design(limb="synthetic-1", inputs=(ss.track(7),)), 48_000)
+    >>> found.channels[0].title, found.samples.shape
+    ('Digit II, pad', (1, 9600))
+    """
+    heard = _taking_part(design, inputs, clips)
+    one_of("per", per, _PER)
+    found = _made(design, limb, heard, per, sample_rate_hz, lead_in_s, (progress, stop))
+    for stage in stages:
+        stop_if(stop)
+        found = stage(found)
+    return found
+
+
+def _made(
+    design: Design,
+    limb: Limb | None,
+    heard: tuple[Input, ...],
+    per: str,
+    sample_rate_hz: int | None,
+    lead_in_s: float,
+    job: tuple[Progress, Stop],
+) -> Stimulus:
+    """What ``heard`` plays."""
+    if sample_rate_hz is not None:
+        sample_rate_hz = whole_number("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ)
+    limb = load_limb(design.limb) if limb is None else limb
+    for one in heard:
+        check_input_location(one.location, limb.n_inputs)
+    own_rate_hz = limb.sample_rate_hz
+    rate_hz = own_rate_hz if sample_rate_hz is None else float(sample_rate_hz)
+    channels = _channels(heard, per, design.limb)
+    lead = lead_in_samples(lead_in_s, rate_hz)
+    return Stimulus(
+        channels=channels,
+        samples=_sampled(heard, channels, own_rate_hz, rate_hz, lead, *job),
+        sample_rate_hz=rate_hz,
+        start_s=-lead / rate_hz if lead else 0.0,
+        limb=design.limb,
+        scaling=design.scaling,
+        own_rate_hz=own_rate_hz,
+        limb_band_hz=limb.band_hz,
+        unit=drive_unit(design, limb),
+    )
+
+
+def _taking_part(
+    design: Design, inputs: Iterable[int] | None, clips: Iterable[int] | None
+) -> tuple[Input, ...]:
+    """Inputs that are heard, with those of their clips that take part."""
+    if not isinstance(design, Design):
+        raise InvalidInputError(f"design is {quoted(design)}, expected a Design")
+    heard = audible_inputs(design.inputs)
+    if inputs is not None:
+        wanted = {design.input(id).id for id in inputs}
+        heard = tuple(one for one in heard if one.id in wanted)
+    if clips is None:
+        return heard
+    chosen = {design.clip(id).id for id in clips}
+    left = (
+        replace(one, clips=tuple(clip for clip in one.clips if clip.id in chosen)) for one in heard
+    )
+    return tuple(one for one in left if one.clips)
+
+
+def _channels(heard: tuple[Input, ...], per: str, limb: str) -> tuple[Channel, ...]:
+    together: dict[int, list[Input]] = {}
+    for one in heard:
+        together.setdefault(one.location if per == "place" else one.id, []).append(one)
+    return tuple(
+        Channel(
+            number=number,
+            place=group[0].location,
+            title=input_words(group[0].location, limb).name,
+            inputs=tuple(one.id for one in group),
+        )
+        for number, group in enumerate(together.values(), start=1)
+    )
+
+
+def _sampled(
+    heard: tuple[Input, ...],
+    channels: tuple[Channel, ...],
+    own_rate_hz: float,
+    rate_hz: float,
+    lead: int,
+    progress: Progress,
+    stop: Stop,
+) -> Floats:
+    """Samples at ``rate_hz`` from ``lead`` before time 0, (n_channels, n_times); at least one."""
+    ratio = Fraction(rate_hz) / Fraction(own_rate_hz)
+    rows = {id: row for row, one in enumerate(channels) for id in one.inputs}
+    pieces: list[tuple[int, int, float, Floats]] = []
+
+    def drawn(part: Part) -> Floats:
+        return played(part.waveform, part.effects, own_rate_hz, part.shift_s)
+
+    for one in heard:
+        stop_if(stop)
+        start, chain = placed_chain(one.clips, one.gain_curve, own_rate_hz)
+        drive = drive_played(chain, own_rate_hz, one.location, drawn)
+        pieces.append((rows[one.id], start, one.amplitude * drive.factor, drive.samples))
+    n = max([1, *(start + samples.size for _, start, _, samples in pieces)])
+    # Samples of both rates meet at time 0: what comes before is whole numbers of either.
+    steps = -(-lead // ratio.numerator)
+    before, surplus = steps * ratio.denominator, steps * ratio.numerator - lead
+    n += before
+    _refuse_too_long(len(channels), -(-n * ratio.numerator // ratio.denominator), rate_hz)
+    total = np.zeros((len(channels), n))
+    for row, start, factor, samples in pieces:
+        begin = before + start
+        total[row, begin : begin + samples.size] += factor * samples
+    stop_if(stop)
+    if ratio == 1:
+        return total
+    found = np.empty((len(channels), -(-n * ratio.numerator // ratio.denominator)))
+    for row, samples in enumerate(total):
+        # A minute at the rate of a sound card takes a while.
+        stop_if(stop)
+        progress(row, len(channels), "Computing")
+        found[row] = by_ratio(samples, ratio, min(own_rate_hz, rate_hz))
+    return found[:, surplus:]
+
+
+def _refuse_too_long(n_channels: int, n_times: int, rate_hz: float) -> None:
+    if n_channels * n_times > MOST_SAMPLES:
+        longest_s = MOST_SAMPLES / n_channels / rate_hz
+        raise InvalidInputError(
+            f"The stimulus lasts {n_times / rate_hz:.1f} s, expected at most {longest_s:.1f} s for "
+            f"{counted(n_channels, 'channel')} at {rate_hz:g} Hz. "
+            "Choose a lower rate, mute inputs, or make the design shorter."
+        )
+
+
+# A channel that tells other devices when the stimulus begins.
+
+#: Long enough for a recorder at 1 kHz to see it ten times.
+PULSE_S = 0.01
+
+
+def with_sync(stimulus: Stimulus, pulse_s: float = PULSE_S, at_s: float = 0.0) -> Stimulus:
+    """Add a last channel: a pulse at full scale from a time of the design on.
+
+    Where the stimulus begins later than that, the pulse begins with it; where it ends before the
+    pulse does, the pulse ends with it.  Its samples count in parts of full scale, whatever the
+    other channels are scaled with.
+
+    Parameters
+    ----------
+    stimulus
+        With its lead-in, if it has one: that is not marked.
+    pulse_s
+        How long the pulse is.
+    at_s
+        When it begins.
+    """
+    length_s = real_number("pulse_s", pulse_s, "a time from 0.0001 to 10 s", least=1e-4, most=10.0)
+    first = max(ceil((at_s - stimulus.start_s) * stimulus.sample_rate_hz - NEAR), 0)
+    pulse = np.zeros((1, stimulus.n_times))
+    pulse[0, first : first + max(round(length_s * stimulus.sample_rate_hz), 1)] = 1.0
+    channel = Channel(number=len(stimulus.channels) + 1, place=None, title="Sync")
+    return stimulus.with_samples(
+        np.concatenate((stimulus.samples, pulse)), channels=(*stimulus.channels, channel)
+    )
+
+
+# A stimulus for the channels of a rig: which way round, how many volts, and when.
+
+#: Unit of samples that are volts, divided by what each channel gives at full scale.
+FULL_SCALE_UNIT = "full scale of the channel"
+# Less than so much of a sample is no delay.
+_NO_DELAY = 1e-6
+
+
+def for_rig(
+    stimulus: Stimulus, rig: Rig, equaliser: Equaliser | None, *, scaled: bool = False
+) -> Stimulus:
+    """Return what the channels of a rig must play.
+
+    With an equaliser, or where drives are volts, samples are in parts of full scale of their own
+    channel, polarity included; those that need more volts than it gives lie beyond 1.  Otherwise
+    only polarity is turned.  Channels wait for the one with the longest delay, so that all move
+    together.
+
+    Parameters
+    ----------
+    scaled
+        Whether a full scale is chosen elsewhere: volts then stay what they are.
+
+    Raises
+    ------
+    InvalidInputError
+        A place is not wired, drives are no accelerations, one leaves a velocity, or the rig does
+        not know the volts at full scale or how an actuator moves.
+    """
+    if equaliser is not None:
+        found = _equalised_for(stimulus, rig, equaliser)
+    elif stimulus.unit == "V" and not scaled:
+        found = _volts_for(stimulus, rig)
+    else:
+        found = _wired(stimulus, rig)
+    return _aligned(found, rig)
+
+
+def through_actuators(stimulus: Stimulus, actuation: Actuation, equaliser: Equaliser) -> Stimulus:
+    """Return the volts that make actuators accelerate as the drives say, without a rig.
+
+    Raises
+    ------
+    InvalidInputError
+        As `for_rig`; or a place has no actuator.
+    """
+    _refuse_other_drives(stimulus)
+    samples, band = np.array(stimulus.samples), _band_of(stimulus)
+    for row in stimulus.driving:
+        place = stimulus.channels[row].place
+        if place is not None:
+            model = actuation.at(place).model
+            samples[row] = equalised(
+                samples[row], stimulus.sample_rate_hz, model, equaliser, band_hz=band
+            )
+    return stimulus.with_samples(samples, unit="V")
+
+
+def channel_of(stimulus: Stimulus, row: int, rig: Rig) -> RigChannel:
+    """The channel of the rig that a row of the samples goes to."""
+    place = stimulus.channels[row].place
+    found = None if place is None else rig.channel_of(place)
+    if found is None:
+        raise InvalidInputError(
+            f"place {place} is not wired in the rig; add a channel for it, or leave it out"
+        )
+    return found
+
+
+def added_delays_s(stimulus: Stimulus, rig: Rig) -> dict[int, float]:
+    """By row that drives an actuator: how long its channel waits for the slowest."""
+    own = {row: channel_of(stimulus, row, rig).delay_s for row in stimulus.driving}
+    longest = max(own.values(), default=0.0)
+    return {row: longest - delay_s for row, delay_s in own.items()}
+
+
+def _wired(stimulus: Stimulus, rig: Rig) -> Stimulus:
+    sign = np.ones((len(stimulus.channels), 1))
+    for row in stimulus.driving:
+        if channel_of(stimulus, row, rig).polarity == "inverted":
+            sign[row] = -1.0
+    return stimulus if (sign > 0).all() else stimulus.with_samples(stimulus.samples * sign)
+
+
+def _equalised_for(stimulus: Stimulus, rig: Rig, equaliser: Equaliser) -> Stimulus:
+    _refuse_other_drives(stimulus)
+    samples, band = np.array(stimulus.samples), _band_of(stimulus)
+    for row in stimulus.driving:
+        channel = channel_of(stimulus, row, rig)
+        volts = equalised(
+            stimulus.samples[row],
+            stimulus.sample_rate_hz,
+            _actuator_of(channel),
+            equaliser,
+            band_hz=band,
+        )
+        samples[row] = volts / _full_scale_v(channel)
+    return stimulus.with_samples(samples, unit=FULL_SCALE_UNIT)
+
+
+def _band_of(stimulus: Stimulus) -> Band:
+    """In which the drives are followed: what they hold of the band of the limb."""
+    lower_hz = min(stimulus.sample_rate_hz, stimulus.own_rate_hz)
+    return followed_band(stimulus.limb_band_hz, lower_hz)
+
+
+def _volts_for(stimulus: Stimulus, rig: Rig) -> Stimulus:
+    samples = np.array(stimulus.samples)
+    for row in stimulus.driving:
+        samples[row] /= _full_scale_v(channel_of(stimulus, row, rig))
+    return stimulus.with_samples(samples, unit=FULL_SCALE_UNIT)
+
+
+def _aligned(stimulus: Stimulus, rig: Rig) -> Stimulus:
+    later = {
+        row: delay_s * stimulus.sample_rate_hz
+        for row, delay_s in added_delays_s(stimulus, rig).items()
+    }
+    longest = max(later.values(), default=0.0)
+    if longest < _NO_DELAY:
+        return stimulus
+    found = np.zeros((len(stimulus.channels), stimulus.n_times + floor(longest) + 1))
+    found[:, : stimulus.n_times] = stimulus.samples
+    for row, samples in later.items():
+        whole = floor(samples)
+        moved = stimulus.samples[row]
+        if _NO_DELAY < samples - whole < 1.0 - _NO_DELAY:
+            moved = band_limited_delay(moved, samples - whole)
+        else:
+            whole = round(samples)
+        found[row] = 0.0
+        found[row, whole : whole + moved.size] = moved
+    return stimulus.with_samples(found)
+
+
+def _refuse_other_drives(stimulus: Stimulus) -> None:
+    if stimulus.unit == "V":
+        raise InvalidInputError(
+            "The drives of this design are volts already: it is predicted through an actuator "
+            "without an equaliser. Choose an equaliser there, or none here."
+        )
+    if stimulus.unit == ARBITRARY_UNIT:
+        raise InvalidInputError(
+            "An equaliser needs accelerations, and the limb of this design answers a drive of "
+            "unknown unit. Let the design be predicted through an actuator: its amplitudes are "
+            "then accelerations of the contactor."
+        )
+    if stimulus.unit != "m/s²":
+        raise InvalidInputError(
+            "An equaliser needs accelerations, and the drives of this design are none: its scaling "
+            f"is {stimulus.scaling}. Choose the scaling Probe acceleration."
+        )
+
+
+def _full_scale_v(channel: RigChannel) -> float:
+    found = channel.volts_at_full_scale
+    if found is None:
+        raise InvalidInputError(
+            f"place {channel.place}: the rig does not say the volts at full scale. Measure them "
+            "with a tone at full scale and a voltmeter."
+        )
+    return found
+
+
+def _actuator_of(channel: RigChannel) -> Any:
+    """How it moves: as it was measured, else as its model says, else as the one of its name."""
+    if channel.moves_as is not None:
+        return channel.moves_as
+    if channel.actuator in names():
+        return load(channel.actuator)
+    raise InvalidInputError(
+        f"place {channel.place}: the rig does not say how the actuator "
+        f"{quoted(channel.actuator)} moves. Measure it, or name one of {', '.join(names())}."
+    )

@@ -1,0 +1,309 @@
+"""Long designs, block by block: nothing as long as the response is held but the drives.
+
+Overlap-save: a block of ``Blocks.n_fft`` samples of the drives gives ``Blocks.n_samples`` samples
+of response.  At each frequency the vibrations by all voices, in some blocks, are one matrix
+product.  Blocks in which all are silent cost nothing.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from skinsource.base.arrays import Booleans, Complexes, Floats
+from skinsource.base.job import Stop, never, stop_if
+from skinsource.engine.drives import active_samples, delayed
+from skinsource.engine.moments import Moments, Projection
+from skinsource.engine.spectra import Stack, TotalSpectrum
+from skinsource.engine.transforms import (
+    Blocks,
+    ChannelsOnDemand,
+    Played,
+    forward,
+    inverse,
+    side_by_side,
+)
+from skinsource.signals.loudest_window import LoudestEnergy, loudest_energy
+
+# Blocks whose spectra are made together: enough for matrix products to be worth it.
+_GROUP = 4
+
+
+class StreamedVibration:
+    """The vibration by voices that play long.
+
+    Parameters
+    ----------
+    played
+        What is played.
+    stack
+        Responses to the places, at the length of blocks; None where nothing is played.
+    shape
+        Outputs, axes, and samples of the response.
+    blocks
+        How drives are cut.
+
+    What takes long asks ``stop`` before each group of blocks; once true, `Stopped` is raised.
+    """
+
+    def __init__(
+        self,
+        played: Sequence[Played],
+        stack: Stack | None,
+        shape: tuple[int, int, int],
+        blocks: Blocks,
+    ) -> None:
+        self._played = played
+        self._stack = stack
+        self._channels_shape = shape[:2]
+        self.n_times = shape[2]
+        self.cut = blocks
+        self._moments: Moments | None = None
+
+    def played_through(self, change: Callable[[Played], Played]) -> "StreamedVibration":
+        """The same where something else is played, such as the same through a filter."""
+        played = [change(one) for one in self._played]
+        shape = (*self._channels_shape, self.n_times)
+        return StreamedVibration(played, self._stack, shape, self.cut)
+
+    def moments(self, stop: Stop = never) -> Moments:
+        """Moments over the whole response, all products."""
+        if self._moments is None:
+            n_outputs, n_axes = self._channels_shape
+            second = np.zeros((n_outputs, n_axes, n_axes))
+            total = np.zeros((n_outputs, n_axes))
+            for _, block in self.blocks(stop):
+                second += block @ block.transpose(0, 2, 1)
+                total += block.sum(axis=-1)
+            self._moments = Moments(second, total)
+        return self._moments
+
+    def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...], stop: Stop = never) -> Floats:
+        """Acceleration of some outputs, (n_outputs, n_axes, n_times)."""
+        result = np.zeros((len(outputs), len(axes), self.n_times))
+        if result.size == 0:
+            return result
+        for first, block in self.blocks_of(outputs, axes, stop):
+            result[..., first : first + block.shape[-1]] = block
+        return result
+
+    def everything(self) -> Floats:
+        """All outputs and axes, (n_outputs, n_axes, n_times): as long as the response."""
+        result = np.zeros((*self._channels_shape, self.n_times))
+        for first, block in self.blocks():
+            result[..., first : first + block.shape[-1]] = block
+        return result
+
+    def blocks(self, stop: Stop = never) -> Iterator[tuple[int, Floats]]:
+        """Yield first sample and samples, (n_outputs, n_axes, n), of each block that moves."""
+        for first, block in self._blocks(None, stop):
+            yield first, block.reshape(*self._channels_shape, -1)
+
+    def blocks_of(
+        self,
+        outputs: Sequence[int],
+        axes: Sequence[int],
+        stop: Stop = never,
+        within: tuple[int, int] | None = None,
+    ) -> Iterator[tuple[int, Floats]]:
+        """Yield the same of some outputs, 1, 2, …, and axes, 0 to 2; at least one of each.
+
+        With ``within`` only those blocks that hold a sample from its first to before its second.
+        """
+        n_axes = self._channels_shape[1]
+        chosen = [(output - 1) * n_axes + axis for output in outputs for axis in axes]
+        # All of them in their order are not copied: of a large limb they take gigabytes.
+        every = chosen == list(range(self._channels_shape[0] * n_axes))
+        for first, block in self._blocks(None if every else chosen, stop, within):
+            yield first, block.reshape(len(outputs), len(axes), -1)
+
+    def _blocks(
+        self, channels: list[int] | None, stop: Stop, within: tuple[int, int] | None = None
+    ) -> Iterator[tuple[int, Floats]]:
+        """Yield first sample and samples, (n_channels, n); None: all channels."""
+        if self._stack is None:
+            return
+        values = self._stack.values
+        if channels is not None:
+            values = np.ascontiguousarray(values[:, :, channels])
+        cut = self.cut
+        begin, end = within or (0, self.n_times)
+        starts = range(begin - begin % cut.n_samples, min(end, self.n_times), cut.n_samples)
+        for k in range(0, len(starts), _GROUP):
+            stop_if(stop)
+            segments = [self._segments(first) for first in starts[k : k + _GROUP]]
+            sounding = [place for place, found in enumerate(segments) if found]
+            if not sounding:
+                continue
+            spectra = self._spectra([segments[place] for place in sounding], values)
+            samples = inverse(spectra, cut.n_fft).reshape(len(sounding), -1, cut.n_fft)
+            for block, place in zip(samples, sounding, strict=True):
+                first = starts[k + place]
+                inside = slice(cut.overlap, cut.overlap + min(cut.n_samples, self.n_times - first))
+                active = self._active(segments[place])[inside]
+                block = block[:, inside]
+                yield first, block if active.all() else np.where(active, block, 0.0)
+
+    def _segments(self, first: int) -> dict[int, Floats]:
+        """Drives that the block from sample ``first`` on needs, by number; but silent ones."""
+        found = {
+            number: self.cut.segment(one.drive.samples, first - one.start)
+            for number, one in enumerate(self._played)
+        }
+        return {number: piece for number, piece in found.items() if piece is not None}
+
+    def _spectra(self, segments: list[dict[int, Floats]], values: Complexes) -> Complexes:
+        """Spectra of blocks, (n_blocks * n_channels, n_bins), from ``values`` of the stack."""
+        n_bins, n_places, n_channels = values.shape
+        rows = list(self._stack.responses) if self._stack is not None else []
+        drives = np.zeros((n_bins, len(segments), n_places), np.complex128)
+        for block, found in enumerate(segments):
+            for number, piece in found.items():
+                one = self._played[number]
+                spectrum = forward(piece, self.cut.n_fft) * one.weight
+                drives[:, block, rows.index(one.location)] += spectrum
+        spectra = np.empty((n_bins, len(segments), n_channels), np.complex128)
+        half = n_bins // 2
+
+        def multiply(part: slice) -> None:
+            np.matmul(drives[part], values[part], out=spectra[part])
+
+        parts = slice(0, half), slice(half, n_bins)
+        side_by_side(partial(multiply, part) for part in parts)
+        return spectra.reshape(n_bins, -1).T
+
+    def _active(self, segments: dict[int, Floats]) -> Booleans:
+        played = np.any([piece != 0.0 for piece in segments.values()], axis=0)
+        return active_samples(played, self.cut.n_taps)
+
+
+# The vibration by all voices, for the outputs that are looked at.
+
+
+def one_by_one(signals: Floats, stop: Stop) -> Complexes:
+    """Transforms over exactly the samples of long signals, (..., n_times // 2 + 1).
+
+    One after the other: each takes much memory, and a tenth of a second.
+    """
+    found = np.empty((*signals.shape[:-1], signals.shape[-1] // 2 + 1), np.complex128)
+    for place in np.ndindex(signals.shape[:-1]):
+        stop_if(stop)
+        found[place] = forward(signals[place], signals.shape[-1])
+    return found
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Vibration:
+    """What all voices cause together, as a sum of two, or as a stream.
+
+    Attributes
+    ----------
+    n_times
+        Samples of the response.
+    others
+        That by all voices but the edited one.
+    edited, weight, delay_samples
+        That by the edited voice at amplitude 1 and onset 0, what it is multiplied with, and how
+        much later it starts.
+    streamed
+        That by all, where they play too long to be transformed at once.
+    """
+
+    n_times: int
+    others: ChannelsOnDemand | None
+    edited: ChannelsOnDemand | None
+    weight: float
+    delay_samples: int
+    streamed: StreamedVibration | None
+
+    def traces(self, outputs: tuple[int, ...], axes: tuple[int, ...], stop: Stop = never) -> Floats:
+        """Acceleration of some outputs, (n_outputs, n_axes, n_times), in m/s²."""
+        if self.streamed is not None:
+            return self.streamed.traces(outputs, axes, stop)
+        others = None if self.others is None else self.others.traces(outputs, axes)
+        if self.edited is None or self.weight == 0.0:
+            shape = len(outputs), len(axes), self.n_times
+            return np.zeros(shape) if others is None else others.copy()
+        unit, start = self.edited.traces(outputs, axes), self.delay_samples
+        total = np.empty(unit.shape)
+        total[..., :start] = 0.0
+        np.multiply(unit[..., : self.n_times - start], self.weight, out=total[..., start:])
+        if others is not None:
+            total += others
+        return total
+
+    def transforms(
+        self, outputs: tuple[int, ...], axes: tuple[int, ...], stop: Stop = never
+    ) -> Complexes:
+        """Their transforms over exactly n_times samples, (n_outputs, n_axes, n_times // 2 + 1)."""
+        if self.streamed is not None:
+            return one_by_one(self.streamed.traces(outputs, axes, stop), stop)
+        return self._summed_spectra(outputs, axes, lambda spectra: spectra)
+
+    def projected_transforms(self, outputs: tuple[int, ...], projection: Projection) -> Complexes:
+        """The same of projected signals, (n_outputs, n_times // 2 + 1), which is no magnitude.
+
+        Projected before they are summed: a third of the numbers.  Not of what is streamed.
+        """
+        return self._summed_spectra(outputs, projection.axis_numbers, projection.spectra)
+
+    def _summed_spectra(
+        self,
+        outputs: tuple[int, ...],
+        axes: tuple[int, ...],
+        seen: Callable[[Complexes], Complexes],
+    ) -> Complexes:
+        """Sum of what is ``seen``, which is linear, of the vibrations by all voices."""
+        total: Complexes | None = None
+        if self.edited is not None and self.weight != 0.0:
+            unit = seen(self.edited.trace_spectra(outputs, axes))
+            total = self.weight * delayed(unit, self.delay_samples, self.n_times)
+        if self.others is not None:
+            others = seen(self.others.trace_spectra(outputs, axes))
+            # Never the other way round: what others cause is remembered.
+            total = others if total is None else np.add(total, others, out=total)
+        if total is None:
+            shape = len(outputs), len(axes), self.n_times // 2 + 1
+            total = seen(np.zeros(shape, np.complex128))
+        return total
+
+
+# Energy of the loudest window: projected signals of all outputs, some at a time.
+
+# Outputs that are held in time together: 12 MB at the longest.
+_OUTPUTS_AT_ONCE = 18
+
+
+def loudest_energies(
+    total: TotalSpectrum, projection: Projection, n_window: int, stop: Stop
+) -> Floats:
+    """Largest energy of any window of the projected signal of each output, (n_outputs,)."""
+    found = []
+    for first in range(0, total.shape[0], _OUTPUTS_AT_ONCE):
+        stop_if(stop)
+        outputs = np.arange(first, min(first + _OUTPUTS_AT_ONCE, total.shape[0]))
+        here = projection.at(outputs)
+        spectra = total.rows(outputs, projection.axis_numbers)
+        # A projection is linear, so that it comes before the way back to time; a length is not.
+        if here.directions is None:
+            signals = here.signals(inverse(spectra, total.n_fft))
+        else:
+            signals = inverse(here.spectra(spectra), total.n_fft)
+        found.append(loudest_energy(signals, n_window))
+    return np.concatenate(found)
+
+
+def loudest_energies_streamed(
+    streamed: StreamedVibration,
+    projection: Projection,
+    n_outputs: int,
+    n_window: int,
+    stop: Stop,
+) -> Floats:
+    """The same of voices that play long, block by block."""
+    loudest = LoudestEnergy((n_outputs,), n_window)
+    every = range(1, n_outputs + 1)
+    for first, block in streamed.blocks_of(every, projection.axis_numbers, stop):
+        loudest.add(first, projection.signals(block))
+    return loudest.energy

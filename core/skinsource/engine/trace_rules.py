@@ -1,0 +1,185 @@
+"""Rules from vibrations to traces and spectra of the outputs that are looked at."""
+
+from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.job import Stop
+from skinsource.base.quoting import quoted
+from skinsource.engine.gains import (
+    Heard,
+    Placed,
+    Responses,
+    TraceError,
+    exact_gains,
+    trace_error_of,
+)
+from skinsource.engine.moments import Moments, Projection, without_main_axis
+from skinsource.engine.streaming import Vibration, one_by_one
+from skinsource.engine.transforms import forward
+from skinsource.limbs.limb import Limb
+from skinsource.signals.projection import Method
+from skinsource.signals.resampling import Extremes, extremes_between
+from skinsource.signals.spectra import one_sided_magnitude, peak_hold_spectrum
+
+
+def shown_outputs(outputs: tuple[int, ...], limb_data: Limb) -> tuple[int, ...]:
+    """The selected outputs, refused where the limb does not have them."""
+    missing = [output for output in outputs if not 1 <= output <= limb_data.n_outputs]
+    if missing:
+        raise InvalidInputError(
+            f"{limb_data.name} has the outputs 1 to {limb_data.n_outputs}; selected are also "
+            f"{quoted(missing)}. Select others, or choose another limb."
+        )
+    return outputs
+
+
+def axis_traces(
+    vibration: Vibration, shown_outputs: tuple[int, ...], axis_numbers: tuple[int, ...], stop: Stop
+) -> Floats:
+    """Acceleration of the selected outputs, (n_selected, n_axes, n_times), in m/s²."""
+    return vibration.traces(shown_outputs, axis_numbers, stop)
+
+
+def selected_projection(projection: Projection, shown_outputs: tuple[int, ...]) -> Projection:
+    """How the axes of each selected output become one signal."""
+    return projection.at([output - 1 for output in shown_outputs])
+
+
+def selected_without_main_axis(
+    moments: Moments,
+    shown_outputs: tuple[int, ...],
+    axis_numbers: tuple[int, ...],
+    method: Method,
+    response_samples: int,
+) -> tuple[int, ...]:
+    """Selected outputs that are projected on a main axis they do not have."""
+    rows = [output - 1 for output in shown_outputs]
+    of_selected = Moments(moments.second[rows], moments.first[rows])
+    without = without_main_axis(of_selected, axis_numbers, method, response_samples).tolist()
+    return tuple(output for output, found in zip(shown_outputs, without, strict=True) if found)
+
+
+def selected_traces(axis_traces: Floats, selected_projection: Projection) -> Floats:
+    """Projected acceleration of the selected outputs, (n_selected, n_times), in m/s²."""
+    return selected_projection.signals(axis_traces)
+
+
+def selected_extremes(
+    axis_traces: Floats, selected_traces: Floats, selected_projection: Projection, stop: Stop
+) -> Extremes:
+    """Lowest and highest value of the waves of the selected outputs between samples, in m/s²."""
+    if selected_projection.directions is not None:
+        return extremes_between(selected_traces, stop=stop)
+    # The wave runs along the axes: a magnitude is its length.
+    return extremes_between(axis_traces, stop=stop)
+
+
+def axis_spectra(
+    vibration: Vibration, shown_outputs: tuple[int, ...], axis_numbers: tuple[int, ...], stop: Stop
+) -> Complexes:
+    """Transforms of `axis_traces` over exactly their samples, (n_selected, n_axes, n_bins)."""
+    return vibration.transforms(shown_outputs, axis_numbers, stop)
+
+
+def selected_spectra(
+    vibration: Vibration,
+    shown_outputs: tuple[int, ...],
+    selected_projection: Projection,
+    selected_traces: Floats,
+    sample_rate_hz: float,
+    stop: Stop,
+) -> tuple[Floats, Floats]:
+    """Frequencies, (n_bins,), in Hz, and magnitudes, (n_selected, n_bins), in m/s².
+
+    A projection is linear in its axes, so their transforms serve it, whatever its direction; a
+    magnitude is not, and the traces of a long response are at hand: those are transformed.
+    """
+    if vibration.streamed is not None:
+        transforms = one_by_one(selected_traces, stop)
+    elif selected_projection.directions is None:
+        transforms = forward(selected_traces, vibration.n_times)
+    else:
+        transforms = vibration.projected_transforms(shown_outputs, selected_projection)
+    return one_sided_magnitude(transforms, vibration.n_times, sample_rate_hz)
+
+
+def selected_peak_spectra(
+    selected_traces: Floats, sample_rate_hz: float, stop: Stop
+) -> tuple[Floats, Floats]:
+    """Like `selected_spectra`, of the loudest 250 ms for each frequency: `peak_hold_spectrum`."""
+    return peak_hold_spectrum(selected_traces, sample_rate_hz, stop)
+
+
+def selected_axis_spectra(
+    vibration: Vibration,
+    shown_outputs: tuple[int, ...],
+    limb_data: Limb,
+    sample_rate_hz: float,
+    stop: Stop,
+) -> tuple[Floats, Floats]:
+    """Like `selected_spectra` along each axis of the limb, magnitudes (n_selected, n_axes, n_bins).
+
+    Whatever axes are chosen.
+    """
+    transforms = vibration.transforms(shown_outputs, tuple(range(limb_data.n_axes)), stop)
+    return one_sided_magnitude(transforms, vibration.n_times, sample_rate_hz)
+
+
+def selected_axis_peak_spectra(
+    vibration: Vibration,
+    shown_outputs: tuple[int, ...],
+    limb_data: Limb,
+    sample_rate_hz: float,
+    stop: Stop,
+) -> tuple[Floats, Floats]:
+    """Like `selected_axis_spectra`, of the loudest 250 ms for each frequency."""
+    traces = vibration.traces(shown_outputs, tuple(range(limb_data.n_axes)), stop)
+    return peak_hold_spectrum(traces, sample_rate_hz, stop)
+
+
+def trace_error(
+    responses: Responses,
+    placed: tuple[Placed, ...],
+    shown_outputs: tuple[int, ...],
+    axis_numbers: tuple[int, ...],
+    axis_traces: Floats,
+    match_gain: float,
+    stop: Stop,
+) -> TraceError | None:
+    """Error of the selected traces; None where there is nothing to check."""
+    moving = [one for one in placed if one.moves]
+    to_places = responses.to(one.voice.location for one in moving)
+    drives = [one.drive for one in moving]
+    factors = [drive.factor for drive in drives]
+    if responses.scaling == "upstream" and moving:
+        spectra = [
+            responses.drive_spectrum(one.voice.unit, one.drive)
+            for one in moving
+            if responses.n_fft is not None
+        ]
+        factors = exact_gains(drives, spectra, to_places, stop)
+    heard = [
+        Heard(
+            drive=one.drive,
+            delay_samples=one.start,
+            weight=one.voice.amplitude * match_gain * factor,
+            response=response,
+        )
+        for one, response, factor in zip(moving, to_places, factors, strict=True)
+    ]
+    return trace_error_of(axis_traces, shown_outputs, axis_numbers, heard)
+
+
+RULES = (
+    shown_outputs,
+    axis_traces,
+    selected_projection,
+    selected_without_main_axis,
+    selected_traces,
+    selected_extremes,
+    axis_spectra,
+    selected_spectra,
+    selected_peak_spectra,
+    selected_axis_spectra,
+    selected_axis_peak_spectra,
+    trace_error,
+)

@@ -1,0 +1,221 @@
+"""Rules from drives and responses to vibrations: of the edited voice, of the others, of all.
+
+Where a design is long, neither is made; all voices are streamed together.  The gain with which a
+snapshot is shown as loud as another one enters here: the skin has it, and no drive.
+"""
+
+from weakref import ref
+
+from skinsource.base.arrays import Booleans, Complexes
+from skinsource.base.job import Stop
+from skinsource.design.signal_path import Drive, UnitVoice, Voice
+from skinsource.engine.drives import delayed
+from skinsource.engine.gains import Placed, Remembered, Responses, Sounding
+from skinsource.engine.spectra import ResponseSpectrum, TotalSpectrum
+from skinsource.engine.streaming import StreamedVibration, Vibration
+from skinsource.engine.transforms import (
+    ChannelsOnDemand,
+    Played,
+    driven,
+    rows_of,
+    sum_of_vibrations,
+)
+from skinsource.limbs.limb import Limb
+from skinsource.limbs.scaling import Scaling
+
+
+def responses(
+    remembered: Remembered, driven_limb: Limb, scaling: Scaling, n_fft: int | None
+) -> Responses:
+    """Responses of the limb at the length of the transforms; nothing is read yet."""
+    return Responses(remembered, driven_limb, scaling, n_fft)
+
+
+def others_spectrum(
+    responses: Responses, others_placed: tuple[Placed, ...], match_gain: float, stop: Stop
+) -> Complexes | None:
+    """Vibration by the other voices, (n_outputs, 3, n_bins); None: none of them moves anything."""
+    moving = [one for one in others_placed if one.moves]
+    n_fft = responses.n_fft
+    if n_fft is None or not moving:
+        return None
+    to_places = responses.to(one.voice.location for one in moving)
+    sounding = [one.sounding(to) for one, to in zip(moving, to_places, strict=True)]
+    gains = responses.gains(sounding, stop)
+    spectra = [
+        delayed(responses.drive_spectrum(one.voice.unit, one.drive), one.start, n_fft)
+        * (one.voice.amplitude * match_gain * gain)
+        for one, gain in zip(moving, gains, strict=True)
+    ]
+    return sum_of_vibrations([to.values for to in to_places], spectra)
+
+
+def edited_response(
+    responses: Responses, edited_unit: UnitVoice | None, edited_drive: Drive | None
+) -> ResponseSpectrum | None:
+    """Responses to the place of the edited voice; None: it moves nothing."""
+    if edited_unit is None or edited_drive is None or responses.n_fft is None:
+        return None
+    if edited_drive.silent:
+        return None
+    [found] = responses.to([edited_unit.location])
+    return found
+
+
+def edited_spectrum(
+    responses: Responses, edited_unit: UnitVoice | None, edited_drive: Drive | None
+) -> Complexes | None:
+    """Spectrum of what the edited voice plays, from time 0 on, (n_bins,); None: silence."""
+    if responses.n_fft is None or edited_unit is None or edited_drive is None:
+        return None
+    return None if edited_drive.silent else responses.drive_spectrum(edited_unit, edited_drive)
+
+
+def edited_delayed_spectrum(
+    edited_spectrum: Complexes | None, edited_delay: int, n_fft: int | None
+) -> Complexes | None:
+    """The same from its onset on."""
+    if edited_spectrum is None or n_fft is None:
+        return None
+    return delayed(edited_spectrum, edited_delay, n_fft)
+
+
+def edited_gain(
+    responses: Responses,
+    edited_unit: UnitVoice | None,
+    edited_drive: Drive | None,
+    edited_response: ResponseSpectrum | None,
+    stop: Stop,
+) -> float:
+    """What the vibration by the edited voice is multiplied with at amplitude 1."""
+    if edited_unit is None or edited_drive is None or edited_response is None:
+        return 0.0
+    if edited_drive.silent:
+        return 0.0
+    [found] = responses.gains([Sounding(edited_unit, edited_drive, edited_response)], stop)
+    return found
+
+
+def edited_weight(edited_voice: Voice | None, edited_gain: float, match_gain: float) -> float:
+    """What it is multiplied with at its own amplitude."""
+    return 0.0 if edited_voice is None else edited_voice.amplitude * match_gain * edited_gain
+
+
+def total_spectrum(
+    responses: Responses,
+    others_spectrum: Complexes | None,
+    edited_response: ResponseSpectrum | None,
+    edited_delayed_spectrum: Complexes | None,
+    edited_weight: float,
+) -> TotalSpectrum | None:
+    """Spectrum of all voices together, made where it is asked for; None for long responses."""
+    if responses.n_fft is None:
+        return None
+    limb = responses.limb
+    return TotalSpectrum(
+        shape=(limb.n_outputs, limb.n_axes, responses.n_fft // 2 + 1),
+        n_fft=responses.n_fft,
+        others=others_spectrum,
+        response=edited_response,
+        drive=edited_delayed_spectrum,
+        weight=edited_weight,
+    )
+
+
+def others_channels(
+    others_spectrum: Complexes | None, others_active: Booleans, n_fft: int | None
+) -> ChannelsOnDemand | None:
+    """Vibration by the other voices, to be brought back to time."""
+    if others_spectrum is None or n_fft is None:
+        return None
+    return ChannelsOnDemand(
+        lambda channels: rows_of(others_spectrum, channels), n_fft, others_active
+    )
+
+
+def edited_channels(
+    responses: Responses,
+    edited_unit: UnitVoice | None,
+    edited_drive: Drive | None,
+    edited_response: ResponseSpectrum | None,
+    edited_spectrum: Complexes | None,
+    edited_active: Booleans,
+) -> ChannelsOnDemand | None:
+    """Vibration by the edited voice at amplitude 1 and onset 0, to be brought back to time."""
+    if edited_unit is None or edited_drive is None:
+        return None
+    if edited_response is None or edited_spectrum is None:
+        return None
+    values, taps = edited_response.values, edited_response.taps
+    name = ref(responses.limb), edited_unit.location, responses.scaling == "probe"
+    exact = responses.remembered.exact_spectra
+    return ChannelsOnDemand(
+        lambda channels: driven(rows_of(values, channels), edited_spectrum),
+        edited_response.n_fft,
+        edited_active,
+        exact.of(edited_drive.samples, taps, name, edited_active.size),
+    )
+
+
+def streamed_vibration(
+    responses: Responses,
+    placed: tuple[Placed, ...],
+    response_samples: int,
+    match_gain: float,
+    stop: Stop,
+) -> StreamedVibration | None:
+    """Vibration by all voices where the response is too long to be transformed at once."""
+    if responses.n_fft is not None:
+        return None
+    moving = [one for one in placed if one.moves]
+    stack = responses.stack(one.voice.location for one in moving)
+    sounding = [
+        one.sounding(stack.responses[one.voice.location]) for one in moving if stack is not None
+    ]
+    gains = responses.gains(sounding, stop)
+    played = [
+        Played(
+            drive=one.drive,
+            start=one.start,
+            weight=one.voice.amplitude * match_gain * gain,
+            location=one.voice.location,
+        )
+        for one, gain in zip(moving, gains, strict=True)
+    ]
+    shape = responses.limb.n_outputs, responses.limb.n_axes, response_samples
+    return StreamedVibration(played, stack, shape, responses.blocks)
+
+
+def vibration(
+    response_samples: int,
+    others_channels: ChannelsOnDemand | None,
+    edited_channels: ChannelsOnDemand | None,
+    edited_weight: float,
+    edited_delay: int,
+    streamed_vibration: StreamedVibration | None,
+) -> Vibration:
+    """Vibration by all voices, for the outputs that are looked at."""
+    return Vibration(
+        n_times=response_samples,
+        others=others_channels,
+        edited=edited_channels,
+        weight=edited_weight,
+        delay_samples=edited_delay,
+        streamed=streamed_vibration,
+    )
+
+
+RULES = (
+    responses,
+    others_spectrum,
+    edited_response,
+    edited_spectrum,
+    edited_delayed_spectrum,
+    edited_gain,
+    edited_weight,
+    total_spectrum,
+    others_channels,
+    edited_channels,
+    streamed_vibration,
+    vibration,
+)

@@ -1,0 +1,147 @@
+"""Energy within windows, of signals that come piece by piece."""
+
+import numpy as np
+
+from skinsource.base.arrays import Floats, Indices
+from skinsource.base.decibels import decibels
+from skinsource.base.job import Stop, stop_if
+from skinsource.design.signal_path import Voice
+from skinsource.engine.moments import Projection
+from skinsource.engine.spectra import TotalSpectrum
+from skinsource.engine.streaming import StreamedVibration
+from skinsource.engine.transforms import inverse
+from skinsource.limbs.extent import Extent, extent
+from skinsource.limbs.limb import Limb
+from skinsource.limbs.surface.operator import SurfaceOperator
+from skinsource.signals.analysis.windows import Windows, windows_over
+
+
+class WindowEnergy:
+    """Sums squares of signals within windows that follow each other.
+
+    Parameters
+    ----------
+    n_outputs
+        How many signals there are.
+    windows
+        Where the windows lie.
+    """
+
+    def __init__(self, n_outputs: int, windows: Windows) -> None:
+        self._windows = windows
+        self._energy = np.zeros((windows.count, n_outputs))
+
+    def add(self, outputs: Indices, first: int, signals: Floats) -> None:
+        """Take samples of some outputs, (n_outputs, n), from sample ``first`` on."""
+        begin, length = self._windows.first_sample, self._windows.window_samples
+        end = first + signals.shape[-1]
+        earliest = max((first - begin) // length, 0)
+        latest = min(-((begin - end) // length), self._windows.count)
+        for window in range(earliest, latest):
+            low = max(begin + window * length - first, 0)
+            high = min(begin + (window + 1) * length - first, signals.shape[-1])
+            if low < high:
+                piece = signals[:, low:high]
+                self._energy[window, outputs] += np.einsum("ot,ot->o", piece, piece)
+
+    def rms(self) -> Floats:
+        """RMS of each output in each window, (n_windows, n_outputs)."""
+        return np.sqrt(self._energy / self._windows.window_samples)
+
+
+# Rules from vibrations to the RMS of all outputs in consecutive windows, and their extent.
+
+# Outputs that are held in time together.
+_OUTPUTS_AT_ONCE = 18
+# Less than this part of the loudest window is what transforms leave of silence.
+_ROUNDING = 1e-12
+
+
+def windows(
+    windows_cut: str,
+    window_count: int,
+    window_s: float,
+    response_samples: int,
+    limb_data: Limb,
+    sample_rate_hz: float,
+) -> Windows:
+    """Windows in which the response to the stimulus arrives."""
+    by_count = windows_cut == "count"
+    return windows_over(
+        max(response_samples - limb_data.n_taps + 1, 1),
+        response_samples,
+        sample_rate_hz,
+        count=window_count if by_count else None,
+        window_s=None if by_count else window_s,
+        delay_s=limb_data.pre_trigger_delay_s,
+    )
+
+
+def rms_of_windows(
+    windows: Windows,
+    projection: Projection,
+    total_spectrum: TotalSpectrum | None,
+    streamed_vibration: StreamedVibration | None,
+    response_samples: int,
+    limb_data: Limb,
+    stop: Stop,
+) -> Floats:
+    """RMS of the projected signal of each output in each window, (n_windows, n_outputs), m/s²."""
+    energy = WindowEnergy(limb_data.n_outputs, windows)
+    every = np.arange(limb_data.n_outputs)
+    if streamed_vibration is not None:
+        numbers = range(1, limb_data.n_outputs + 1)
+        for first, block in streamed_vibration.blocks_of(numbers, projection.axis_numbers, stop):
+            energy.add(every, first, projection.signals(block))
+    elif total_spectrum is not None:
+        for start in range(0, limb_data.n_outputs, _OUTPUTS_AT_ONCE):
+            stop_if(stop)
+            outputs = every[start : start + _OUTPUTS_AT_ONCE]
+            signals = _signals(total_spectrum, projection, outputs)
+            energy.add(outputs, 0, signals[:, :response_samples])
+    rms = energy.rms()
+    rms[rms < _ROUNDING * rms.max(initial=0.0)] = 0.0
+    return rms
+
+
+def levels_of_windows_db(rms_of_windows: Floats) -> Floats:
+    """Level of each output in each window, (n_windows, n_outputs), dB re 1 m/s²."""
+    return decibels(rms_of_windows)
+
+
+def surface_of_windows_db(surface: SurfaceOperator, levels_of_windows_db: Floats) -> Floats:
+    """Map of each window, (n_windows, rows, columns), dB; NaN outside the outline."""
+    maps = np.empty((len(levels_of_windows_db), *surface.mask.shape))
+    for one, levels_db in zip(maps, levels_of_windows_db, strict=True):
+        one[:] = surface.interpolate(levels_db)
+    return maps
+
+
+def extents_of_windows(
+    rms_of_windows: Floats, limb_data: Limb, voices: tuple[Voice, ...]
+) -> tuple[Extent | None, ...]:
+    """How far each window reaches from the nearest input that is heard; None: it is silent."""
+    places = sorted({one.location for one in voices if one.heard and one.amplitude != 0.0})
+    placed = np.isfinite(limb_data.map.output_positions[:, 0])
+    return tuple(
+        extent(one, limb_data, places) if places and one[placed].any() else None
+        for one in rms_of_windows
+    )
+
+
+def _signals(total: TotalSpectrum, projection: Projection, outputs: np.ndarray) -> Floats:
+    here = projection.at(outputs)
+    spectra = total.rows(outputs, projection.axis_numbers)
+    # A projection is linear, so that it comes before the way back to time; a length is not.
+    if here.directions is None:
+        return here.signals(inverse(spectra, total.n_fft))
+    return inverse(here.spectra(spectra), total.n_fft)
+
+
+RULES = (
+    windows,
+    rms_of_windows,
+    levels_of_windows_db,
+    surface_of_windows_db,
+    extents_of_windows,
+)

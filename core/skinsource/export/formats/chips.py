@@ -1,0 +1,251 @@
+"""How strong a drive is, and at which frequency, point by point: for devices without waveforms."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+from skinsource.base.arrays import Floats
+from skinsource.export.formats.format import Facts, Outgoing, StimulusFormat, channel_names
+from skinsource.export.formats.text import write_header
+from skinsource.signals.quantising import quantised
+from skinsource.specs.fields import ChoiceSpec
+
+# What is this far below the largest amplitude has no frequency of its own.
+_SILENT = 1e-3
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Envelope:
+    """Amplitude and frequency at equal steps.
+
+    Attributes
+    ----------
+    time_s : (n_points,)
+        Middles of the stretches; the first is 0, the last the end.
+    amplitude : (n_points,)
+        Of a sine that is as strong as the drive in that stretch, in parts of full scale.
+    frequency_hz : (n_points,)
+        Mean of the instantaneous frequency, weighted by power; that of the point before where
+        it is silent.
+    """
+
+    time_s: Floats
+    amplitude: Floats
+    frequency_hz: Floats
+
+
+def envelope_of(samples: Floats, rate_hz: float, step_s: float) -> Envelope:
+    """Amplitude and frequency of a drive, every ``step_s`` and at its end.
+
+    From the analytic signal: the root mean square of its length, and the mean turn from sample to
+    sample, over one step about each point.  A steady sine has its own amplitude and frequency.
+
+    Parameters
+    ----------
+    samples : (n_times,)
+        The drive; silent before and after.
+    rate_hz, step_s
+        Its rate; at least one sample.
+    """
+    n = samples.size
+    # Room for it: the transform goes round.
+    analytic = scipy.signal.hilbert(np.concatenate((samples, np.zeros(n))))[:n]
+    power = np.concatenate(([0.0], np.cumsum(np.abs(analytic) ** 2)))
+    turns = np.concatenate(([0.0, 0.0], np.cumsum(analytic[1:] * analytic[:-1].conj())))
+    end_s = n / rate_hz
+    n_points = max(int(np.ceil(end_s / step_s - 1e-9)), 1) + 1
+    time_s = np.minimum(np.arange(n_points) * step_s, end_s)
+    first = np.clip(np.round((time_s - step_s / 2) * rate_hz).astype(int), 0, n - 1)
+    last = np.clip(np.round((time_s + step_s / 2) * rate_hz).astype(int), first + 1, n)
+    amplitude = np.sqrt(np.maximum(power[last] - power[first], 0.0) / (last - first))
+    turn = turns[last] - turns[np.minimum(first + 1, last)]
+    frequency_hz = np.abs(np.angle(turn)) * rate_hz / (2.0 * np.pi)
+    heard = amplitude > _SILENT * max(float(amplitude.max(initial=0.0)), 1e-300)
+    if heard.any():
+        # The first one that is heard, until another is.
+        places = np.maximum.accumulate(np.where(heard, np.arange(n_points), -1))
+        frequency_hz = frequency_hz[np.where(places < 0, int(np.argmax(heard)), places)]
+    return Envelope(time_s=time_s, amplitude=amplitude, frequency_hz=frequency_hz)
+
+
+# Arrays for driver chips: DRV2605L, BOS1901, DRV2665.
+#
+# Sources: Texas Instruments, DRV2605L data sheet (real-time playback) and DRV2665 data sheet
+# (FIFO); Boréas Technologies, BOS1901 data sheet and help pages (FIFO, waveforms near 0 V).
+
+_FIFO_HZ = 8000
+_UPDATES = "updates"
+#: What the evaluation kit of the BOS1901 plays at full scale.
+_BOS_VOLTS = 95
+
+
+def write_drv2605l(outgoing: Outgoing, path: Path) -> Facts:
+    """Write amplitudes for real-time playback, with sign: 0x00 is off, 0x7F full."""
+    step_hz = int(outgoing.choices[_UPDATES])
+    stimulus = outgoing.stimulus
+    amplitudes = np.stack(
+        [
+            envelope_of(row, stimulus.sample_rate_hz, 1.0 / step_hz).amplitude
+            for row in stimulus.samples
+        ]
+    )
+    # The last value holds until another comes.
+    amplitudes[:, -1] = 0.0
+    found = quantised(np.clip(amplitudes, 0.0, 1.0), "int8")
+    return _written(
+        outgoing,
+        path,
+        found.values,
+        kind="int8_t",
+        words=(
+            "DRV2605L, real-time playback: write 0x05 to register 0x01, clear bit 3 of 0x1D (data",
+            "with sign), then one value to 0x02 at each update. Amplitude only: the chip chooses",
+            "the frequency, the resonance of the actuator. I2C address 0x5A.",
+        ),
+        defines={
+            "STIM_FS_HZ": f"{step_hz}UL",
+            "STIM_FULL_SCALE": "127",
+            "STIM_ZERO": "0",
+            "STIM_MODE_REGISTER": "0x01",
+            "STIM_MODE_RTP": "0x05",
+            "STIM_DATA_REGISTER": "0x02",
+        },
+    ) | {"samples": "int8", "updates_hz": step_hz}
+
+
+def write_bos1901(outgoing: Outgoing, path: Path) -> Facts:
+    """Write words for the FIFO: 12 bits, two's complement, in register 0."""
+    found, facts = outgoing.whole_numbers("int12")
+    words = _silent_ends(found.values.astype(np.int32)) & 0x0FFF
+    return {
+        **facts,
+        **_written(
+            outgoing,
+            path,
+            words,
+            kind="uint16_t",
+            words=(
+                "BOS1901: words for register 0x0, the FIFO of 64; PLAY of CONFIG: 8 kHz.",
+                f"Full scale is {_BOS_VOLTS} V on the evaluation kit. First and last word are 0 V;",
+                "a wave that stays within about 3 V of 0 without reaching it may stop it.",
+            ),
+            defines={
+                "STIM_FS_HZ": f"{_FIFO_HZ}UL",
+                "STIM_FULL_SCALE": f"{found.full_scale}",
+                "STIM_ZERO": "0",
+            },
+        ),
+    }
+
+
+def write_drv2665(outgoing: Outgoing, path: Path) -> Facts:
+    """Write bytes for the FIFO: 8 bits, two's complement."""
+    found, facts = outgoing.whole_numbers("int8")
+    return {
+        **facts,
+        **_written(
+            outgoing,
+            path,
+            _silent_ends(found.values),
+            kind="int8_t",
+            words=(
+                "DRV2665: bytes for the FIFO of 100, which plays 8000 of them a second. First and",
+                "last byte are 0.",
+            ),
+            defines={
+                "STIM_FS_HZ": f"{_FIFO_HZ}UL",
+                "STIM_FULL_SCALE": f"{found.full_scale}",
+                "STIM_ZERO": "0",
+            },
+        ),
+    }
+
+
+def _silent_ends(values: NDArray[np.integer]) -> NDArray[np.integer]:
+    """The values, with a 0 before and after them."""
+    return np.pad(values, ((0, 0), (1, 1)))
+
+
+def _written(
+    outgoing: Outgoing,
+    path: Path,
+    values: NDArray[np.integer],
+    *,
+    kind: str,
+    words: tuple[str, ...],
+    defines: dict[str, str],
+) -> dict[str, object]:
+    names = [f"stim_{name}" for name in channel_names(outgoing.stimulus)]
+    n_bytes = write_header(
+        path,
+        outgoing,
+        words=words,
+        defines=defines,
+        kind=kind,
+        arrays=dict(zip(names, values, strict=True)),
+        stop=outgoing.stop,
+    )
+    return {"array_bytes": n_bytes, "arrays": names, "device_rate_hz": defines["STIM_FS_HZ"][:-2]}
+
+
+def _bytes_per_update(n_channels: int, n_times: int, choices: Mapping[str, str]) -> int:
+    return n_channels * (n_times * int(choices[_UPDATES]) // _FIFO_HZ + 2)
+
+
+_EIGHT_BITS = (
+    "8 bits: each sample is rounded, by at most 48 dB below full scale. What lies above 3.7 kHz is "
+    "left out."
+)
+
+DRV2605L = StimulusFormat(
+    name="drv2605l",
+    title="DRV2605L, real-time playback",
+    suffix=".h",
+    hint="Amplitudes for the chip that drives an LRA at its own resonance",
+    write=write_drv2605l,
+    bytes_of=_bytes_per_update,
+    rate_hz=_FIFO_HZ,
+    fixed_rate=True,
+    choices={
+        _UPDATES: ChoiceSpec(
+            label="Updates",
+            options=(("200", "200 a second"), ("100", "100 a second"), ("500", "500 a second")),
+            hint="How often the amplitude changes; an LRA follows some hundred a second",
+        )
+    },
+    loses=lambda _: (
+        "The waveform: only how strong it is, in 128 steps, reaches the actuator; "
+        "frequency and phase are the chip's."
+    ),
+)
+BOS1901 = StimulusFormat(
+    name="bos1901",
+    title="BOS1901, FIFO",
+    suffix=".h",
+    hint="12-bit words for the piezo driver, at 8 kHz",
+    write=write_bos1901,
+    bytes_of=lambda n_channels, n_times, _: 2 * n_channels * (n_times + 2),
+    rounds=lambda _: True,
+    rate_hz=_FIFO_HZ,
+    fixed_rate=True,
+    loses=lambda _: (
+        "12 bits: each sample is rounded, by at most 72 dB below full scale. What lies "
+        "above 3.7 kHz is left out."
+    ),
+)
+DRV2665 = StimulusFormat(
+    name="drv2665",
+    title="DRV2665, FIFO",
+    suffix=".h",
+    hint="Bytes for the piezo driver, at 8 kHz",
+    write=write_drv2665,
+    bytes_of=lambda n_channels, n_times, _: n_channels * (n_times + 2),
+    rounds=lambda _: True,
+    rate_hz=_FIFO_HZ,
+    fixed_rate=True,
+    loses=lambda _: _EIGHT_BITS,
+)

@@ -1,0 +1,233 @@
+"""What to cite, with what a design rests on."""
+
+import hashlib
+import importlib
+import json
+import platform
+import zipfile
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+import scipy
+
+from skinsource.actuators.rigs import Rig, save_rig
+from skinsource.base.errors import MissingExtraError, SkinSourceError
+from skinsource.base.extras import package_of_extra
+from skinsource.base.files import replacing
+from skinsource.base.job import Progress, Stop, never, silent, stop_if
+from skinsource.design.design import Design, audible_inputs
+from skinsource.design.design_file import save_design
+from skinsource.design.labels import limb_word
+from skinsource.design.view import View
+from skinsource.export.map_files import export_map, export_map_picture
+from skinsource.export.tables import export_levels, export_traces
+from skinsource.limbs.dataset.store import describe
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.version import __version__
+
+#: The paper, and the dataset.
+PAPER_DOI, DATASET_DOI = "10.1109/HAPTICS59260.2024.10520852", "10.5281/zenodo.10547601"
+_AUTHORS = "N. Tummala, G. Reardon, S. Fani, D. Goetz, M. Bianchi, Y. Visell"
+_PAPER = (
+    f"{_AUTHORS}: SkinSource: A Data-Driven Toolbox for Predicting Touch-Elicited Vibrations in "
+    f"the Upper Limb. IEEE Haptics Symposium, 2024. doi:{PAPER_DOI}"
+)
+_DATASET = (
+    f"{_AUTHORS}: SkinSource: impulse responses of the upper limb (dataset), 2024. "
+    f"doi:{DATASET_DOI}"
+)
+
+
+def citation(design: Design) -> str:
+    """What to cite for a design, as lines of text: the paper, the dataset, program and limb.
+
+    The dataset is named where its limbs are used: one of a lab's own is told by its digest.
+    """
+    limb, data = limb_word(design.limb).title, data_of(design)
+    published = bool(data["dataset_doi"])
+    what = f"doi:{DATASET_DOI}" if published else _kind_of(design.limb)
+    unverified = f"; {data['source_note']}" if data["source_note"] else ""
+    digest, own = data["source_sha256"], data["limb_sha256"]
+    lines = [
+        _PAPER,
+        *([_DATASET] if published else []),
+        f"Predicted with SkinSource studio {__version__} on the limb {limb} ({what}{unverified})"
+        + (f", responses SHA-256 {digest}" if digest else "")
+        + (f", its numbers SHA-256 {own}" if own else ""),
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def data_of(design: Design) -> dict[str, str]:
+    """Where the responses of a design's limb come from: name, DOI and SHA-256 of the file.
+
+    And a note where it is not known to be the published one.  Of a limb that a lab imported: the
+    SHA-256 of its numbers.  What is not known here, or is computed, is empty.
+    """
+    found = {
+        "limb": design.limb,
+        "dataset_doi": "",
+        "source_name": "",
+        "source_note": "",
+        "source_sha256": "",
+        "limb_sha256": design.limb_digest or facts_of(design.limb).digest,
+    }
+    if not design.limb.startswith("measured"):
+        return found
+    found["dataset_doi"] = DATASET_DOI
+    try:
+        store = describe()
+    except SkinSourceError:
+        return found
+    return {
+        **found,
+        "source_name": store.source_name,
+        "source_note": f"not verified as published: {store.note}" if store.note else "",
+        "source_sha256": store.source_sha256,
+    }
+
+
+def _kind_of(limb: str) -> str:
+    facts = facts_of(limb)
+    if facts.synthetic:
+        return "computed from a wave model, not measured"
+    return "imported here" if facts.own else "not known here"
+
+
+# A design with all that belongs to it, as one zip file.
+
+# What is packed twice is the same file twice: no clock has a part in it.
+_DATE = (1980, 1, 1, 0, 0, 0)
+_RATE_HZ = 48_000
+_FIGURES = ("svg", "pdf")
+_READ_ME = """What lies here
+
+design.skinsource      the design, as SkinSource studio opens it
+stimulus.wav, .json    what the actuators get, and what its numbers mean
+map.png, map.csv       the map of levels, as a picture and as numbers
+figure.svg, .pdf       the same map as lines, for a paper, where matplotlib is installed
+levels.csv             levels of all outputs
+traces.csv             acceleration of the selected outputs
+rig.skinrig            what was wired to what, where that was said
+citation.txt           what to cite
+about.json             versions, limb, digests of the data and of each of these files
+"""
+
+
+def _stimuli() -> Any:
+    # Imported when something is packed: the studio starts without it.
+    return importlib.import_module("skinsource.export.stimulus_export")
+
+
+def pack(
+    path: Path,
+    design: Design,
+    view: View,
+    *,
+    rig: Rig | None = None,
+    progress: Progress = silent,
+    stop: Stop = never,
+) -> None:
+    """Write a design with its stimulus, figure and tables, and where all of it comes from.
+
+    The same design gives the same bytes, with the same versions.
+
+    Parameters
+    ----------
+    path
+        The zip file; what stands there is replaced, at the end.
+    design, view
+        What is packed; of the traces, the selected outputs.
+    rig
+        What its places are wired to, if that is known.
+    progress, stop
+        As of a job.
+
+    Raises
+    ------
+    StorageError
+        The folder cannot be written, or the disk is full.
+    Stopped
+        ``stop`` said so; nothing is written.
+    """
+    with TemporaryDirectory(prefix="skinsource-") as name:
+        folder = Path(name)
+        writers = _writers(design, view, rig, stop)
+        for number, (file_name, write) in enumerate(writers.items()):
+            stop_if(stop)
+            progress(number, len(writers), f"Writing {file_name}")
+            write(folder / file_name)
+        files = sorted(folder.iterdir())
+        about = _about(design, files)
+        (folder / "about.json").write_text(json.dumps(about, indent=2) + "\n", "utf-8")
+        with replacing(path) as temporary:
+            with zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
+                for file in sorted(folder.iterdir()):
+                    stop_if(stop)
+                    entry = zipfile.ZipInfo(file.name, _DATE)
+                    entry.compress_type = zipfile.ZIP_DEFLATED
+                    entry.external_attr = 0o644 << 16
+                    archive.writestr(entry, file.read_bytes())
+            stop_if(stop)
+
+
+def _writers(
+    design: Design, view: View, rig: Rig | None, stop: Stop
+) -> dict[str, Callable[[Path], object]]:
+    found: dict[str, Callable[[Path], object]] = {
+        "design.skinsource": lambda path: save_design(path, design, view),
+        "levels.csv": lambda path: export_levels(path, design, view, stop=stop),
+        "map.csv": lambda path: export_map(path, design, view, stop=stop),
+        "map.png": lambda path: export_map_picture(path, design, view, stop=stop),
+        "citation.txt": lambda path: path.write_text(citation(design), "utf-8"),
+        "README.txt": lambda path: path.write_text(_READ_ME, "utf-8"),
+    }
+    if view.outputs:
+        found["traces.csv"] = lambda path: export_traces(path, design, view, stop=stop)
+    if _can_draw():
+        for kind in _FIGURES:
+            found[f"figure.{kind}"] = partial(_write_figure, design=design, view=view, kind=kind)
+    if audible_inputs(design.inputs):
+        # Full scale is the largest sample: nothing clips. What the rate loses is in the sidecar.
+        found["stimulus.wav"] = lambda path: _stimuli().export_stimulus(
+            design,
+            path,
+            "wav",
+            _RATE_HZ,
+            options=_stimuli().StimulusOptions(accept_loss=True),
+            stop=stop,
+        )
+    if rig is not None:
+        found["rig.skinrig"] = lambda path: save_rig(path, rig)
+    return found
+
+
+def _can_draw() -> bool:
+    try:
+        package_of_extra("matplotlib", "plot")
+    except MissingExtraError:
+        return False
+    return True
+
+
+def _write_figure(path: Path, *, design: Design, view: View, kind: str) -> None:
+    figure = importlib.import_module("skinsource.export.plot").map(
+        design, view=view, outputs=view.outputs
+    )
+    content = importlib.import_module("skinsource.export.plot").figure_content(figure, kind)
+    path.write_bytes(content)
+
+
+def _about(design: Design, files: list[Path]) -> dict[str, object]:
+    versions = {
+        "skinsource": __version__,
+        "python": platform.python_version(),
+        "numpy": np.__version__,
+        "scipy": scipy.__version__,
+    }
+    digests = {file.name: hashlib.sha256(file.read_bytes()).hexdigest() for file in files}
+    return {"versions": versions, "data": data_of(design), "sha256": digests}

@@ -1,0 +1,994 @@
+"""What is drawn on: figures of matplotlib that know neither a window nor Qt."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from functools import cache
+from io import BytesIO
+from typing import Any, Literal
+
+import numpy as np
+import scipy
+from numpy.typing import ArrayLike
+
+from skinsource.base.arguments import finite_array
+from skinsource.base.arrays import Floats
+from skinsource.base.decibels import decibels
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.extras import package_of_extra
+from skinsource.base.quoting import quoted
+from skinsource.design.design import Design, audible_inputs
+from skinsource.design.labels import signal_words
+from skinsource.design.view import View
+from skinsource.engine.evaluation import evaluate
+from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.extent import Extent
+from skinsource.limbs.limb import Limb
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.limbs.surface.operator import SurfaceOperator
+from skinsource.limbs.surface.surface import surface_operator
+from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
+from skinsource.signals.analysis.windows import Windows
+from skinsource.signals.map_range import map_range_db
+from skinsource.signals.resampling import extremes_between, finer
+from skinsource.signals.spectra import mean_of_bins as moving_mean
+
+EXTRA = "plot"
+MM_PER_INCH = 25.4
+#: Ink for lines and words, and for what stands back.
+INK, DIM = "#222222", "#666666"
+#: Colours of curves; told apart with any colour vision (Okabe and Ito).
+COLOURS = ("#0072B2", "#D55E00", "#000000", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+SYNTHETIC = "SYNTHETIC LIMB: computed responses, not measured ones"
+
+_STYLE = {
+    "axes.edgecolor": INK,
+    "axes.labelcolor": INK,
+    "axes.linewidth": 0.6,
+    "axes.spines.right": False,
+    "axes.spines.top": False,
+    "axes.titlesize": 8.0,
+    "figure.dpi": 110.0,
+    "font.family": "DejaVu Sans",
+    "font.size": 7.0,
+    "legend.frameon": False,
+    "lines.linewidth": 0.8,
+    # Letters stay letters, and nothing random enters the file.
+    "pdf.fonttype": 42,
+    "svg.fonttype": "none",
+    "svg.hashsalt": "skinsource",
+    "text.color": INK,
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+}
+
+
+def module(name: str) -> Any:
+    """Import matplotlib, or a module of it.
+
+    Raises
+    ------
+    MissingExtraError
+        It is not installed; the message names the extra.
+    """
+    return package_of_extra(name, EXTRA)
+
+
+@contextmanager
+def style() -> Iterator[None]:
+    """Draw, or save, as all drawings of this package look."""
+    with module("matplotlib").rc_context(_STYLE):
+        yield
+
+
+def new_figure(width_mm: float, height_mm: float) -> Any:
+    """An empty figure that shows itself in a notebook."""
+    module("matplotlib.backends.backend_agg")
+    size = (width_mm / MM_PER_INCH, height_mm / MM_PER_INCH)
+    with style():
+        return _figure_class()(figsize=size, facecolor="white")
+
+
+def axes_of(ax: Any, width_mm: float, height_mm: float) -> tuple[Any, bool]:
+    """Axes to draw into, and whether they are alone in a figure of their own."""
+    if ax is not None:
+        return ax, False
+    with style():
+        return new_figure(width_mm, height_mm).add_subplot(), True
+
+
+@cache
+def _figure_class() -> Any:
+    figure: Any = module("matplotlib.figure").Figure
+
+    class Drawing(figure):  # type: ignore[misc]
+        """A figure that is saved with real text, whatever else is set."""
+
+        def savefig(self, *args: Any, **kwargs: Any) -> None:
+            """Save it; see matplotlib."""
+            with style():
+                super().savefig(*args, **kwargs)
+
+        def _repr_png_(self) -> bytes:
+            content = BytesIO()
+            self.savefig(content, format="png", dpi=110, bbox_inches="tight")
+            return content.getvalue()
+
+    return Drawing
+
+
+# Figures as the content of files: the same drawing gives the same bytes.
+
+#: Of pixels; what journals ask for.
+DOTS_PER_INCH = 300
+#: By kind, what the file says of itself: no clock has a part in it.
+METADATA = {
+    "png": {"Software": None},
+    "svg": {"Date": None, "Creator": "SkinSource studio"},
+    "pdf": {"CreationDate": None, "ModDate": None, "Creator": "SkinSource studio"},
+}
+
+
+def figure_content(figure: Any, kind: str) -> bytes:
+    """Bytes of a file that holds a figure of this package.
+
+    Parameters
+    ----------
+    figure
+        What `skinsource.export.plot.map` and the others return.
+    kind
+        ``"png"``, ``"svg"`` or ``"pdf"``.
+    """
+    content = BytesIO()
+    figure.savefig(content, format=kind, dpi=DOTS_PER_INCH, metadata=METADATA[kind])
+    return content.getvalue()
+
+
+# What a map shows, from a design or from levels.
+
+Range = tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Levels:
+    """Levels of all outputs of a limb.
+
+    Attributes
+    ----------
+    limb, surface
+        Where the outputs are, and how levels are spread between them.
+    values : (n_outputs,)
+        In dB, or signed accelerations.
+    places
+        Input places that play.
+    noisy
+        Outputs that are mostly noise, see `skinsource.perception.validity`; none where that is not
+        known.
+    """
+
+    limb: Limb
+    surface: SurfaceOperator
+    values: Floats
+    places: tuple[int, ...] = ()
+    noisy: tuple[int, ...] = ()
+
+
+def levels_of(shown: Design | ArrayLike, limb: Limb | str | None, view: View | None) -> Levels:
+    """Return what a map shows.
+
+    Raises
+    ------
+    InvalidInputError
+        Levels come without a limb, or do not fit it.
+    """
+    if isinstance(shown, Design):
+        found = evaluate(shown, "output_levels_db", "limb_data", "surface", "validity", view=view)
+        places = sorted({one.location for one in audible_inputs(shown.inputs)})
+        return Levels(
+            limb=found["limb_data"],
+            surface=found["surface"],
+            values=found["output_levels_db"],
+            places=tuple(places),
+            noisy=next(one.outputs for one in found["validity"] if one.name == "noise"),
+        )
+    if limb is None:
+        raise InvalidInputError(
+            "levels need the limb that they belong to: map(levels_db, limb=...); a Design knows it"
+        )
+    whose = load_limb(limb) if isinstance(limb, str) else limb
+    if not isinstance(whose, Limb):
+        raise InvalidInputError(f"limb is {quoted(limb)}, expected a Limb or the name of one")
+    values = finite_array("levels", shown)
+    if values.shape != (whose.n_outputs,):
+        raise InvalidInputError(
+            f"levels have shape {values.shape}, expected one for each of the {whose.n_outputs} "
+            f"outputs of {whose.name}"
+        )
+    return Levels(limb=whose, surface=surface_operator(whose), values=values)
+
+
+def common_range(*levels_db: Floats) -> Range:
+    """Colours for maps of all of these: see `skinsource.signals.map_range.map_range_db`."""
+    return map_range_db(np.concatenate(levels_db, axis=None))
+
+
+# Maps of the back of hand and arm.
+
+Bar = Literal["drawn", "room", "none"]
+Part = Literal["arm", "hand"]
+_COLOUR_MAP, _SIGNED_COLOUR_MAP = "viridis", "RdBu_r"
+# Beside the wrist there is less room than below the arm.
+_BAR_MM: dict[Part, float] = {"arm": 50.0, "hand": 20.0}
+# Room for it and its words below the limb.
+_BELOW_MM = 24.0
+# The hand and a little of the wrist, in hand lengths.
+_HAND_PART = 1.06
+# Around an output, about half of the way to its neighbours, in hand lengths.
+_NOISE_REACH = 0.08
+# Seen on dark and on light colours.
+_STROKES, _STROKE_COLOUR = "//////", "#B0B0B0"
+#: What strokes over a map mean.
+HATCHED = f"Hatched: less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise of the measurement"
+_ALONE_MM = (75.0, 115.0)
+
+
+def map(
+    shown: Design | ArrayLike,
+    *,
+    limb: Limb | str | None = None,
+    view: View | None = None,
+    range_db: Range | None = None,
+    outputs: tuple[int, ...] = (),
+    title: str = "",
+    ax: Any = None,
+) -> Any:
+    """Draw levels over the back of hand and arm.
+
+    Parameters
+    ----------
+    shown
+        A design, or levels of all outputs, (n_outputs,), in dB re 1 m/s².
+    limb
+        Whose levels these are; a design knows its own.
+    view
+        Axes, method and span of the levels of a design; ``View()`` where none is given.
+    range_db
+        Levels of the lowest and the highest colour; from the loudest output 50 dB down unless
+        given.
+    outputs
+        Outputs that are ringed and numbered.
+    title
+        Stands above it.
+    ax
+        Axes to draw into, without a colour bar; a figure of its own with one where none is given.
+
+    Returns
+    -------
+    The figure.
+
+    Raises
+    ------
+    InvalidInputError
+        Levels come without a limb, or do not fit it.
+    MissingExtraError
+        matplotlib is not installed.
+
+    Examples
+    --------
+    >>> import numpy as np, skinsource as ss
+    >>> figure = ss.plot.map(np.linspace(-60.0, -10.0, 72), limb="synthetic-2", outputs=(19,))
+    """
+    levels = levels_of(shown, limb, view)
+    colours = common_range(levels.values) if range_db is None else range_db
+    on, alone = axes_of(ax, *_ALONE_MM)
+    with style():
+        image = draw_map(on, levels, colours, outputs=outputs, title=title)
+        if alone:
+            colour_bar(on.figure, image, [on], "dB re 1 m/s²")
+            # A synthetic limb has no noise: there is one of them to be said, or neither.
+            words = SYNTHETIC if levels.limb.synthetic else HATCHED if levels.noisy else ""
+            if words:
+                on.figure.text(0.5, 0.01, words, ha="center", color=DIM, fontsize=6)
+    return on.figure
+
+
+def draw_map(
+    ax: Any,
+    levels: Levels,
+    colours: Range,
+    *,
+    outputs: tuple[int, ...] = (),
+    title: str = "",
+    signed: bool = False,
+    bar: Bar = "drawn",
+    part: Part = "arm",
+) -> Any:
+    """Draw a map into ``ax`` and return its image, for a colour bar.
+
+    Parameters
+    ----------
+    ax
+        Axes of matplotlib.
+    levels
+        What is shown.
+    colours
+        Values of the lowest and the highest colour.
+    outputs, title
+        As of `map`.
+    signed
+        Whether values have a sign, and 0 in the middle of the colours.
+    bar
+        Whether a bar beside the limb says how long 50 mm are, 20 mm of a hand; ``"room"`` leaves
+        room for it, so that maps side by side are alike.
+    part
+        ``"arm"``: all of it; ``"hand"``: down to the wrist.
+
+    Outputs of ``levels`` that are mostly noise are hatched.
+    """
+    limb = levels.limb
+    scale = limb.hand_length_mm / limb.map.hand_length_px
+    table = _SIGNED_COLOUR_MAP if signed else _COLOUR_MAP
+    image, outline = _draw_field(ax, levels, colours, table)
+    reach_mm = _NOISE_REACH * limb.hand_length_mm
+    _hatch(ax, limb.map.output_positions * scale, levels.noisy, reach_mm, outline)
+    _mark(ax, limb.map.input_positions * scale, levels.places, "input")
+    _mark(ax, limb.map.output_positions * scale, outputs, "output")
+    low, high = _bounds(limb, part)
+    ax.set_xlim(low[0] - 4.0, high[0] + 4.0)
+    ax.set_ylim(low[1] - (4.0 if bar == "none" else _BELOW_MM), high[1] + 4.0)
+    ax.set_aspect("equal")
+    ax.set_axis_off()
+    if bar == "drawn":
+        _millimetre_bar(ax, float(high[0]), float(low[1]), _BAR_MM[part])
+    if title:
+        ax.set_title(title)
+    return image
+
+
+def _draw_field(ax: Any, levels: Levels, colours: Range, colour_map: str) -> tuple[Any, Any]:
+    """Draw the interpolated map, cut by the outline; return both."""
+    surface, limb = levels.surface, levels.limb
+    half = (surface.x_mm[1] - surface.x_mm[0]) / 2.0
+    x, y = surface.x_mm, surface.y_mm
+    image = ax.imshow(
+        _beyond(surface, levels.values),
+        origin="lower",
+        extent=(x[0] - half, x[-1] + half, y[0] - half, y[-1] + half),
+        cmap=colour_map,
+        vmin=colours[0],
+        vmax=colours[1],
+        interpolation="bilinear",
+    )
+    outline = module("matplotlib.patches").Polygon(
+        limb.map.outline * (limb.hand_length_mm / limb.map.hand_length_px),
+        closed=True,
+        fill=False,
+        edgecolor=INK,
+        linewidth=0.6,
+    )
+    ax.add_patch(outline)
+    image.set_clip_path(outline)
+    return image, outline
+
+
+def _hatch(
+    ax: Any, positions: Floats, noisy: tuple[int, ...], reach_mm: float, outline: Any
+) -> None:
+    """Strokes around outputs that are mostly noise, cut by the outline."""
+    places = [positions[number - 1] for number in noisy]
+    shown = [place for place in places if np.isfinite(place).all()]
+    if not shown:
+        return
+    path = module("matplotlib.path").Path
+    discs = path.make_compound_path(*(path.circle(place, reach_mm) for place in shown))
+    strokes = module("matplotlib.patches").PathPatch(
+        discs, fill=False, hatch=_STROKES, edgecolor=_STROKE_COLOUR, linewidth=0.0
+    )
+    ax.add_patch(strokes)
+    strokes.set_clip_path(outline)
+
+
+def _bounds(limb: Limb, part: Part) -> tuple[Floats, Floats]:
+    """Lower left and upper right corner of what is shown, mm."""
+    outline = limb.map.outline * (limb.hand_length_mm / limb.map.hand_length_px)
+    if part == "hand":
+        wrist = outline[:, 1].max() - _HAND_PART * limb.hand_length_mm
+        outline = outline[outline[:, 1] >= wrist]
+    return outline.min(axis=0), outline.max(axis=0)
+
+
+def colour_bar(figure: Any, image: Any, axes: list[Any], label: str) -> Any:
+    """Add a colour bar beside ``axes``."""
+    bar = figure.colorbar(image, ax=axes, shrink=0.55, aspect=18, pad=0.02)
+    bar.set_label(label)
+    bar.outline.set_linewidth(0.5)
+    return bar
+
+
+def _beyond(surface: SurfaceOperator, values: Floats) -> Floats:
+    """The map, (rows, columns), carried on beyond the outline, which cuts it."""
+    inside = surface.interpolate(values)
+    outside = np.isnan(inside)
+    rows, columns = scipy.ndimage.distance_transform_edt(
+        outside, return_distances=False, return_indices=True
+    )
+    return np.asarray(inside[rows, columns])
+
+
+def _mark(ax: Any, positions: Floats, numbers: tuple[int, ...], kind: str) -> None:
+    for number in numbers:
+        x, y = positions[number - 1]
+        if np.isnan(x):
+            continue
+        if kind == "input":
+            ax.plot(x, y, "o", ms=6, mfc="none", mec="white", mew=1.6)
+            ax.plot(x, y, "o", ms=6, mfc="none", mec=COLOURS[1], mew=1.0)
+        else:
+            ax.plot(x, y, "o", ms=4, mfc="white", mec=INK, mew=0.6)
+            ax.annotate(
+                str(number),
+                (x, y),
+                xytext=(4, 2),
+                textcoords="offset points",
+                fontsize=6,
+                bbox={"boxstyle": "round,pad=0.12", "fc": "white", "ec": "none", "alpha": 0.75},
+            )
+
+
+def _millimetre_bar(ax: Any, right_mm: float, bottom_mm: float, long_mm: float) -> None:
+    x, y = (right_mm - long_mm, right_mm), bottom_mm - 0.35 * _BELOW_MM
+    ax.plot(x, (y, y), color=INK, lw=1.2)
+    ax.text(sum(x) / 2, y - 3.0, f"{long_mm:g} mm", ha="center", va="top", fontsize=6)
+
+
+# Curves in rows under each other.
+
+# A row is so high that curves of neighbours do not touch.
+_ROOM = 2.3
+# Height of a legend, as a part of a row.
+_LEGEND = 0.3
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Row:
+    """One row of a drawing.
+
+    Attributes
+    ----------
+    label
+        Beside it.
+    x : (n,)
+        Times in ms or frequencies in Hz.
+    curves : (n_curves, n)
+        What is drawn over each other.
+    unit_size
+        What fills the row; None: the largest of its own curves.
+    """
+
+    label: str
+    x: Floats
+    curves: Floats
+    unit_size: float | None = None
+
+    @property
+    def size(self) -> float:
+        """What fills the row; 1 where nothing moves."""
+        size = float(np.abs(self.curves).max(initial=0.0))
+        return (size if self.unit_size is None else self.unit_size) or 1.0
+
+
+def common_size(rows: Sequence[Floats]) -> float:
+    """What fills every row where they have one scale."""
+    return max((float(np.abs(one).max(initial=0.0)) for one in rows), default=0.0)
+
+
+def draw_rows(
+    ax: Any,
+    rows: Sequence[Row],
+    *,
+    labels: Sequence[str] = (),
+    colours: Sequence[str] = COLOURS,
+    from_zero: bool = False,
+    title: str = "",
+    legend_apart: bool = False,
+) -> None:
+    """Draw rows into ``ax``, the first one on top.
+
+    Parameters
+    ----------
+    ax
+        Axes of matplotlib.
+    rows
+        What is drawn.
+    labels
+        Of the curves of a row, for a legend; none: no legend.
+    colours
+        Of the curves of a row.
+    from_zero
+        Whether curves are never negative, and stand on the line of their row.
+    title
+        Stands above.
+    legend_apart
+        Whether there is room for the legend above the first row, so that it lies on no curve.
+    """
+    room = 1.15 if from_zero else _ROOM
+    for rank, row in enumerate(rows):
+        base = -room * rank
+        ax.axhline(base, color="#DDDDDD", lw=0.5, zorder=0)
+        for k, curve in enumerate(row.curves):
+            label = labels[k] if labels and rank == 0 else None
+            colour = colours[k % len(colours)]
+            ax.plot(row.x, base + curve / row.size, color=colour, label=label, lw=0.8)
+    ax.set_yticks([-room * rank for rank in range(len(rows))], [row.label for row in rows])
+    ax.tick_params(axis="y", length=0)
+    ax.spines["left"].set_visible(False)
+    top = 1.15 + (_LEGEND * room if labels and legend_apart else 0.0)
+    ax.set_ylim(-room * (len(rows) - 1) - (0.1 if from_zero else 1.15), top)
+    if rows:
+        ax.set_xlim(float(rows[0].x[0]), float(rows[0].x[-1]))
+    if labels:
+        ax.legend(loc="upper right", ncols=len(labels), fontsize=6, borderaxespad=0.0)
+    if title:
+        ax.set_title(title)
+
+
+def say_scale(ax: Any, words: str) -> None:
+    """Say above ``ax`` what the height of a row means."""
+    ax.annotate(
+        words,
+        (0.0, 1.0),
+        xycoords="axes fraction",
+        xytext=(0, 3),
+        textcoords="offset points",
+        fontsize=6,
+        color=DIM,
+    )
+
+
+# Traces and spectra of outputs.
+
+_WIDTH_MM, _ROW_MM, _AROUND_MM = 130.0, 13.0, 26.0
+_NEEDS = "response_time_s", "axis_traces", "selected_projection"
+# Of more samples a page shows no single wave, but how far waves reach: in more columns than a page
+# of two columns has dots of 600 in an inch.
+_MOST_JOINED, _N_COLUMNS = 20_000, 4096
+
+
+def traces(
+    shown: Design | Sequence[Design],
+    *,
+    view: View | None = None,
+    outputs: Sequence[int] | None = None,
+    labels: Sequence[str] = (),
+    normalised: bool = False,
+    title: str = "",
+    ax: Any = None,
+) -> Any:
+    """Draw what outputs do over time, a row for each.
+
+    Up to 20 000 samples are joined by the band-limited wave through them, not by straight lines;
+    of more, how far that wave reaches is drawn in 4096 columns.
+
+    Parameters
+    ----------
+    shown
+        A design, or several that are drawn over each other.
+    view
+        Axes, method, range of times, and whether the pre-trigger delay is removed.
+    outputs
+        Which outputs; those of the view unless given.
+    labels
+        Of the designs, for a legend.
+    normalised
+        Whether each row is scaled to its own peak; all have one scale otherwise.
+    title
+        Stands above.
+    ax
+        Axes to draw into; a figure of its own where none is given.
+
+    Returns
+    -------
+    The figure.
+
+    Raises
+    ------
+    InvalidInputError
+        There is nothing to draw, or the limb does not have such outputs.
+    MissingExtraError
+        matplotlib is not installed.
+    """
+    designs, looked = _designs(shown, labels), _looked(view, outputs)
+    found = [evaluate(one, *_NEEDS, view=looked) for one in designs]
+    time_s, curves = _waves(found, looked.time_range_s)
+    rows = _rows(1e3 * time_s, curves, looked.outputs, normalised)
+    on, alone = axes_of(ax, _WIDTH_MM, _ROW_MM * len(rows) + _AROUND_MM)
+    with style():
+        draw_rows(on, rows, labels=labels, title=title, legend_apart=True)
+        on.set_xlabel(_time_words(looked))
+        say_scale(on, _scale_words(rows, normalised, looked))
+        _finish(on, designs, alone)
+    return on.figure
+
+
+def spectra(
+    shown: Design | Sequence[Design],
+    *,
+    view: View | None = None,
+    outputs: Sequence[int] | None = None,
+    labels: Sequence[str] = (),
+    normalised: bool = False,
+    mean_of_bins: int = 1,
+    title: str = "",
+    ax: Any = None,
+) -> Any:
+    """Draw magnitude spectra of outputs in the band of the limb, a row for each.
+
+    Parameters
+    ----------
+    mean_of_bins
+        How many bins of the spectrum are averaged, 1: none.
+    shown, view, outputs, labels, normalised, title, ax
+        As of `traces`.
+
+    Returns
+    -------
+    The figure.
+
+    Raises
+    ------
+    InvalidInputError
+        There is nothing to draw, or the limb does not have such outputs.
+    MissingExtraError
+        matplotlib is not installed.
+    """
+    designs, looked = _designs(shown, labels), _looked(view, outputs)
+    found = [evaluate(one, "selected_spectra", view=looked)["selected_spectra"] for one in designs]
+    if len({frequency.size for frequency, _ in found}) > 1:
+        raise InvalidInputError(
+            "the designs differ in length, so their spectra have other frequencies; draw each in "
+            "axes of its own"
+        )
+    frequency = found[0][0]
+    low_hz, high_hz = facts_of(designs[0].limb).band_hz or (0.0, np.inf)
+    within = (frequency >= low_hz) & (frequency <= high_hz)
+    curves = [moving_mean(magnitude, mean_of_bins)[:, within] for _, magnitude in found]
+    rows = _rows(frequency[within], curves, looked.outputs, normalised)
+    on, alone = axes_of(ax, _WIDTH_MM, _ROW_MM * len(rows) + _AROUND_MM)
+    with style():
+        draw_rows(on, rows, labels=labels, title=title, from_zero=True, legend_apart=True)
+        on.set_xlabel("Frequency (Hz)")
+        words = _scale_words(rows, normalised, looked)
+        say_scale(on, f"{words}; mean of {mean_of_bins} bins" if mean_of_bins > 1 else words)
+        _finish(on, designs, alone)
+    return on.figure
+
+
+def _designs(shown: Design | Sequence[Design], labels: Sequence[str]) -> list[Design]:
+    designs = [shown] if isinstance(shown, Design) else list(shown)
+    if not designs or not all(isinstance(one, Design) for one in designs):
+        raise InvalidInputError(f"shown is {quoted(shown)}, expected a Design, or several")
+    if labels and len(labels) != len(designs):
+        raise InvalidInputError(f"{len(labels)} labels for {len(designs)} designs: one for each")
+    return designs
+
+
+def _looked(view: View | None, outputs: Sequence[int] | None) -> View:
+    looked = View() if view is None else view
+    looked = looked if outputs is None else replace(looked, outputs=tuple(outputs))
+    if not looked.outputs:
+        raise InvalidInputError("no output is selected; name some: outputs=(19, 21)")
+    return looked
+
+
+def _filled(traces: Floats, n_times: int) -> Floats:
+    """Shorter responses are silent at the end."""
+    return np.pad(traces, ((0, 0), (0, 0), (0, n_times - traces.shape[-1])))
+
+
+def _waves(
+    found: Sequence[Mapping[str, Any]], range_s: tuple[float, float] | None
+) -> tuple[Floats, list[Floats]]:
+    """Instants in a range, all unless given, and projected signals of designs at them.
+
+    The wave runs along the axes: a magnitude is its length.
+    """
+    time_s = max(found, key=lambda one: one["response_time_s"].size)["response_time_s"]
+    low, high = range_s or (float(time_s[0]), float(time_s[-1]))
+    within = np.flatnonzero((time_s >= low) & (time_s <= high))
+    if not within.size:
+        raise InvalidInputError(
+            f"view.time_range_s is {quoted(range_s)}, but the response lies between "
+            f"{time_s[0]:g} and {time_s[-1]:g} s"
+        )
+    first, end = int(within[0]), int(within[-1]) + 1
+    drawn = _joined if end - first <= _MOST_JOINED else _reached
+    each = [drawn(one, time_s, first, end) for one in found]
+    return each[0][0], [curves for _, curves in each]
+
+
+def _joined(one: Mapping[str, Any], time_s: Floats, first: int, end: int) -> tuple[Floats, Floats]:
+    """Points of the waves between samples."""
+    axes = _filled(one["axis_traces"], time_s.size)
+    instants, axes = finer(time_s, axes, first, end)
+    return instants, one["selected_projection"].signals(axes)
+
+
+def _reached(one: Mapping[str, Any], time_s: Floats, first: int, end: int) -> tuple[Floats, Floats]:
+    """Lowest and highest value of the waves in columns, in turn."""
+    axes, projection = _filled(one["axis_traces"], time_s.size), one["selected_projection"]
+    # A magnitude is the length of the wave along the axes.
+    waves = axes if projection.directions is None else projection.signals(axes)
+    starts = np.arange(_N_COLUMNS) * (end - first) // _N_COLUMNS
+    low, high = extremes_between(waves, first, end).of_columns(starts)
+    curves = np.stack((low, high), axis=-1).reshape(len(low), -1)
+    return np.repeat(time_s[first + starts], 2), curves
+
+
+def _rows(
+    x: Floats, curves: Sequence[Floats], outputs: Sequence[int], normalised: bool
+) -> list[Row]:
+    size = None if normalised else common_size(curves)
+    return [
+        Row(
+            label=f"Output {number}",
+            x=x,
+            curves=np.stack([one[rank] for one in curves]),
+            unit_size=size,
+        )
+        for rank, number in enumerate(outputs)
+    ]
+
+
+def _time_words(view: View) -> str:
+    return "Time (ms), pre-trigger delay removed" if view.delay_removed else "Time (ms)"
+
+
+def _scale_words(rows: Sequence[Row], normalised: bool, view: View) -> str:
+    what = signal_words(view.axes, view.method)
+    if normalised:
+        return f"{what}; each row relative to its peak"
+    return f"{what}; a row is {rows[0].size:.3g} m/s² high"
+
+
+def _finish(ax: Any, designs: Sequence[Design], alone: bool) -> None:
+    if not alone:
+        return
+    if any(facts_of(one.limb).synthetic for one in designs):
+        ax.figure.text(0.99, 0.01, SYNTHETIC, ha="right", color=DIM, fontsize=6)
+    ax.figure.subplots_adjust(left=0.14, right=0.97, bottom=0.17, top=0.88)
+
+
+# Maps of windows that follow each other, and how far the vibration reaches in each.
+
+_USUAL_COUNT = 5
+_MAP_MM, _LEFT_MM, _RIGHT_MM, _HEIGHT_MM = 28.0, 17.0, 20.0, 95.0
+_STRIPS_AROUND_MM = _LEFT_MM + _RIGHT_MM
+_QUANTITIES = (
+    "limb_data",
+    "surface",
+    "windows",
+    "sample_rate_hz",
+    "rms_of_windows",
+    "extents_of_windows",
+    "noisy_outputs_of_windows",
+    "windows_in_noise",
+)
+#: More maps side by side cannot be read.
+MOST_MAPS = 12
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class WindowedLevels:
+    """RMS of all outputs in each window of a design.
+
+    Attributes
+    ----------
+    limb, surface
+        Where the outputs are.
+    places
+        Input places that play.
+    windows
+        Where the windows lie.
+    sample_rate_hz
+        Of the response.
+    rms : (n_windows, n_outputs)
+        In m/s².
+    extents
+        How far each window reaches; None where nothing moves in it.
+    noisy, in_noise
+        Outputs of each window that are mostly noise, and whether all of it is.
+    """
+
+    limb: Limb
+    surface: Any
+    places: tuple[int, ...]
+    windows: Windows
+    sample_rate_hz: float
+    rms: Floats
+    extents: tuple[Extent | None, ...]
+    noisy: tuple[tuple[int, ...], ...]
+    in_noise: tuple[bool, ...]
+
+
+def windowed_levels(
+    design: Design, view: View | None = None, *, count: int | None, window_s: float | None
+) -> WindowedLevels:
+    """Return RMS and extent in each window of what ``view`` projects."""
+    if not isinstance(design, Design):
+        raise InvalidInputError(f"design is {quoted(design)}, expected a Design")
+    if (count is None) == (window_s is None):
+        raise InvalidInputError(
+            f"count is {count} and window_s is {window_s}: expected one of them, and no other"
+        )
+    looked = View(method="mag") if view is None else view
+    if window_s is not None:
+        looked = replace(looked, windows_cut="length", window_s=window_s)
+    elif count is not None:
+        looked = replace(looked, windows_cut="count", window_count=count)
+    found = evaluate(design, *_QUANTITIES, view=looked)
+    return WindowedLevels(
+        limb=found["limb_data"],
+        surface=found["surface"],
+        places=tuple(sorted({one.location for one in audible_inputs(design.inputs)})),
+        windows=found["windows"],
+        sample_rate_hz=found["sample_rate_hz"],
+        rms=found["rms_of_windows"],
+        extents=found["extents_of_windows"],
+        noisy=found["noisy_outputs_of_windows"],
+        in_noise=found["windows_in_noise"],
+    )
+
+
+def strip(
+    design: Design,
+    *,
+    view: View | None = None,
+    count: int | None = None,
+    window_s: float | None = None,
+    range_db: Range | None = None,
+    title: str = "",
+) -> Any:
+    """Draw a map for each of consecutive windows, all in one colour scale, and their extent.
+
+    Windows begin as late as the pre-trigger delay is long.
+
+    Parameters
+    ----------
+    design
+        What is played.
+    view
+        Axes and method of the levels; the magnitude of all axes unless given.
+    count, window_s
+        Into how many windows the stimulus is cut, or how long each is; 5 windows unless given.
+        At most 12 are drawn.
+    range_db
+        Levels of the lowest and the highest colour; from the loudest output 50 dB down unless
+        given.
+    title
+        Stands above.
+
+    Returns
+    -------
+    The figure.
+
+    Raises
+    ------
+    InvalidInputError
+        Nothing is played long enough for a window, or both ``count`` and ``window_s`` are given.
+    MissingExtraError
+        matplotlib is not installed.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> train = ss.track(7, ss.waveforms.WaveletTrain())
+    >>> figure = ss.plot.strip(ss.Design(limb="synthetic-4", inputs=(train,)), window_s=0.12)
+    """
+    if count is None and window_s is None:
+        count = _USUAL_COUNT
+    found = windowed_levels(design, view, count=count, window_s=window_s)
+    n = min(found.windows.count, MOST_MAPS)
+    if n == 0:
+        raise InvalidInputError(
+            "no whole window fits into the response; choose a shorter one, or a longer stimulus"
+        )
+    return _drawn(found, n, range_db, title)
+
+
+def _drawn(found: WindowedLevels, n: int, range_db: Range | None, title: str) -> Any:
+    """A figure of the first ``n`` windows."""
+    width_mm = _MAP_MM * n + _STRIPS_AROUND_MM
+    figure = new_figure(width_mm, _HEIGHT_MM)
+    with style():
+        grid = figure.add_gridspec(
+            2,
+            n,
+            height_ratios=(4.0, 1.0),
+            # Words beside the axes take as much room in a narrow figure as in a wide one.
+            left=_LEFT_MM / width_mm,
+            right=1.0 - _RIGHT_MM / width_mm,
+            top=0.88,
+            bottom=0.1,
+            wspace=0.05,
+        )
+        maps = [figure.add_subplot(grid[0, k]) for k in range(n)]
+        draw_strip(figure, maps, found, range_db)
+        draw_extent(figure.add_subplot(grid[1, :]), found, n)
+        if title:
+            figure.suptitle(title, fontsize=9)
+        words = SYNTHETIC if found.limb.synthetic else HATCHED if any(found.noisy[:n]) else ""
+        if words:
+            figure.text(0.99, 0.01, words, ha="right", color=DIM, fontsize=6)
+    return figure
+
+
+def draw_strip(figure: Any, maps: list[Any], found: WindowedLevels, range_db: Range | None) -> None:
+    """Draw the first windows into ``maps``, and a colour bar beside the last one."""
+    levels_db = decibels(found.rms)
+    colours = common_range(levels_db) if range_db is None else range_db
+    bounds = found.windows.bounds_s(found.sample_rate_hz)
+    image = None
+    for k, ax in enumerate(maps):
+        levels = Levels(
+            limb=found.limb,
+            surface=found.surface,
+            values=levels_db[k],
+            places=found.places,
+            noisy=found.noisy[k],
+        )
+        begin, end = (1e3 * one for one in bounds[k])
+        title = f"{begin:.0f} to {end:.0f} ms"
+        image = draw_map(
+            ax, levels, colours, title=title, bar="room" if k < len(maps) - 1 else "drawn"
+        )
+    last = maps[-1].get_position()
+    bar = figure.add_axes((last.x1 + 0.015, last.y0 + 0.15 * last.height, 0.012, 0.7 * last.height))
+    figure.colorbar(image, cax=bar).set_label("dB re 1 m/s²")
+    bar.set_frame_on(False)
+
+
+def draw_extent(ax: Any, found: WindowedLevels, n: int) -> None:
+    """Draw mean distance and the distance of 90 % of the energy over the first ``n`` windows."""
+    nothing = Extent(
+        mean_distance_mm=np.nan,
+        share_above_12_db=np.nan,
+        share_above_20_db=np.nan,
+        d90_mm=np.nan,
+        participation=np.nan,
+    )
+    # How noise is spread says nothing of what is played.
+    pairs = zip(found.extents[:n], found.in_noise, strict=False)
+    extents = [nothing if one is None or in_noise else one for one, in_noise in pairs]
+    middles = np.arange(n) + 0.5
+    curves = (
+        ("mean distance", [one.mean_distance_mm for one in extents]),
+        ("90 % of the energy within", [one.d90_mm for one in extents]),
+    )
+    for (label, values), colour in zip(curves, COLOURS, strict=False):
+        ax.plot(middles, values, "o-", ms=3, color=colour, label=label)
+    ax.set_xlim(0.0, n)
+    ax.set_ylim(0.0, 1.1 * ax.dataLim.y1 if ax.dataLim.y1 > 0.0 else 1.0)
+    ax.set_xticks([])
+    ax.set_ylabel("mm from\nthe input")
+    # Above, where no curve runs; over few windows there is no room for both side by side.
+    columns = 2 if n > 2 else 1
+    ax.legend(
+        fontsize=6, loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.1, ncols=columns
+    )
+
+
+# Drawings of designs and of predicted levels, with matplotlib and without a window.
+#
+# Each function draws into ``ax``, axes of matplotlib, or makes a figure of its own, and returns the
+# figure: it shows itself in a notebook, and `savefig` writes PNG, SVG and PDF with real text.  They
+# need the extra ``plot``.
+#
+# >>> import skinsource as ss
+# >>> tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+# >>> figure = ss.plot.map(ss.Design(limb="synthetic-1", inputs=(tone,)))
+# >>> len(figure.axes)
+# 2
+
+__all__ = ["map", "spectra", "strip", "traces"]

@@ -1,0 +1,25 @@
+"""A stimulus leaves for files: prepared, looked at, written whole or not at all."""
+
+from skinsource.export.stimulus_export.export import Exported, export_stimulus
+from skinsource.export.stimulus_export.options import StimulusOptions, written_files
+from skinsource.export.stimulus_export.preparing import (
+    ChannelOverview,
+    Limit,
+    Overview,
+    Prepared,
+    overview_of,
+    prepared,
+)
+
+__all__ = [
+    "ChannelOverview",
+    "Exported",
+    "Limit",
+    "Overview",
+    "Prepared",
+    "StimulusOptions",
+    "export_stimulus",
+    "overview_of",
+    "prepared",
+    "written_files",
+]

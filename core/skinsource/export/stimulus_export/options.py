@@ -1,0 +1,289 @@
+"""How the files of an exported stimulus are called."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+
+from skinsource.actuators.equalising import Equaliser
+from skinsource.actuators.rigs import Rig, calibration_words, rig_breaches
+from skinsource.base.arguments import one_of, real_number
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.engine.stimulus import (
+    Stimulus,
+    added_delays_s,
+    channel_of,
+    in_order,
+    peaks,
+    scaled,
+    with_sync,
+)
+from skinsource.export.formats.format import StimulusFormat
+from skinsource.specs.fields import specs_of
+
+
+def marked(path: Path, format: StimulusFormat, mark: str) -> Path:
+    """``path`` with ``mark`` before the ending of ``format``."""
+    suffix = format.suffix if path.name.endswith(format.suffix) else path.suffix
+    stem = path.name[: len(path.name) - len(suffix)]
+    return path.with_name(f"{stem}{mark}{suffix}")
+
+
+def sidecar_path(path: Path) -> Path:
+    """Where the sidecar of a file or folder is."""
+    return path.with_name(f"{path.name}.json")
+
+
+def written_files(
+    path: Path, format: StimulusFormat, marks: Iterable[str]
+) -> tuple[tuple[Path, ...], ...]:
+    """Each file that an export to ``path`` writes, its sidecar, and what else belongs to it.
+
+    ``marks`` are those of `skinsource.export.stimulus_export.preparing.Overview`.
+    """
+    files = (marked(path, format, mark) for mark in marks)
+    return tuple((one, sidecar_path(one), *_beside(one, format)) for one in files)
+
+
+def _beside(path: Path, format: StimulusFormat) -> tuple[Path, ...]:
+    other = format.beside(path)
+    return () if other is None else (other,)
+
+
+# What can be asked for when a stimulus is exported.
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StimulusOptions:
+    """How a stimulus is made ready for a file; as given, nothing is added to it.
+
+    Attributes
+    ----------
+    per
+        ``"place"``: one channel for each place in use; ``"input"``: one for each input.
+    one_file_per_input
+        A file of one channel for each input, PATH with ``_input-2`` before its ending; all have
+        the same full scale.
+    inputs, clips
+        Ids of the inputs, or clips, that take part; None: all that are heard.
+    from_s, to_s
+        Part of the time of the design; None: from its beginning, or to its end.
+    fade_in_s, fade_out_s
+        Fades at the ends of that part.
+    lead_in_s
+        Silence before it; where nothing is cut off or faded in, what rings before time 0 is kept.
+    sync
+        Whether a last channel marks time 0, or ``from_s``, with a pulse at full scale.
+    channel_map
+        For each output of the device the channel that it gets, 0 for none; (): as they are.
+    full_scale
+        What full scale stands for, in the unit of the drive; None: the largest sample.
+    dither_seed
+        Of dither where whole numbers are written; None: no dither.
+    accept_loss
+        Whether it is written even though a channel loses more than 1 dB of its energy to the rate.
+    choices
+        Of what the format offers: ``{"samples": "pcm24"}``.
+    """
+
+    per: Literal["place", "input"] = "place"
+    one_file_per_input: bool = False
+    inputs: tuple[int, ...] | None = None
+    clips: tuple[int, ...] | None = None
+    from_s: float | None = None
+    to_s: float | None = None
+    fade_in_s: float = 0.0
+    fade_out_s: float = 0.0
+    lead_in_s: float = 0.0
+    sync: bool = False
+    channel_map: tuple[int, ...] = ()
+    full_scale: float | None = None
+    dither_seed: int | None = None
+    accept_loss: bool = False
+    choices: Mapping[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        one_of("per", self.per, ("place", "input"))
+        for name in ("inputs", "clips", "channel_map"):
+            value = getattr(self, name)
+            if value is not None:
+                object.__setattr__(self, name, tuple(value))
+        if self.full_scale is not None:
+            expected = "a positive number in the unit of the drive"
+            least = 1e-30
+            real_number("full_scale", self.full_scale, expected, least=least, most=1e30)
+        if self.one_file_per_input and self.channel_map:
+            raise InvalidInputError(
+                "channel_map says what each output of one file gets, and each input shall have a "
+                "file of its own. Leave one of them out."
+            )
+
+
+# What of a stimulus goes to which file.
+
+
+def parts(
+    drives: Stimulus, gain: float, format: StimulusFormat, options: StimulusOptions
+) -> dict[str, Stimulus]:
+    """What goes to which file, by its mark; as loud as ``gain`` makes it."""
+    if options.one_file_per_input:
+        apart = {
+            f"_input-{channel.inputs[0]}": _alone(drives, row)
+            for row, channel in enumerate(drives.channels)
+        }
+    else:
+        apart = {"": drives}
+    return {
+        f"{mark}{own_mark}": own
+        for mark, one in apart.items()
+        for own_mark, own in _own_files(_finished(scaled(one, gain), options), format)
+    }
+
+
+def _finished(stimulus: Stimulus, options: StimulusOptions) -> Stimulus:
+    """With what is not scaled, and in the order of the outputs."""
+    if options.sync:
+        # What comes before is the lead-in.
+        stimulus = with_sync(stimulus, at_s=options.from_s or 0.0)
+    return in_order(stimulus, options.channel_map) if options.channel_map else stimulus
+
+
+def _own_files(stimulus: Stimulus, format: StimulusFormat) -> list[tuple[str, Stimulus]]:
+    """A file for each channel, where the format holds one: the first has no mark."""
+    if not format.one_channel_each:
+        return [("", stimulus)]
+    return [
+        (f"_channel-{row + 1}" if row else "", _alone(stimulus, row))
+        for row in range(len(stimulus.channels))
+    ]
+
+
+def _alone(stimulus: Stimulus, row: int) -> Stimulus:
+    """One channel of ``stimulus``, as the first of a file."""
+    channel = replace(stimulus.channels[row], number=1)
+    return stimulus.with_samples(stimulus.samples[row : row + 1], channels=(channel,))
+
+
+# What a rig says of a stimulus: calibration, channels, limits.
+
+
+def passed_limits(stimulus: Stimulus, rig: Rig) -> tuple[str, ...]:
+    """Sentences on the limits that samples in parts of full scale would pass."""
+    rows = list(stimulus.driving)
+    places = [place for row in rows if (place := stimulus.channels[row].place) is not None]
+    rate_hz = round(stimulus.sample_rate_hz)
+    breaches = rig_breaches(rig, places, stimulus.samples[rows], rate_hz)
+    return tuple(f"{str(one)[:1].upper()}{str(one)[1:]}." for one in breaches)
+
+
+def about_rig(stimulus: Stimulus, rig: Rig | None) -> str:
+    """Whether it is calibrated, in words."""
+    places = [one.place for one in stimulus.channels if one.place is not None]
+    return calibration_words(rig, places)
+
+
+def about_channels(stimulus: Stimulus, rig: Rig) -> list[dict[str, Any]]:
+    """What the rig says of each channel; nothing of those that drive no actuator."""
+    found: list[dict[str, Any]] = []
+    added_s = added_delays_s(stimulus, rig)
+    for row, one in enumerate(stimulus.channels):
+        if one.place is None:
+            found.append({})
+            continue
+        channel = channel_of(stimulus, row, rig)
+        found.append(
+            {
+                "actuator": channel.actuator,
+                "device": channel.device,
+                "output": channel.output,
+                "full_scale_v": channel.full_scale_v,
+                "amplifier_gain": channel.amplifier_gain,
+                "polarity": channel.polarity,
+                "delay_s": channel.delay_s,
+                "delay_added_s": added_s[row],
+                "measured_on": channel.measured_on,
+            }
+        )
+    return found
+
+
+def about_equaliser(equaliser: Equaliser | None) -> dict[str, Any] | None:
+    """Kind and numbers of an equaliser."""
+    if equaliser is None:
+        return None
+    values = {name: getattr(equaliser, name) for name in specs_of(equaliser)}
+    return {"kind": type(equaliser).__name__, **values}
+
+
+# Whether a stimulus begins or ends hard, in words.
+
+#: An end of a stimulus.
+Ends = Literal["begin", "end"]
+#: First or last sample, in parts of the peak of its channel, above which it is said.
+LARGEST_EDGE = 0.01
+#: Time before what sounds in which it may ring where the rate is changed; see `resample`.
+RINGS_S = 0.1
+
+
+def cut_ends(options: StimulusOptions) -> tuple[Ends, ...]:
+    """At which ends a part is cut out; one that names its end only begins at time 0."""
+    if options.to_s is not None:
+        return ("begin", "end")
+    return () if options.from_s is None else ("begin",)
+
+
+def edge_words(stimuli: Sequence[Stimulus], cut: Sequence[Ends] = ()) -> str:
+    """Return what is said of channels whose first or last sample is above 1 % of their peak.
+
+    Parameters
+    ----------
+    stimuli
+        Of one export, all from the same time on; what drives no actuator is left out.
+    cut
+        At which ends a part of the design was cut out.
+    """
+    if not stimuli:
+        return ""
+    found = []
+    resampled = any(one.sample_rate_hz != one.own_rate_hz for one in stimuli)
+    if said := _said(stimuli, 0, "begin"):
+        if "begin" in cut:
+            said += ": what lies before that part is cut off. A fade-in softens it."
+        elif resampled and stimuli[0].start_s >= 0.0:
+            said += f": what lies before time 0 is cut off. A lead-in of {RINGS_S:g} s keeps it."
+        elif resampled:
+            said += ": what rings before is cut off. A longer lead-in keeps it."
+        else:
+            said += ". A lead-in puts silence before it."
+        found.append(said)
+    if said := _said(stimuli, -1, "end"):
+        what = "what follows is cut off. " if resampled or "end" in cut else ""
+        found.append(f"{said}{': ' if what else '. '}{what}A fade-out softens it.")
+    return " ".join(found)
+
+
+def _said(stimuli: Sequence[Stimulus], sample: int, verb: Ends) -> str:
+    """Which channels begin or end hard, and how much so, without a full stop; "": none."""
+    hard = [
+        (channel.number, part)
+        for one in stimuli
+        for channel, part in zip(one.channels, _parts(one, sample), strict=True)
+        if channel.place is not None and part > LARGEST_EDGE
+    ]
+    if not hard:
+        return ""
+    percent = 100.0 * max(part for _, part in hard)
+    shown = f"{percent:.0f}" if percent >= 9.95 else f"{percent:.1f}"
+    if len(hard) == 1:
+        return f"Channel {hard[0][0]} {verb}s at {shown} % of its peak"
+    return f"{len(hard)} channels {verb} at up to {shown} % of their peaks"
+
+
+def _parts(stimulus: Stimulus, sample: int) -> Floats:
+    """A sample of each channel in parts of its peak, (n_channels,); 0 of silence."""
+    largest = peaks(stimulus.samples)
+    edge = np.abs(stimulus.samples[:, sample])
+    return np.divide(edge, largest, out=np.zeros_like(largest), where=largest > 0.0)

@@ -1,0 +1,208 @@
+"""What a sidecar says of the limb, and of the conditions of the measurement."""
+
+import json
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import scipy
+
+from skinsource.actuators.actuation import Actuation
+from skinsource.base.decibels import decibels
+from skinsource.base.errors import SkinSourceError
+from skinsource.design.design import Design, Input
+from skinsource.design.labels import scalings_on, word_of
+from skinsource.design.view import View
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.engine.stimulus import Stimulus
+from skinsource.export.formats.format import Facts, Outgoing, about
+from skinsource.export.stimulus_export.options import about_channels, about_equaliser, edge_words
+from skinsource.export.stimulus_export.preparing import (
+    Prepared,
+    clipped_samples,
+    equalised_of,
+    loses_of,
+)
+from skinsource.limbs.own_limbs import drive_unit_known
+from skinsource.version import __version__
+
+
+def about_validity(design: Design) -> dict[str, Any]:
+    """Note on the limb, and conditions with their state and a sentence.
+
+    Nothing and none where the limb cannot be had here: a stimulus can be exported without it.
+    """
+    try:
+        found = new_graph().evaluate({"limb_data", "validity"}, sources(design, View()))
+    except SkinSourceError:
+        return {"limb_note": None, "validity": []}
+    conditions = [
+        {"condition": one.name, "state": one.state, "sentence": one.sentence}
+        for one in found["validity"]
+    ]
+    return {"limb_note": found["limb_data"].note or None, "validity": conditions}
+
+
+# The JSON beside each exported file: what its numbers mean.
+
+#: What `skinsource.resample` promises within the band.
+_RESAMPLING = {"gain_db": 0.001, "phase_rad": 1e-6, "aliases_db": -115.0}
+_MEANING = (
+    "samples times full_scale are the drive: amplitude times gain times waveform, in the unit"
+)
+_UPSTREAM = (
+    "Under this scaling an amplitude is a peak on the skin, computed for each input by itself: the "
+    "drives have no unit, and strong and weak channels do not keep the ratio that was predicted."
+)
+
+
+def sidecar_of(
+    ready: Prepared,
+    outgoing: Outgoing,
+    facts: Facts,
+    *,
+    sha256: str | None,
+    n_bytes: int,
+    confirmed: Sequence[str],
+) -> bytes:
+    """Return the sidecar of one file, as JSON.
+
+    Parameters
+    ----------
+    ready, outgoing
+        What was written, and its part of it.
+    facts
+        What the format says.
+    sha256, n_bytes
+        Of the file; None for a folder.
+    confirmed
+        What was objected to, and written all the same.
+    """
+    stimulus = outgoing.stimulus
+    counts = facts.get("clipped_samples")
+    if counts is None:
+        counts = (clipped_samples(stimulus) * ready.format.to_device).tolist()
+    content: dict[str, Any] = {
+        "what": "SkinSource stimulus",
+        "file": outgoing.name,
+        "format": ready.format.name,
+        "choices": dict(outgoing.choices),
+        "sha256": sha256,
+        "bytes": n_bytes,
+        **about(outgoing),
+        "n_channels": len(stimulus.channels),
+        "n_times": stimulus.n_times,
+        "duration_s": stimulus.duration_s,
+        **_about_rig(ready, stimulus, _channels(stimulus, counts)),
+        "equalised": equalised_of(ready),
+        "inputs": [_about_input(one) for one in outgoing.design.inputs],
+        "gain": ready.gain,
+        "meaning": _MEANING,
+        "scaling_means": _scaling_means(outgoing.design),
+        "predicted_through": _about_prediction(outgoing.design.actuated),
+        **about_validity(outgoing.design),
+        "clip_count": int(sum(counts)),
+        "confirmed": list(confirmed),
+        "edges": edge_words([stimulus], ready.cut),
+        "errors": _errors(stimulus, facts),
+        "loses": loses_of(ready, outgoing),
+        "versions": versions(),
+        **{name: value for name, value in facts.items() if name != "clipped_samples"},
+    }
+    if stimulus.scaling == "upstream":
+        content["note"] = _UPSTREAM
+    return (json.dumps(content, ensure_ascii=False, indent=2, allow_nan=False) + "\n").encode()
+
+
+def _about_rig(
+    ready: Prepared, stimulus: Stimulus, channels: list[dict[str, Any]]
+) -> dict[str, Any]:
+    """The channels, with what the rig says of them, and what it is."""
+    wiring = about_channels(stimulus, ready.rig) if ready.rig is not None else []
+    for one, wires in zip(channels, wiring, strict=False):
+        one.update(wires)
+    actuators = [one.get("actuator") for one in wiring]
+    if ready.rig is None and ready.equaliser is not None and ready.actuation is not None:
+        actuators = [
+            None if one.place is None else ready.actuation.at(one.place).actuator
+            for one in stimulus.channels
+        ]
+    return {
+        "channels": channels,
+        "rig": None if ready.rig is None else ready.rig.title,
+        "actuator": actuators or None,
+        "equaliser": about_equaliser(ready.equaliser),
+    }
+
+
+def _scaling_means(design: Design) -> str:
+    # What is predicted through actuators asks these for its amplitudes, whatever the limb answers.
+    known = design.actuated is not None or drive_unit_known(design.limb, design.limb_digest)
+    return word_of(scalings_on(drive_unit_known=known), design.scaling).sentence
+
+
+def _about_prediction(actuated: Actuation | None) -> dict[str, Any] | None:
+    """Actuators and equaliser that the design is predicted through."""
+    if actuated is None:
+        return None
+    return {
+        "rig": actuated.rig or None,
+        "actuators": [
+            {"place": one.place, "actuator": one.actuator, "model": one.model.title}
+            for one in actuated.actuators
+        ],
+        "equaliser": about_equaliser(actuated.equaliser),
+    }
+
+
+def _channels(stimulus: Stimulus, counts: Sequence[int]) -> list[dict[str, Any]]:
+    found = []
+    for one, samples, count in zip(stimulus.channels, stimulus.samples, counts, strict=True):
+        peak = float(np.abs(samples).max(initial=0.0))
+        found.append(
+            {
+                "number": one.number,
+                "place": one.place,
+                "title": one.title,
+                "inputs": list(one.inputs),
+                "unit": stimulus.unit if one.place is not None else "full scale",
+                "peak_of_full_scale": peak,
+                "rms_of_full_scale": float(np.sqrt(np.mean(samples**2))),
+                "clip_count": int(count),
+            }
+        )
+    return found
+
+
+def _about_input(one: Input) -> dict[str, Any]:
+    return {
+        "number": one.id,
+        "place": one.location,
+        "amplitude": one.amplitude,
+        "gain_curve": [list(point) for point in one.gain_curve],
+        "clips": [
+            {"number": clip.id, "onset_s": clip.onset_s, "gain": clip.gain, "muted": clip.muted}
+            for clip in one.clips
+        ],
+    }
+
+
+def _errors(stimulus: Stimulus, facts: Facts) -> dict[str, Any]:
+    """How far what is written can be from what is predicted."""
+    found: dict[str, Any] = {"band_hz": list(stimulus.band_hz)}
+    if stimulus.sample_rate_hz != stimulus.own_rate_hz:
+        found["resampling_at_most"] = dict(_RESAMPLING)
+        found["edges"] = (
+            "what sounds at the first or last sample rings there for up to 0.1 s, and what rings "
+            "outside is cut off"
+        )
+    rounding = facts.get("largest_rounding_error")
+    if rounding is not None:
+        found["rounding_of_full_scale"] = rounding
+        found["rounding_db"] = float(decibels(np.array([rounding]))[0]) if rounding else None
+    return found
+
+
+def versions() -> dict[str, str]:
+    """Of what took part."""
+    return {"skinsource": __version__, "numpy": np.__version__, "scipy": scipy.__version__}

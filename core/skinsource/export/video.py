@@ -1,0 +1,159 @@
+"""A file of frames, written whole or not at all; needs the extra ``video``."""
+
+from collections.abc import Callable, Generator, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource.base.errors import InvalidInputError, StorageError
+from skinsource.base.extras import package_of_extra
+from skinsource.base.files import replacing
+from skinsource.base.job import Stop, stop_if
+from skinsource.base.quoting import printable, quoted
+
+#: Adds one frame, (rows, columns, 3) of uint8.
+Add = Callable[[NDArray[np.uint8]], None]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Kind:
+    """How frames are encoded."""
+
+    frames_per_s: int
+    format: str
+    codec: str
+    options: tuple[str, ...]
+
+
+_KINDS = {
+    # Plays everywhere; what moves first is at the beginning, so that it starts at once.
+    ".mp4": _Kind(
+        frames_per_s=60,
+        format="mp4",
+        codec="libx264",
+        options=("-crf", "18", "-preset", "medium", "-movflags", "+faststart"),
+    ),
+    ".webm": _Kind(
+        frames_per_s=60,
+        format="webm",
+        codec="libvpx-vp9",
+        options=("-crf", "24", "-b:v", "0", "-row-mt", "1", "-cpu-used", "4"),
+    ),
+    # A GIF counts in hundredths of a second.  Its colours are those of its first second, in which
+    # the colour bar stands: of all frames, an encoder would hold them all until the end.
+    ".gif": _Kind(
+        frames_per_s=50,
+        format="gif",
+        codec="gif",
+        options=(
+            "-filter_complex",
+            "split[a][b];[a]trim=end_frame=50,palettegen=stats_mode=full[p];"
+            "[b][p]paletteuse=dither=none",
+        ),
+    ),
+}
+#: What a file may end in.
+ENDINGS = tuple(_KINDS)
+
+
+def frames_per_s(path: Path) -> int:
+    """Frames per second of a file of this ending.
+
+    Raises
+    ------
+    InvalidInputError
+        No animation ends so.
+    """
+    return _kind_of(path).frames_per_s
+
+
+@contextmanager
+def video_file(path: Path, size: tuple[int, int], about: str, stop: Stop) -> Iterator[Add]:
+    """Give a function that adds frames to what takes the place of ``path`` at the end.
+
+    Parameters
+    ----------
+    path
+        The file; its ending says what it is: ``.mp4``, ``.webm`` or ``.gif``.
+    size
+        Width and height of all frames, px, even numbers.
+    about
+        What the file says of itself.
+    stop
+        Asked at each frame; once true, `skinsource.base.errors.Stopped` is raised.
+
+    Raises
+    ------
+    MissingExtraError
+        The extra ``video`` is not installed.
+    InvalidInputError
+        No animation ends so, or the size is not even.
+    StorageError
+        The folder cannot be written, or the disk is full.
+    Stopped
+        ``stop`` said so; nothing is left.
+    """
+    kind = _kind_of(path)
+    if any(side < 2 or side % 2 for side in size):
+        raise InvalidInputError(f"the frames have the size {size}, expected even numbers of pixels")
+    with replacing(path) as temporary:
+        writer = _writer(temporary, size, kind, about)
+        try:
+            writer.send(None)
+
+            def add(frame: NDArray[np.uint8]) -> None:
+                stop_if(stop)
+                writer.send(np.ascontiguousarray(frame))
+
+            yield add
+            writer.close()
+        except OSError as error:
+            raise _failed(path, error) from error
+        finally:
+            with suppress(OSError):
+                writer.close()
+        stop_if(stop)
+        if temporary.stat().st_size == 0:
+            raise _failed(path, OSError("the encoder wrote nothing"))
+
+
+def _writer(
+    path: Path, size: tuple[int, int], kind: _Kind, about: str
+) -> Generator[None, Any, None]:
+    encoder = package_of_extra("imageio_ffmpeg", "video")
+    pixels = () if kind.format == "gif" else ("-pix_fmt", "yuv420p")
+    words = printable(about)[:500]
+    found: Generator[None, Any, None] = encoder.write_frames(
+        str(path),
+        size,
+        fps=kind.frames_per_s,
+        codec=kind.codec,
+        pix_fmt_out="pal8" if kind.format == "gif" else "yuv420p",
+        macro_block_size=1,
+        quality=None,
+        ffmpeg_log_level="error",
+        output_params=[*kind.options, *pixels, "-metadata", f"comment={words}", "-f", kind.format],
+    )
+    return found
+
+
+def _kind_of(path: Path) -> _Kind:
+    kind = _KINDS.get(path.suffix.lower())
+    if kind is None:
+        raise InvalidInputError(
+            f"{quoted(path.name)} does not say what to write, expected a name that ends in "
+            f"{', '.join(ENDINGS)}"
+        )
+    return kind
+
+
+def _failed(path: Path, error: OSError) -> StorageError:
+    reason = " ".join(printable(error).split())[-300:]
+    return StorageError(
+        f"{path}: the animation could not be written ({reason}). Free some space, or choose "
+        "another folder or format."
+    )

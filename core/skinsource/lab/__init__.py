@@ -1,0 +1,5 @@
+"""Work with hardware: playing, matching and measuring rigs."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

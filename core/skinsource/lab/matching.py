@@ -1,0 +1,624 @@
+"""Which vibrations are made as strong as a reference, and in which order."""
+
+import csv
+import io
+from collections.abc import Callable, Iterable
+from dataclasses import astuple, dataclass, fields
+from hashlib import sha256
+from itertools import product
+from pathlib import Path
+from typing import Literal, get_args
+
+import numpy as np
+
+from skinsource.actuators.rigs import Rig
+from skinsource.base.arguments import one_of, real_number, whole_number
+from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.base.files import is_there, named, read_bytes, write_bytes
+from skinsource.base.lock import Lock
+from skinsource.base.published import MOST_PLACES
+from skinsource.base.quoting import printable, quoted, sentence
+from skinsource.base.work import counted
+from skinsource.design.design import Design, Input, track
+from skinsource.design.waveforms import Tone
+from skinsource.lab.playing.devices import Output
+from skinsource.lab.playing.mix import START_DB
+from skinsource.lab.playing.session import Playing, Session
+from skinsource.lab.playing.stream import Stream
+
+Direction = Literal["ascending", "descending"]
+DIRECTIONS: tuple[Direction, ...] = get_args(Direction)
+#: The test relative to the reference, in dB, at most.
+LOWEST_DB, HIGHEST_DB = -40.0, 30.0
+#: How far from equal drives a test begins.
+NEAREST_START_DB, FARTHEST_START_DB = 6.0, 12.0
+#: Drives that a reference can have: the strongest test stays within what a design can hold.
+MOST_AMPLITUDE = 30.0
+_LOWEST_HZ, _HIGHEST_HZ = 1.0, 1000.0
+_MOST_TRIALS, _LONGEST_NAME = 2000, 40
+_MOST_SEED = 2**63 - 1
+
+
+@dataclass(frozen=True, slots=True)
+class Trial:
+    """A test that is made as strong as the reference.
+
+    Attributes
+    ----------
+    number
+        From 1, in the order in which a person meets them.
+    frequency_hz, place
+        What the test is.
+    direction
+        ``"ascending"``: it begins weaker than the drive of the reference, else stronger.
+    start_db
+        Where it begins, relative to that.
+    """
+
+    number: int
+    frequency_hz: float
+    place: int
+    direction: Direction
+    start_db: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Procedure:
+    """All matches of one person.
+
+    Each test is met twice, from below and from above, so that what people do because of where they
+    begin cancels (Stevens, "Psychophysics", 1975, on the method of adjustment); where they begin
+    and the order are random, and follow from the seed and the name.
+
+    Attributes
+    ----------
+    person
+        Who matches: letters, digits, spaces, and any of ``-_.``
+    frequencies_hz, places
+        The tests are all combinations.
+    reference_hz, reference_place, amplitude
+        The reference, and its drive in the unit of the design's amplitudes, see
+        `skinsource.design.signal_path`.
+    duration_s, pause_s
+        Of each of both, and between them.
+    seed
+        Of what is random.
+    limb
+        Limb of the designs that are played.
+    """
+
+    person: str
+    frequencies_hz: tuple[float, ...]
+    places: tuple[int, ...]
+    reference_hz: float = 100.0
+    reference_place: int = 7
+    amplitude: float = 1.0
+    duration_s: float = 0.8
+    pause_s: float = 0.4
+    seed: int = 0
+    limb: str = "synthetic-1"
+
+    def __post_init__(self) -> None:
+        check_person(self.person)
+        for name, values in (("frequencies_hz", self.frequencies_hz), ("places", self.places)):
+            if not values or len(set(values)) < len(values):
+                raise InvalidInputError(
+                    f"{name} is {quoted(values)}, expected at least one value, each once"
+                )
+        for frequency_hz in (*self.frequencies_hz, self.reference_hz):
+            real_number("a frequency", frequency_hz, least=_LOWEST_HZ, most=_HIGHEST_HZ)
+        for place in (*self.places, self.reference_place):
+            whole_number("a place", place, 1, MOST_PLACES)
+        real_number("amplitude", self.amplitude, least=1e-6, most=MOST_AMPLITUDE)
+        real_number("duration_s", self.duration_s, least=0.05, most=10.0)
+        real_number("pause_s", self.pause_s, least=0.05, most=10.0)
+        whole_number("seed", self.seed, 0, _MOST_SEED)
+        if len(self) > _MOST_TRIALS:
+            raise InvalidInputError(
+                f"{len(self)} matches, expected at most {_MOST_TRIALS}. Leave some frequencies or "
+                "places out."
+            )
+
+    def __len__(self) -> int:
+        """How many matches there are."""
+        return len(self.frequencies_hz) * len(self.places) * len(DIRECTIONS)
+
+    @property
+    def trials(self) -> tuple[Trial, ...]:
+        """The matches, in the order in which this person makes them."""
+        name = np.frombuffer(sha256(self.person.encode()).digest()[:8], np.uint32)
+        rng = np.random.default_rng([self.seed, *name.tolist()])
+        tests = list(product(self.frequencies_hz, self.places, DIRECTIONS))
+        starts_db = rng.uniform(NEAREST_START_DB, FARTHEST_START_DB, len(tests)).round(1)
+        found = []
+        for number, which in enumerate(rng.permutation(len(tests)).tolist(), start=1):
+            frequency_hz, place, direction = tests[which]
+            start_db = float(starts_db[which]) * (-1.0 if direction == "ascending" else 1.0)
+            found.append(Trial(number, float(frequency_hz), place, direction, start_db))
+        return tuple(found)
+
+    def design(self, trial: Trial, level_db: float) -> Design:
+        """What is played again and again: the reference, then the test at ``level_db``."""
+        level = real_number("level_db", level_db, least=LOWEST_DB, most=HIGHEST_DB)
+        second_s = self.duration_s + self.pause_s
+        return Design(
+            limb=self.limb,
+            inputs=(
+                self._input(self.reference_hz, self.reference_place, self.amplitude, 0.0),
+                self._input(
+                    trial.frequency_hz,
+                    trial.place,
+                    self.amplitude * 10.0 ** (level / 20.0),
+                    second_s,
+                ),
+            ),
+            loop_s=(0.0, 2.0 * second_s),
+            title="Matching",
+        )
+
+    def _input(self, frequency_hz: float, place: int, amplitude: float, onset_s: float) -> Input:
+        tone = Tone(frequency_hz=frequency_hz, duration_s=self.duration_s)
+        return track(place, tone, onset_s=onset_s, amplitude=amplitude)
+
+
+def check_person(person: object) -> str:
+    """Return the name of a person; refuse what a table or a file could take for something else."""
+    if (
+        not isinstance(person, str)
+        or not 0 < len(person) <= _LONGEST_NAME
+        or person != person.strip()
+        or not all(one.isalnum() or one in " -_." for one in person)
+        or not person[0].isalnum()
+    ):
+        raise InvalidInputError(
+            f"person is {quoted(person)}, expected 1 to {_LONGEST_NAME} letters, digits, spaces or "
+            "any of -_. that begin with a letter or digit"
+        )
+    return person
+
+
+# A match, as it is kept.
+
+#: What tells one match from another in a table.
+Key = tuple[str, float, int, Direction]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Match:
+    """A test that felt as strong as the reference.
+
+    Attributes
+    ----------
+    person
+        Whose match it is.
+    frequency_hz, place, direction, start_db
+        The test, and where it began, see `skinsource.lab.matching.Trial`.
+    matched_db
+        Its drive where both felt equally strong, relative to that of the reference.
+    reference_hz, reference_place, amplitude
+        The reference.
+    trial, seed
+        Which trial of which random order it was.
+    """
+
+    person: str
+    frequency_hz: float
+    place: int
+    direction: Direction
+    start_db: float
+    matched_db: float
+    reference_hz: float
+    reference_place: int
+    amplitude: float
+    trial: int
+    seed: int
+
+    @property
+    def key(self) -> Key:
+        """What tells it from others in one table."""
+        return self.person, self.frequency_hz, self.place, self.direction
+
+    @property
+    def reference(self) -> tuple[float, int, float]:
+        """Frequency, place and drive of the reference."""
+        return self.reference_hz, self.reference_place, self.amplitude
+
+
+# Tables of matches: CSV, one row for each, never doubled.
+
+_MOST_BYTES = 64 * 2**20
+_COLUMNS = tuple(one.name for one in fields(Match))
+_MOST = 2**63 - 1
+
+
+def read_matches(path: Path) -> tuple[Match, ...]:
+    """Read a table of matches.
+
+    Raises
+    ------
+    StorageError
+        It cannot be read.
+    FileFormatError
+        It is no such table, holds a match twice, or matches with different references.
+    """
+    try:
+        text = read_bytes(path, most=_MOST_BYTES).decode()
+        rows = list(csv.reader(io.StringIO(text, newline=""), strict=True))
+    except (ValueError, csv.Error) as error:
+        raise FileFormatError(f"{named(path)}: is no CSV text ({printable(error)}).") from error
+    if not rows or tuple(rows[0]) != _COLUMNS:
+        raise FileFormatError(
+            f"{named(path)}: is no table of matches: its first line is "
+            f"{quoted(','.join(rows[0]) if rows else '')}, expected {','.join(_COLUMNS)}. Choose "
+            "another file."
+        )
+    found: list[Match] = []
+    known: dict[object, int] = {}
+    for line, row in enumerate(rows[1:], start=2):
+        try:
+            one = _match(row)
+            before = known.setdefault(one.key, line)
+            if before != line:
+                raise InvalidInputError(f"the same match stands in line {before} already")
+            if one.reference != (found or [one])[0].reference:
+                raise InvalidInputError("its reference is not that of line 2")
+        except InvalidInputError as error:
+            raise FileFormatError(
+                f"{named(path)}, line {line}: {sentence(str(error))} Correct or remove it."
+            ) from error
+        found.append(one)
+    return tuple(found)
+
+
+def add_match(path: Path, new: Match) -> tuple[Match, ...]:
+    """Add a row to a table, which is made where there is none; returns all of them.
+
+    The file is replaced as a whole: whatever happens, it holds all rows before, or one more.
+    Processes that add at the same time wait for each other.
+
+    Raises
+    ------
+    InvalidInputError
+        The match is there already, or the table has another reference.
+    FileFormatError, StorageError
+        The file is no table of matches; it cannot be read or written.
+    """
+    with Lock(path).hold():
+        before = read_matches(path) if is_there(path) else ()
+        if any(one.key == new.key for one in before):
+            raise InvalidInputError(
+                f"{named(path)} has the {new.direction} match of {new.frequency_hz:g} Hz at place "
+                f"{new.place} by {new.person} already. Nothing was changed."
+            )
+        check_reference(path, before, new.reference)
+        matches = (*before, new)
+        write_bytes(path, _text(matches).encode())
+    return matches
+
+
+def check_reference(
+    path: Path, matches: Iterable[Match], reference: tuple[float, int, float]
+) -> None:
+    """Refuse a table whose reference is another one than ``reference``."""
+    for one in matches:
+        if one.reference != reference:
+            frequency_hz, place, amplitude = one.reference
+            raise InvalidInputError(
+                f"{named(path)} holds matches with another reference: {frequency_hz:g} Hz at place "
+                f"{place}, a drive of {amplitude:g}. Choose another file, or that reference."
+            )
+
+
+def _match(row: list[str]) -> Match:
+    if len(row) != len(_COLUMNS):
+        raise InvalidInputError(f"it has {counted(len(row), 'value')}, expected {len(_COLUMNS)}")
+    cell = dict(zip(_COLUMNS, row, strict=True))
+    return Match(
+        person=check_person(cell["person"]),
+        frequency_hz=real_number("frequency_hz", _number(cell, "frequency_hz"), least=1e-3),
+        place=whole_number("place", _whole(cell, "place"), 1, MOST_PLACES),
+        direction=one_of("direction", cell["direction"], DIRECTIONS),
+        start_db=real_number("start_db", _number(cell, "start_db")),
+        matched_db=real_number(
+            "matched_db", _number(cell, "matched_db"), least=LOWEST_DB, most=HIGHEST_DB
+        ),
+        reference_hz=real_number("reference_hz", _number(cell, "reference_hz"), least=1e-3),
+        reference_place=whole_number(
+            "reference_place", _whole(cell, "reference_place"), 1, MOST_PLACES
+        ),
+        amplitude=real_number(
+            "amplitude", _number(cell, "amplitude"), least=1e-6, most=MOST_AMPLITUDE
+        ),
+        trial=whole_number("trial", _whole(cell, "trial"), 1, _MOST),
+        seed=whole_number("seed", _whole(cell, "seed"), 0, _MOST),
+    )
+
+
+def _number(cell: dict[str, str], name: str) -> float:
+    try:
+        return float(cell[name])
+    except ValueError:
+        raise InvalidInputError(f"{name} is {quoted(cell[name])}, expected a number") from None
+
+
+def _whole(cell: dict[str, str], name: str) -> int:
+    text = cell[name]
+    if not (text.isdecimal() and len(text) < 20):
+        raise InvalidInputError(f"{name} is {quoted(text)}, expected a whole number")
+    return int(text)
+
+
+def _text(matches: Iterable[Match]) -> str:
+    text = io.StringIO(newline="")
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(_COLUMNS)
+    writer.writerows(astuple(one) for one in matches)
+    return text.getvalue()
+
+
+# Plays what is matched, again and again, while it is changed.
+
+
+class Presenter:
+    """Reference and test in turn on a device; where there is none, in silence: a rehearsal.
+
+    `present` and `close` belong to one thread, which may wait for the device; `stop_at_once` to
+    any.  The guard of the outputs stays: what would pass full scale ends what is played.
+
+    Parameters
+    ----------
+    output
+        What is played on.
+    finished
+        Called from the thread of the device, with its stream, when nothing is played any more.
+    rig
+        What is wired to the device, whose limits then hold; None: not known.
+    """
+
+    def __init__(
+        self, output: Output, finished: Callable[[Stream], None], rig: Rig | None = None
+    ) -> None:
+        self._output, self._rig = output, rig
+        self._session = Session(finished)
+        self._playing: Playing | None = None
+        self._stopped = False
+
+    def present(self, design: Design, gain_db: float = START_DB) -> Playing:
+        """Play ``design`` again and again, or go over to it without a click.
+
+        Raises
+        ------
+        SkinSourceError
+            The design cannot be played, or the device refuses; nothing is played then.
+        """
+        if self._stopped:
+            self.close()
+        if self._playing is not None:
+            self._playing = self._session.change(
+                self._playing, design, self._output, loops=True, rig=self._rig
+            )
+        if self._playing is None:
+            self._playing = self._session.play(
+                design, self._output, loops=True, at_s=0.0, gain_db=gain_db, rig=self._rig
+            )
+        if self._playing.stream is not None:
+            self._playing.stream.deck.set_gain(gain_db)
+        return self._playing
+
+    @property
+    def reason(self) -> str:
+        """Why nothing is heard, and what to do; "" where it is, or nothing is played."""
+        return "" if self._playing is None else self._playing.reason
+
+    def stop_at_once(self) -> None:
+        """Be silent within a millisecond."""
+        self._stopped = True
+        playing = self._playing
+        if playing is not None and playing.stream is not None:
+            playing.stream.deck.stop_at_once()
+
+    def close(self) -> None:
+        """End what is played, and let go of the device."""
+        self._stopped, self._playing = False, None
+        self._session.close()
+
+
+# One person makes all matches of a procedure, today or on several days.
+
+#: What an arrow key changes.
+STEP_DB = 1.0
+
+
+class MatchingRun:
+    """Knows what is to be matched next; what was stored is not asked again.
+
+    Parameters
+    ----------
+    procedure
+        What is matched.
+    path
+        Table that matches are added to, and that says what was stored already; None: a rehearsal,
+        of which nothing is kept.
+
+    Attributes
+    ----------
+    level_db
+        The test relative to the reference, now.
+
+    Raises
+    ------
+    InvalidInputError
+        The table holds matches with another reference.
+    FileFormatError, StorageError
+        It is no table of matches; it cannot be read.
+    """
+
+    def __init__(self, procedure: Procedure, path: Path | None) -> None:
+        self.procedure, self.path = procedure, path
+        known: set[object] = set()
+        if path is not None and is_there(path):
+            matches = read_matches(path)
+            reference = procedure.reference_hz, procedure.reference_place, procedure.amplitude
+            check_reference(path, matches, reference)
+            known = {one.key for one in matches}
+        self._left = [one for one in procedure.trials if self._key(one) not in known]
+        self.level_db = 0.0
+        self._begin()
+
+    @property
+    def trial(self) -> Trial | None:
+        """What is matched now; None: all is done."""
+        return self._left[0] if self._left else None
+
+    @property
+    def done(self) -> int:
+        """How many matches there are already."""
+        return len(self.procedure) - len(self._left)
+
+    @property
+    def design(self) -> Design:
+        """What is to be played now, again and again.
+
+        Raises
+        ------
+        InvalidInputError
+            All is done.
+        """
+        return self.procedure.design(self._now(), self.level_db)
+
+    def step(self, by_db: float) -> bool:
+        """Make the test stronger or weaker; whether that could be."""
+        wanted_db = round(min(max(self.level_db + by_db, LOWEST_DB), HIGHEST_DB), 6)
+        changed = self.trial is not None and wanted_db != self.level_db
+        if changed:
+            self.level_db = wanted_db
+        return changed
+
+    def store(self) -> Match:
+        """Keep that both are as strong now, and go on to the next.
+
+        Raises
+        ------
+        InvalidInputError
+            All is done, or the match is in the table already.
+        FileFormatError, StorageError
+            The table cannot be read or written; the same trial goes on.
+        """
+        trial, procedure = self._now(), self.procedure
+        match = Match(
+            person=procedure.person,
+            frequency_hz=trial.frequency_hz,
+            place=trial.place,
+            direction=trial.direction,
+            start_db=trial.start_db,
+            matched_db=self.level_db,
+            reference_hz=float(procedure.reference_hz),
+            reference_place=procedure.reference_place,
+            amplitude=float(procedure.amplitude),
+            trial=trial.number,
+            seed=procedure.seed,
+        )
+        if self.path is not None:
+            add_match(self.path, match)
+        del self._left[0]
+        self._begin()
+        return match
+
+    def _begin(self) -> None:
+        if self.trial is not None:
+            self.level_db = self.trial.start_db
+
+    def _now(self) -> Trial:
+        if self.trial is None:
+            raise InvalidInputError("all matches are made; nothing is left to match")
+        return self.trial
+
+    def _key(self, trial: Trial) -> object:
+        return self.procedure.person, trial.frequency_hz, trial.place, trial.direction
+
+
+# What matches say: the drive at which each vibration feels as strong as the reference.
+
+
+@dataclass(frozen=True, slots=True)
+class Strengths:
+    """Drives of equal strength, by place and frequency.
+
+    Attributes
+    ----------
+    points
+        Place, frequency in Hz, and the drive in dB relative to that of the reference: the mean over
+        persons of the mean over the matches of each.
+    reference
+        Place and frequency of the reference, which is 0 dB.
+    """
+
+    points: tuple[tuple[int, float, float], ...]
+    reference: tuple[int, float]
+
+    @classmethod
+    def of(cls, matches: Iterable[Match]) -> "Strengths":
+        """Average over the persons of a table.
+
+        Raises
+        ------
+        InvalidInputError
+            There are no matches.
+        """
+        by_test: dict[tuple[int, float], dict[str, list[float]]] = {}
+        reference = None
+        for one in matches:
+            reference = one.reference_place, one.reference_hz
+            of_test = by_test.setdefault((one.place, one.frequency_hz), {})
+            of_test.setdefault(one.person, []).append(one.matched_db)
+        if reference is None:
+            raise InvalidInputError("the table holds no matches, expected at least one")
+        points = tuple(
+            (place, frequency_hz, float(np.mean([np.mean(own) for own in persons.values()])))
+            for (place, frequency_hz), persons in sorted(by_test.items())
+        )
+        return cls(points, reference)
+
+    def level_db(self, frequency_hz: float, place: int) -> float:
+        """Drive that feels as strong as the reference, relative to that of the reference.
+
+        Between measured frequencies in a straight line over the logarithm of the frequency.
+
+        Raises
+        ------
+        InvalidInputError
+            Nothing was matched at the place, or the frequency lies outside of those that were.
+        """
+        known = {one: level for at, one, level in self.points if at == place}
+        if place == self.reference[0]:
+            known.setdefault(self.reference[1], 0.0)
+        if not known:
+            places = ", ".join(str(at) for at in sorted({at for at, *_ in self.points}))
+            raise InvalidInputError(
+                f"nothing was matched at place {place}; the table has places {quoted(places)}"
+            )
+        measured_hz = sorted(known)
+        if not measured_hz[0] <= frequency_hz <= measured_hz[-1]:
+            raise InvalidInputError(
+                f"{frequency_hz:g} Hz was not matched at place {place}, expected "
+                f"{measured_hz[0]:g} to {measured_hz[-1]:g} Hz. Match it, or leave it out."
+            )
+        levels_db = [known[one] for one in measured_hz]
+        return float(np.interp(np.log(frequency_hz), np.log(measured_hz), levels_db))
+
+
+# Equal strength is measured, not predicted: one vibration is made as strong as another one.
+#
+# A person feels a reference and a test in turn, makes the test stronger or weaker until both are as
+# strong, and stores that.  What many such matches say goes into sweeps, see `Strengths`.
+
+__all__ = [
+    "Match",
+    "MatchingRun",
+    "Presenter",
+    "Procedure",
+    "Strengths",
+    "Trial",
+    "add_match",
+    "read_matches",
+]

@@ -1,0 +1,1 @@
+"""Playing a design on actuators through a sound card."""

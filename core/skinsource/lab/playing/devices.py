@@ -1,0 +1,446 @@
+"""Where it is played: what one machine knows of its device and its actuators."""
+
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from skinsource.base.arguments import real_number, whole_number
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import (
+    InvalidInputError,
+    MissingExtraError,
+    NothingToPlayOnError,
+    PlaybackError,
+)
+from skinsource.base.extras import extra_line, package_of_extra
+from skinsource.base.published import MOST_PLACES
+from skinsource.base.quoting import printable, quoted
+from skinsource.base.work import counted
+from skinsource.design.design import Design
+from skinsource.signals.resampling import resample, stretch_of
+
+if TYPE_CHECKING:
+    from skinsource.actuators.rigs import Rig
+
+
+#: Rates that devices are asked for.
+RATES_HZ = (8_000, 16_000, 32_000, 44_100, 48_000, 88_200, 96_000, 176_400, 192_000)
+#: Outputs of the largest device that is thought of.
+MOST_OUTPUTS = 128
+SHORTEST_LATENCY_S, LONGEST_LATENCY_S = 0.002, 0.5
+LEAST_SHIFT_HZ, MOST_SHIFT_HZ = 50.0, 2000.0
+
+_LOWEST_RATE_HZ, _HIGHEST_RATE_HZ = 4_000, 384_000
+_LONGEST_NAME = 400
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Output:
+    """A device, and which of its outputs drives which place.
+
+    Attributes
+    ----------
+    device, host_api
+        Names, as the machine has them; ``""``: what the system plays on.
+    sample_rate_hz
+        Rate that the device is asked for.
+    latency_s
+        Delay that it is asked for; it may take more.
+    outputs
+        Pairs of an input place and the output, from 1, that drives its actuator.  Other places
+        take the free outputs, in their order.
+    stand_in
+        Whether it is made audible on two channels, for people without actuators.
+    shift_hz
+        How far the stand-in shifts all frequencies up.
+    """
+
+    device: str = ""
+    host_api: str = ""
+    sample_rate_hz: int = 48_000
+    latency_s: float = 0.02
+    outputs: tuple[tuple[int, int], ...] = ()
+    stand_in: bool = False
+    shift_hz: float = 300.0
+
+    def __post_init__(self) -> None:
+        for name, words in (("device", self.device), ("host_api", self.host_api)):
+            if not isinstance(words, str) or len(words) > _LONGEST_NAME:
+                raise InvalidInputError(f"{name} is {quoted(words)}, expected a name")
+        whole_number("sample_rate_hz", self.sample_rate_hz, _LOWEST_RATE_HZ, _HIGHEST_RATE_HZ)
+        least_s, most_s = SHORTEST_LATENCY_S, LONGEST_LATENCY_S
+        real_number("latency_s", self.latency_s, least=least_s, most=most_s)
+        real_number("shift_hz", self.shift_hz, least=LEAST_SHIFT_HZ, most=MOST_SHIFT_HZ)
+        for place, output in self.outputs:
+            whole_number("place", place, 1, MOST_PLACES)
+            whole_number("output", output, 1, MOST_OUTPUTS)
+        for name, numbers in zip(
+            ("place", "output"), zip(*self.outputs, strict=True), strict=False
+        ):
+            twice = next((one for one in numbers if numbers.count(one) > 1), None)
+            if twice is not None:
+                raise InvalidInputError(
+                    f"{name} {twice} stands twice in the channel map, expected once: each place "
+                    "has an output of its own"
+                )
+
+    def outputs_of(self, places: Iterable[int]) -> dict[int, int]:
+        """Output of each of ``places``, from 1: the one in the map, else the next that is free.
+
+        Ask with all places of a design, heard or not: what one drives then does not depend on
+        whether another is muted.
+        """
+        wanted = tuple(dict.fromkeys(places))
+        found = {place: output for place, output in self.outputs if place in wanted}
+        taken = {output for _, output in self.outputs}
+        free = (
+            output for output in range(1, MOST_OUTPUTS + 1 + len(wanted)) if output not in taken
+        )
+        for place in wanted:
+            if place not in found:
+                found[place] = next(free)
+        return found
+
+    def to_text(self) -> str:
+        """Write it down."""
+        return json.dumps(asdict(self))
+
+
+def output_from_text(text: str) -> Output:
+    """Read what `Output.to_text` wrote.
+
+    Raises
+    ------
+    InvalidInputError
+        It is something else.
+    """
+    try:
+        held = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise InvalidInputError(f"{quoted(text)} describes no output") from error
+    if not isinstance(held, dict) or not set(held) <= set(Output.__slots__):
+        raise InvalidInputError(f"{quoted(text)} describes no output")
+    try:
+        held["outputs"] = tuple((place, output) for place, output in held.get("outputs", ()))
+        if not isinstance(held.get("stand_in", False), bool):
+            raise TypeError("stand_in is no switch")
+        return Output(**held)
+    except (TypeError, ValueError) as error:
+        raise InvalidInputError(f"{quoted(text)} describes no output: {error}") from error
+
+
+# The way to PortAudio: imported when somebody wants to hear something, and not before.
+
+_LIBRARY = (
+    "PortAudio is not installed, without which nothing can be played. On Linux it is a package of "
+    "the system: sudo apt install libportaudio2 (Debian, Ubuntu), sudo dnf install portaudio "
+    "(Fedora). Then start the studio again."
+)
+
+
+def sound_library() -> ModuleType:
+    """Import sounddevice.
+
+    Raises
+    ------
+    NothingToPlayOnError
+        It is not installed, or PortAudio is not, or does not start; the message says what to type.
+    """
+    try:
+        return package_of_extra("sounddevice", "audio")
+    except MissingExtraError as error:
+        raise NothingToPlayOnError(
+            f"To play, type: {extra_line('audio')} and start the studio again "
+            f"({printable(error.__cause__)})."
+        ) from error
+    except OSError as error:
+        raise NothingToPlayOnError(f"{_LIBRARY} ({printable(error)})") from error
+
+
+# Devices that can be played on.
+
+_NONE = "No device to play on was found. Connect one and look again."
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Device:
+    """Something with outputs.
+
+    Attributes
+    ----------
+    index
+        Its number, until devices are looked for again.
+    name, host_api
+        As the system has them; both together tell it from the others.
+    n_outputs
+        How many outputs it has, as it says.
+    sample_rate_hz
+        The rate that it prefers.
+    is_default
+        Whether it is what the system plays on.
+    """
+
+    index: int
+    name: str
+    host_api: str
+    n_outputs: int
+    sample_rate_hz: int
+    is_default: bool
+
+    @property
+    def title(self) -> str:
+        """Words for it."""
+        return f"{self.name} ({self.host_api}, {counted(self.n_outputs, 'output')})"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Listed:
+    """What the system says of a device."""
+
+    index: int
+    name: str
+    host_api: str
+    n_channels: int
+    sample_rate_hz: int
+    is_default: bool
+
+
+def listed(direction: Literal["input", "output"]) -> list[Listed]:
+    """Return what has inputs, or outputs, the default device first.
+
+    Raises
+    ------
+    PlaybackError
+        sounddevice or PortAudio is missing, or does not answer.
+    """
+    library = sound_library()
+    try:
+        apis, known = library.query_hostapis(), library.query_devices()
+        default = library.default.device[direction]
+        if default < 0:
+            default = next((one[f"default_{direction}_device"] for one in apis), -1)
+    except library.PortAudioError as error:
+        raise PlaybackError(f"The sound system does not answer: {printable(error)}.") from error
+    found = [
+        Listed(
+            index=index,
+            name=one["name"],
+            host_api=apis[one["hostapi"]]["name"],
+            n_channels=one[f"max_{direction}_channels"],
+            sample_rate_hz=round(one["default_samplerate"]),
+            is_default=index == default,
+        )
+        for index, one in enumerate(known)
+        if one[f"max_{direction}_channels"] > 0
+    ]
+    return sorted(found, key=lambda one: not one.is_default)
+
+
+def devices() -> tuple[Device, ...]:
+    """Return what can be played on, the default device first.
+
+    Raises
+    ------
+    PlaybackError
+        sounddevice or PortAudio is missing, or does not answer.
+    """
+    return tuple(
+        Device(
+            index=one.index,
+            name=one.name,
+            host_api=one.host_api,
+            n_outputs=one.n_channels,
+            sample_rate_hz=one.sample_rate_hz,
+            is_default=one.is_default,
+        )
+        for one in listed("output")
+    )
+
+
+def look_again() -> tuple[Device, ...]:
+    """Return what can be played on now, with what was connected since; nothing may be playing."""
+    library = sound_library()
+    try:
+        # PortAudio looks once, when it starts; sounddevice offers no other door to that.
+        library._terminate()
+        library._initialize()
+    except library.PortAudioError as error:
+        raise PlaybackError(f"The sound system does not answer: {printable(error)}.") from error
+    return devices()
+
+
+def device_of(output: Output, found: Sequence[Device]) -> Device:
+    """Return the device that ``output`` names.
+
+    Raises
+    ------
+    PlaybackError
+        There is none at all, or not that one.
+    """
+    if not found:
+        raise NothingToPlayOnError(_NONE)
+    if not output.device:
+        return found[0]
+    for one in found:
+        if one.name == output.device and output.host_api in ("", one.host_api):
+            return one
+    raise PlaybackError(
+        f"The device {quoted(output.device)} is not there. Connect it and look again, or choose "
+        f"another; there {'is' if len(found) == 1 else 'are'} "
+        f"{', '.join(one.name for one in found[:5])}."
+    )
+
+
+def check_outputs(device: Device, outputs: Mapping[int, int]) -> None:
+    """Refuse a device that does not have all ``outputs``, by place.
+
+    Raises
+    ------
+    PlaybackError
+        It has too few; the message says which place has none.
+    """
+    place, output = max(outputs.items(), key=lambda one: one[1], default=(0, 0))
+    if output > device.n_outputs:
+        raise PlaybackError(
+            f"{device.name} has {counted(device.n_outputs, 'output')}, "
+            f"and place {place} is to play on output "
+            f"{output}. Mute what has no actuator, give it another output, or choose another "
+            "device."
+        )
+
+
+def rates_of(device: Device) -> tuple[int, ...]:
+    """Rates, in Hz, that a device takes; asked one by one, so that it takes a while."""
+    library = sound_library()
+    rates = sorted({*RATES_HZ, device.sample_rate_hz})
+    return tuple(rate for rate in rates if _takes(library, device, rate))
+
+
+def _takes(library: object, device: Device, rate_hz: int) -> bool:
+    channels = min(device.n_outputs, 2)
+    try:
+        library.check_output_settings(  # type: ignore[attr-defined]
+            device=device.index, channels=channels, dtype="float32", samplerate=rate_hz
+        )
+    except library.PortAudioError:  # type: ignore[attr-defined]
+        return False
+    return True
+
+
+# What a device does not take, in plain words.
+
+# What PortAudio calls them.
+_WRONG_RATE, _TOO_MANY_CHANNELS, _UNAVAILABLE = -9997, -9998, -9985
+
+
+def refusal(error: Any, device: Device, sample_rate_hz: int, n_outputs: int) -> str:
+    """Say what a device does not play, and what to do."""
+    channels = (
+        f"{counted(n_outputs, 'output')}. Mute what has no actuator, give it another output, or "
+        "choose another device."
+    )
+    return _words(error, device.name, device.sample_rate_hz, sample_rate_hz, channels, "played on")
+
+
+def refusal_to_record(
+    error: Any, name: str, prefers_hz: int, sample_rate_hz: int, n_inputs: int
+) -> str:
+    """Say what a device does not record, and what to do."""
+    channels = f"{counted(n_inputs, 'input')}. Choose another input, or another device."
+    return _words(error, name, prefers_hz, sample_rate_hz, channels, "recorded from")
+
+
+def _words(
+    error: Any, name: str, prefers_hz: int, sample_rate_hz: int, channels: str, what: str
+) -> str:
+    code = error.args[1] if len(error.args) > 1 else 0
+    if code == _WRONG_RATE:
+        return (
+            f"{name} does not take {sample_rate_hz} Hz; it prefers {prefers_hz} Hz. "
+            "Choose another rate."
+        )
+    if code == _TOO_MANY_CHANNELS:
+        return f"{name} does not take {channels}"
+    if code == _UNAVAILABLE:
+        return (
+            f"{name} is not free: another program uses it, or it was taken away. Close that "
+            "program, or choose another device."
+        )
+    reason = printable(error.args[0] if error.args else error)
+    return f"{name} cannot be {what}: {reason}. Choose another device."
+
+
+# Channels at the rate of a device; what has not changed is not computed again.
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Row:
+    own: Floats
+    there: Floats
+
+
+class DeviceRows:
+    """Resamples channels, and keeps those of last time.
+
+    Attributes
+    ----------
+    n_resampled
+        Input samples that went through the filter so far.
+    """
+
+    def __init__(self) -> None:
+        self._rates = (0, 0)
+        self._rows: list[_Row] = []
+        self.n_resampled = 0
+
+    def at(self, rows: Floats, from_hz: int, to_hz: int) -> Floats:
+        """Return `skinsource.resample` of ``rows``, (n_channels, n_times), to the last bit.
+
+        Only the stretch of each channel that is not silent goes through the filter, and only
+        where no channel of last time was the same.
+        """
+        if self._rates != (from_hz, to_hz):
+            self._rates, self._rows = (from_hz, to_hz), []
+        n = -(-rows.shape[1] * to_hz // from_hz)
+        found = np.zeros((rows.shape[0], n))
+        kept = []
+        for row, own in zip(found, rows, strict=True):
+            known = next((one for one in self._rows if np.array_equal(one.own, own)), None)
+            if known is None:
+                self._resample(own, row)
+                known = _Row(own.copy(), row)
+            else:
+                row[:] = known.there
+            kept.append(known)
+        self._rows = kept
+        return found
+
+    def _resample(self, own: Floats, out: Floats) -> None:
+        sounding = np.flatnonzero(own)
+        if not sounding.size:
+            return
+        from_hz, to_hz = self._rates
+        needed = stretch_of(from_hz, to_hz)
+        # From a sample on that both rates share.
+        first = max(int(sounding[0]) - needed.reach, 0) // needed.period * needed.period
+        last = min(int(sounding[-1]) + 1 + needed.reach, own.size)
+        there = resample(own[first:last], from_hz, to_hz)
+        start = first * to_hz // from_hz
+        out[start : start + there.size] = there[: out.size - start]
+        self.n_resampled += last - first
+
+
+# Which output drives which place.
+
+
+def outputs_by_place(design: Design, output: Output, rig: "Rig | None" = None) -> dict[int, int]:
+    """Output of each place of a design, heard or not; none where a rig does not wire it."""
+    places = tuple(dict.fromkeys(one.location for one in design.inputs))
+    if rig is None or output.stand_in:
+        return output.outputs_of(places)
+    channels = (rig.channel_of(place) for place in places)
+    return {one.place: one.output for one in channels if one is not None}

@@ -1,0 +1,198 @@
+"""A sound that stands in for the actuators, for people who have none.
+
+All frequencies are shifted up by the same number of hertz (single sideband): 25 to 600 Hz become
+325 to 900 Hz with a shift of 300 Hz, which small loudspeakers play and ears hear evenly.  Times
+and envelopes stay as they are, and so do distances in hertz, as of beats; intervals do not.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+import scipy
+
+from skinsource.actuators.equalising import Equaliser
+from skinsource.actuators.rigs import Margin, Rig, RigChannel, highest_gain
+from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.design import Design
+from skinsource.engine.stimulus import Stimulus, for_rig, stimulus_of
+from skinsource.lab.playing.devices import DeviceRows, Output, outputs_by_place
+from skinsource.lab.playing.mix import SHORTEST_LOOP_S, Mix, mix_of
+from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.limb import Limb
+
+
+def analytic(rows: Floats) -> Complexes:
+    """Return ``rows``, (n_channels, n_times), without their negative frequencies.
+
+    The real part is ``rows``.  What it rings beyond the ends is cut off.
+    """
+    n = rows.shape[1]
+    # Room for what rings, so that it does not come back at the other end.
+    length = scipy.fft.next_fast_len(2 * n + 1)
+    found: Complexes = scipy.signal.hilbert(rows, length, axis=1)[:, :n]
+    return found
+
+
+def turned_up(parts: Floats, sample_rate_hz: int, shift_hz: float) -> Floats:
+    """Return signals with all frequencies ``shift_hz`` higher.
+
+    Parameters
+    ----------
+    parts : (2 n_channels, n_times)
+        Real parts of all analytic signals, then their imaginary parts.
+    sample_rate_hz
+        Their rate, high enough for what comes out.
+    shift_hz
+        How far.
+
+    Returns
+    -------
+    (n_channels, n_times)
+    """
+    n = parts.shape[0] // 2
+    # Whole turns are taken off first, so that long designs lose no accuracy.
+    turns = (np.arange(parts.shape[1]) * (shift_hz / sample_rate_hz)) % 1.0
+    angle = 2.0 * np.pi * turns
+    found: Floats = parts[:n] * np.cos(angle) - parts[n:] * np.sin(angle)
+    return found
+
+
+def on_two_ears(rows: Floats) -> Floats:
+    """Return left and right, (2, n_times), of channels spread from left to right in their order.
+
+    The two shares of a channel add up to 1; a single channel is in the middle.
+    """
+    n = rows.shape[0]
+    to_right = (np.arange(n) + 0.5) / max(n, 1)
+    found: Floats = np.stack((1.0 - to_right, to_right)) @ rows
+    return found
+
+
+# From a design to what a device gets.
+
+#: Samples of all outputs together: one gigabyte.
+MOST_SAMPLES = 2**28
+_EARS = {1: "left", 2: "right"}
+
+
+class Mixer:
+    """Makes mixes; what has not changed since the last one is not computed again.
+
+    An amplitude of 1 is full scale, before the gain: what is heard of one track does not change
+    because another becomes louder.
+    """
+
+    def __init__(self) -> None:
+        self.rows = DeviceRows()
+        self._limb: tuple[str, Limb] | None = None
+        self._margins: dict[tuple[int, RigChannel | None, bool, bytes], Margin] = {}
+
+    def stimulus(self, design: Design) -> Stimulus:
+        """Channels of a design, at the rate of its limb."""
+        if self._limb is None or self._limb[0] != design.limb:
+            self._limb = design.limb, load_limb(design.limb)
+        return stimulus_of(design, limb=self._limb[1])
+
+    def mix(
+        self,
+        design: Design,
+        output: Output,
+        *,
+        loops: bool = False,
+        least_outputs: int = 1,
+        rig: Rig | None = None,
+    ) -> Mix:
+        """Return what ``output`` plays of ``design``, from time 0 on.
+
+        Parameters
+        ----------
+        loops
+            Whether all of it is played again and again, where the design has no loop.
+        least_outputs
+            The mix has silent outputs up to so many.
+        rig
+            What its outputs are wired to: it says which place has which, how many volts, which way
+            round, and how far it may be turned up.  Drives are equalised for it as the design is
+            predicted.
+
+        Raises
+        ------
+        InvalidInputError
+            The design cannot be played: what its inputs play cannot be computed, it is too long,
+            or its loop too short.
+        DatasetMissingError
+            Its limb is a measured one, and no measured dataset is installed.
+        """
+        stimulus = self.stimulus(design)
+        rate_hz = output.sample_rate_hz
+        own_hz = _whole(stimulus.sample_rate_hz)
+        _refuse_too_long(stimulus, rate_hz)
+        if output.stand_in:
+            whole = analytic(stimulus.samples)
+            parts = self.rows.at(np.concatenate((whole.real, whole.imag)), own_hz, rate_hz)
+            rows = on_two_ears(turned_up(parts, rate_hz, output.shift_hz))
+            outputs, titles = list(_EARS), list(_EARS.values())
+        else:
+            sent = stimulus if rig is None else for_rig(stimulus, rig, _equaliser_of(design))
+            rows = self.rows.at(sent.samples, own_hz, rate_hz)
+            wired = outputs_by_place(design, output, rig)
+            places = [one.place for one in stimulus.channels if one.place is not None]
+            outputs = [wired[place] for place in places]
+            titles = [f"place {place}" for place in places]
+        loop_s = loop_of(design, stimulus.duration_s, loops=loops)
+        mix = mix_of(
+            rows,
+            rate_hz,
+            outputs=outputs,
+            titles=titles,
+            n_outputs=max([1, least_outputs, *outputs]),
+            loop_s=loop_s,
+        )
+        if rig is None or output.stand_in:
+            return mix
+        margin = self._margin(rig, places, sent.samples, own_hz, repeated=loop_s is not None)
+        return replace(mix, most_gain=margin.factor, limit=margin.words)
+
+    def _margin(
+        self, rig: Rig, places: list[int], rows: Floats, rate_hz: int, *, repeated: bool
+    ) -> Margin:
+        """How far all may be turned up; what has not changed since the last time is known."""
+        known, self._margins = self._margins, {}
+        found = Margin()
+        for place, row in zip(places, rows, strict=True):
+            key = place, rig.channel_of(place), repeated, row.tobytes()
+            one = known.get(key)
+            if one is None:
+                one = highest_gain(rig, [place], row[np.newaxis], rate_hz, repeated=repeated)
+            self._margins[key] = one
+            found = min(found, one, key=lambda margin: margin.factor)
+        return found
+
+
+def _equaliser_of(design: Design) -> Equaliser | None:
+    return None if design.actuated is None else design.actuated.equaliser
+
+
+def loop_of(design: Design, duration_s: float, *, loops: bool) -> tuple[float, float] | None:
+    """Begin and end of what is played again and again, s; None: nothing is."""
+    if design.loop_s is not None:
+        return design.loop_s
+    return (0.0, max(duration_s, SHORTEST_LOOP_S)) if loops else None
+
+
+def _whole(rate_hz: float) -> int:
+    if not float(rate_hz).is_integer():
+        raise InvalidInputError(
+            f"The limb is sampled at {rate_hz:g} Hz, expected a whole number of hertz to play"
+        )
+    return int(rate_hz)
+
+
+def _refuse_too_long(stimulus: Stimulus, rate_hz: int) -> None:
+    samples = len(stimulus.channels) * stimulus.duration_s * rate_hz
+    if samples > MOST_SAMPLES:
+        raise InvalidInputError(
+            f"The design lasts {stimulus.duration_s:.4g} s on {len(stimulus.channels)} outputs, "
+            f"which is too much to be held at {rate_hz} Hz. Choose a lower rate, or mute inputs."
+        )

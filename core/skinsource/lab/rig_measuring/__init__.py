@@ -1,0 +1,23 @@
+"""A rig is measured: a sweep on one output, and an accelerometer on an input of the sound card.
+
+Nothing of sounddevice is imported before somebody measures.
+"""
+
+from skinsource.lab.rig_measuring.duplex import InputDevice, input_devices
+from skinsource.lab.rig_measuring.measurement import (
+    ChannelMeasurement,
+    MeasuringSetup,
+    kept,
+    measurable,
+    measure,
+)
+
+__all__ = [
+    "ChannelMeasurement",
+    "InputDevice",
+    "MeasuringSetup",
+    "input_devices",
+    "kept",
+    "measurable",
+    "measure",
+]

@@ -1,0 +1,620 @@
+"""How an actuator is measured."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from datetime import UTC, date, datetime
+from functools import partial
+from math import floor, log10
+
+import numpy as np
+
+from skinsource.actuators.measured_response import MeasuredResponse
+from skinsource.actuators.measuring import (
+    AveragedResponse,
+    Sweeps,
+    averaged_response,
+    clock_ratio,
+    delay_of,
+    excess_delay,
+    exponential_sweep,
+    part_from,
+)
+from skinsource.actuators.rigs import Margin, Rig, RigChannel, highest_gain
+from skinsource.base.arrays import Floats
+from skinsource.base.decibels import decibels
+from skinsource.base.errors import InvalidInputError, PlaybackError
+from skinsource.base.job import Progress, Stop, never, silent, stop_if
+from skinsource.base.quoting import quoted, sentence
+from skinsource.lab.playing.devices import MOST_OUTPUTS, Output, check_outputs, device_of, devices
+from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB, Deck, factor_of, fade_samples, mix_of
+from skinsource.lab.rig_measuring.duplex import (
+    Card,
+    Duplex,
+    check_inputs,
+    input_device_of,
+    input_devices,
+)
+from skinsource.specs import fields
+from skinsource.specs.fields import SMALLEST, NumberSpec, TextSpec
+
+#: Longest delay from output to input that is looked for.
+LONGEST_DELAY_S = 0.5
+
+SENSITIVITY = NumberSpec(
+    label="Sensitivity",
+    unit="V per m/s²",
+    minimum=SMALLEST,
+    maximum=1e6,
+    hint="Of the accelerometer with its amplifier; 100 mV per g is 0.0102 V per m/s²",
+)
+INPUT_VOLTS = NumberSpec(
+    label="Input full scale",
+    unit="V",
+    minimum=SMALLEST,
+    maximum=1e6,
+    hint="Volts at the input of the sound card that it records as 1",
+)
+INPUT = NumberSpec(
+    label="Input", minimum=1, maximum=MOST_OUTPUTS, whole=True, hint="Where the accelerometer is"
+)
+LOOPBACK = NumberSpec(
+    label="Loop-back input",
+    minimum=0,
+    maximum=MOST_OUTPUTS,
+    whole=True,
+    hint="Wired to the output, it tells the delay; 0: none, the delay is told from the phase",
+)
+INPUT_DEVICE = TextSpec(
+    label="Input device",
+    longest=400,
+    one_line=True,
+    hint="Empty: the one that is played on. Another has a clock of its own, told from the sweeps",
+)
+LEVEL = NumberSpec(
+    label="Level",
+    unit="dB",
+    minimum=LOWEST_DB,
+    maximum=min(HIGHEST_DB, 0.0),
+    hint="Of full scale; a sweep that is 20 dB weaker comes before",
+)
+SWEEP = NumberSpec(label="Sweep", unit="s", minimum=1.0, maximum=60.0, hint="How long each lasts")
+REPEATS = NumberSpec(
+    label="Repeats", minimum=2, maximum=50, whole=True, hint="Their spread is the error"
+)
+LOWEST = NumberSpec(label="From", unit="Hz", minimum=2.0, maximum=20_000.0)
+HIGHEST = NumberSpec(label="To", unit="Hz", minimum=2.0, maximum=20_000.0)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MeasuringSetup:
+    """The sensor, where it is wired, and the sweep.
+
+    Attributes
+    ----------
+    sensitivity_v_per_m_per_s2
+        Volts at the input for 1 m/s².
+    input_full_scale_v
+        Voltage at the input where a recorded sample is 1.
+    input_number, loopback_input
+        Inputs of the accelerometer, and of a wire from the output that is measured, from 1;
+        0: there is no such wire.
+    input_device
+        What is recorded from; empty: the device that is played on.  Another one, of whatever host,
+        has a clock of its own, which the sweeps tell.
+    level_db
+        Amplitude of the sweep, dB of full scale.
+    sweep_s, repeats
+        How long a sweep lasts, and how often it is played.
+    lowest_hz, highest_hz
+        Where the response is wanted.
+    """
+
+    sensitivity_v_per_m_per_s2: float = fields.number(0.0102, SENSITIVITY)
+    input_full_scale_v: float = fields.number(1.0, INPUT_VOLTS)
+    input_number: int = fields.number(1, INPUT)
+    loopback_input: int = fields.number(0, LOOPBACK)
+    input_device: str = fields.text("", INPUT_DEVICE)
+    level_db: float = fields.number(-30.0, LEVEL)
+    sweep_s: float = fields.number(5.0, SWEEP)
+    repeats: int = fields.number(4, REPEATS)
+    lowest_hz: float = fields.number(20.0, LOWEST)
+    highest_hz: float = fields.number(1000.0, HIGHEST)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+        if not self.lowest_hz * 1.5 <= self.highest_hz:
+            raise InvalidInputError(
+                f"the response is wanted from {self.lowest_hz:g} to {self.highest_hz:g} Hz, "
+                "expected at least half an octave"
+            )
+        if self.loopback_input == self.input_number:
+            raise InvalidInputError(
+                f"input {self.input_number} is that of the accelerometer, and the loop-back's; "
+                "expected two inputs"
+            )
+
+    @property
+    def band_hz(self) -> tuple[float, float]:
+        """Where the response is wanted."""
+        return self.lowest_hz, self.highest_hz
+
+    @property
+    def m_per_s2_at_full_scale(self) -> float:
+        """What a recorded sample of 1 is."""
+        return self.input_full_scale_v / self.sensitivity_v_per_m_per_s2
+
+
+# All that is needed to measure a channel, looked for before anything is played.
+
+# After each sweep, in which what rings dies away.
+_REST_S = 0.5
+# The sweep goes beyond what is wanted: so the delay is told well, and the ends are whole.
+_LOWER, _HIGHER = 0.6, 4.0
+_MOST_OF_RATE = 0.42
+# At least so many outputs and inputs, where the device has them: some know pairs only.
+FEWEST_WAYS = 2
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Bench:
+    """All that stays the same while a channel is measured."""
+
+    channel: RigChannel
+    volts: float
+    setup: MeasuringSetup
+    card: Card
+    rate_hz: int
+    sweep: Floats
+    swept_hz: tuple[float, float]
+
+    @property
+    def numbers(self) -> tuple[int, ...]:
+        """Inputs that are looked at."""
+        setup = self.setup
+        return tuple(one for one in (setup.input_number, setup.loopback_input) if one)
+
+    @property
+    def period(self) -> int:
+        """Samples from one sweep to the next."""
+        return self.sweep.size + round(_REST_S * self.rate_hz)
+
+    def sweep_by(self, clock_ratio: float) -> Floats:
+        """One period, (period,), as a clock counts it that is so many times as quick."""
+        found = np.zeros(self.period)
+        sweep = self.sweep
+        if clock_ratio != 1.0:
+            sweep = exponential_sweep(self.swept_hz, self.setup.sweep_s, self.rate_hz, clock_ratio)
+        found[: sweep.size] = sweep
+        return found
+
+    def row(self, repeats: int, lead: int) -> Floats:
+        """Samples that are played at a gain of 1, (n_times,)."""
+        one = self.sweep_by(1.0)
+        tail = np.zeros(round(LONGEST_DELAY_S * self.rate_hz))
+        return np.concatenate((np.zeros(lead), np.tile(one, repeats), tail))
+
+
+def measurable(
+    channel: RigChannel, setup: MeasuringSetup, sample_rate_hz: float
+) -> tuple[float, float]:
+    """Volts at full scale, and the highest frequency that can be told, Hz.
+
+    Raises
+    ------
+    InvalidInputError
+        The channel or the setup cannot be measured, whatever devices there are.
+    """
+    volts = channel.volts_at_full_scale
+    if volts is None:
+        raise InvalidInputError(
+            f"place {channel.place}: the rig does not say the volts at full scale, without which "
+            "m/s² per V cannot be told; measure them with a tone and a voltmeter"
+        )
+    highest_hz = _MOST_OF_RATE * sample_rate_hz
+    if setup.highest_hz > highest_hz:
+        raise InvalidInputError(
+            f"the response is wanted up to {setup.highest_hz:g} Hz, and {sample_rate_hz:g} Hz can "
+            f"tell at most {highest_hz:.0f} Hz; choose a higher rate"
+        )
+    return volts, highest_hz
+
+
+def bench_of(rig: Rig, place: int, setup: MeasuringSetup, output: Output) -> Bench:
+    """Look for all that is needed; refuse what is missing before anything is played."""
+    channel = rig.channel_of(place)
+    if channel is None:
+        raise InvalidInputError(
+            f"place {place} is not wired in the rig {quoted(rig.title)}; add a channel for it"
+        )
+    rate_hz = output.sample_rate_hz
+    volts, highest_hz = measurable(channel, setup, rate_hz)
+    swept_hz = _LOWER * setup.lowest_hz, min(_HIGHER * setup.highest_hz, highest_hz)
+    found = devices()
+    named = [one for one in found if channel.device in (one.name, one.title)]
+    if channel.device:
+        own = named[0].name if named else channel.device
+        api = named[0].host_api if named else ""
+        output = replace(output, device=own, host_api=api)
+    device = device_of(output, found)
+    check_outputs(device, {place: channel.output})
+    inputs = input_device_of(setup.input_device, device, input_devices())
+    check_inputs(inputs, setup.input_number, setup.loopback_input)
+    most = max(setup.input_number, setup.loopback_input)
+    card = Card(
+        device=device,
+        inputs=inputs,
+        n_inputs=max(most, min(FEWEST_WAYS, inputs.n_inputs)),
+        latency_s=output.latency_s,
+    )
+    sweep = exponential_sweep(swept_hz, setup.sweep_s, rate_hz)
+    return Bench(channel, volts, setup, card, rate_hz, sweep, swept_hz)
+
+
+# What was measured of one channel of a rig.
+
+# A phase further from what a delay explains says little; about 30 degrees.
+_DOUBTFUL_RAD = 0.5
+# What less is, a sweep hardly tells; and it turns the phase by nothing.
+_SAME_CLOCK_PPM = 0.1
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class ChannelMeasurement:
+    """The response of one channel, and how far it can be trusted.
+
+    Attributes
+    ----------
+    place
+        Input place of the channel.
+    response
+        Acceleration for each volt at the actuator, without the delay.
+    error : (n_points,)
+        Standard error of each of its points, relative to the gain.
+    n_left_out
+        Points of the band that the noise covers, and that are left out.
+    delay_s
+        From a sample that is played to the one that is recorded of it: out of the device, through
+        actuator and sensor, and in again; with two devices also when each of them began.
+    delay_by_wire
+        Whether a loop-back said so; else the phase did.
+    played_on, recorded_from
+        Names of the devices.
+    clock_ppm
+        How much quicker the clock of the inputs is than that of the outputs, in millionths; None:
+        both are one device.
+    inverted
+        Whether the sensor moves against the voltage.
+    misfit_rad
+        Root mean square of the phase that neither gain nor delay explain.
+    noise_m_per_s2
+        RMS while nothing was played.
+    peak_m_per_s2
+        Largest acceleration that was recorded.
+    peak_input_db
+        The same at the input, dB of full scale.
+    level_db
+        Of the sweep, dB of full scale.
+    measured_on
+        Date.
+    """
+
+    place: int
+    response: MeasuredResponse
+    error: Floats
+    n_left_out: int
+    delay_s: float
+    delay_by_wire: bool
+    played_on: str
+    recorded_from: str
+    clock_ppm: float | None
+    inverted: bool
+    misfit_rad: float
+    noise_m_per_s2: float
+    peak_m_per_s2: float
+    peak_input_db: float
+    level_db: float
+    measured_on: date
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        """What there is to tell, a sentence each."""
+        points = self.response.points
+        by = "the loop-back" if self.delay_by_wire else "the phase"
+        typical, worst = 100.0 * np.median(self.error), 100.0 * np.max(self.error)
+        left_out = f"; {self.n_left_out} under the noise are left out" if self.n_left_out else ""
+        told = [
+            f"Place {self.place}: {len(points)} points from {points[0][0]:.4g} to "
+            f"{points[-1][0]:.4g} Hz{left_out}.",
+            f"Their standard error is {typical:.2g} % in the middle, at most {worst:.2g} %.",
+            f"The delay from output to input is {self.delay_s * 1e3:.2f} ms, told from {by}; the "
+            "response is without it.",
+            *self._clocks,
+            f"At the input: peak {self.peak_m_per_s2:.3g} m/s² ({self.peak_input_db:z.1f} dB of "
+            f"full scale), noise {self.noise_m_per_s2:.2g} m/s² RMS.".replace("-", "\u2212"),
+        ]
+        if self.inverted:
+            told.append(
+                "It moves against the voltage: set the polarity to the other, or turn the sensor, "
+                "and measure again."
+            )
+        if self.misfit_rad > _DOUBTFUL_RAD:
+            told.append(
+                f"Its phase is doubtful: {np.degrees(self.misfit_rad):.0f} degrees of it are "
+                "explained by neither gain nor delay. Wire a loop-back, or look at the sensor."
+            )
+        return tuple(told)
+
+    @property
+    def _clocks(self) -> tuple[str, ...]:
+        """What two devices make of it."""
+        ppm = self.clock_ppm
+        if ppm is None:
+            return ()
+        if abs(ppm) < _SAME_CLOCK_PPM:
+            clocks = "Their clocks agree."
+        else:
+            clocks = (
+                f"The clock of the input is {abs(ppm):.1f} millionths "
+                f"{'quicker' if ppm > 0.0 else 'slower'}, told from the sweeps; the response is "
+                "without that, too."
+            )
+        return (
+            f"Output and input are two devices, {self.played_on} and {self.recorded_from}, which "
+            "begin when they can: the delay is that of this take alone.",
+            clocks,
+        )
+
+
+def kept(rig: Rig, measurement: ChannelMeasurement) -> Rig:
+    """The rig with what was measured in its channel, and the date.
+
+    Raises
+    ------
+    InvalidInputError
+        Nothing is wired to that place any more.
+    """
+    if rig.channel_of(measurement.place) is None:
+        raise InvalidInputError(
+            f"place {measurement.place} is not wired in the rig {quoted(rig.title)}"
+        )
+    day = measurement.measured_on.isoformat()
+    return replace(
+        rig,
+        channels=tuple(
+            replace(one, measured=measurement.response, measured_on=day)
+            if one.place == measurement.place
+            else one
+            for one in rig.channels
+        ),
+    )
+
+
+# Measures one channel: silence, a quiet sweep that is looked at, then the sweeps that count.
+
+#: How much weaker the first sweep is, dB.
+QUIETER_DB = 20.0
+#: Silence in which the noise is measured; what a device does when it begins is not part of it.
+NOISE_S, SETTLING_S = 2.0, 0.2
+# Recorded samples from here on may be clipped, whatever bits the device has.
+_CLIPPED = 0.999
+
+
+def measure(
+    rig: Rig,
+    place: int,
+    setup: MeasuringSetup,
+    *,
+    output: Output | None = None,
+    progress: Progress = silent,
+    stop: Stop = never,
+) -> ChannelMeasurement:
+    """Measure how a channel of a rig answers, with an accelerometer on an input.
+
+    Nothing is played that passes a limit of the rig.  A sweep that is 20 dB quieter comes first:
+    what would clip at the input, or pass a limit once the response is known, is not played louder.
+
+    Parameters
+    ----------
+    rig, place
+        What is wired to the device, and which channel is measured.
+    setup
+        The sensor, and the sweep.
+    output
+        Device where the channel names none, its rate and the delay that it is asked for.
+
+    Raises
+    ------
+    InvalidInputError
+        The channel is not known so far that it can be measured, a limit would be passed, the
+        input would clip, or nothing is heard above the noise.
+    PlaybackError
+        sounddevice, the device or an input is missing, the device refuses, or it is gone before
+        the end.
+    Stopped
+        ``stop`` said so.
+    """
+    bench = bench_of(rig, place, setup, output or Output())
+    settling = round(SETTLING_S * bench.rate_hz)
+    lead = settling + round(NOISE_S * bench.rate_hz)
+    row, loud_db = bench.row(setup.repeats, settling), setup.level_db
+    margin = _margin(bench.channel, row, bench.rate_hz, loud_db)
+    quiet_db = max(loud_db - QUIETER_DB, LOWEST_DB)
+    # How two clocks differ is told from one sweep to the next.
+    n_quiet = 2 if bench.card.two_clocks else 1
+    first = bench.row(n_quiet, lead)
+    told = partial(_tell, progress, first.size + row.size)
+    heard = _take(bench, first, quiet_db, margin, stop, partial(told, 0, "Quiet sweep"))
+    noise = heard[:, settling:lead]
+    _refuse_clipping(bench, heard, quiet_db)
+    _refuse_what_will_clip(bench, heard, noise, quiet_db)
+    found, _ = _found(bench, heard, noise, quiet_db, lead, n_quiet)
+    if isinstance(found, AveragedResponse):
+        known = replace(bench.channel, measured=_response(found))
+        margin = _margin(known, row, bench.rate_hz, loud_db)
+    stop_if(stop)
+    words = f"{setup.repeats} sweeps"
+    heard = _take(bench, row, loud_db, margin, stop, partial(told, first.size, words))
+    _refuse_clipping(bench, heard, loud_db)
+    found, ratio = _found(bench, heard, noise, loud_db, settling, setup.repeats)
+    if isinstance(found, InvalidInputError):
+        raise found
+    return _told(bench, found, heard, noise, ratio)
+
+
+def _told(
+    bench: Bench, found: AveragedResponse, heard: Floats, noise: Floats, ratio: float
+) -> ChannelMeasurement:
+    """What was found, with all that says how far it can be trusted."""
+    setup = bench.setup
+    scale = setup.m_per_s2_at_full_scale
+    own = heard[setup.input_number - 1] - noise[setup.input_number - 1].mean()
+    # A wire says nothing of the sensor's phase.
+    phase = found.delay
+    if setup.loopback_input:
+        phase = excess_delay(found.frequency_hz, found.response)
+    return ChannelMeasurement(
+        place=bench.channel.place,
+        response=_response(found),
+        error=found.error,
+        n_left_out=found.n_left_out,
+        delay_s=found.delay.seconds,
+        delay_by_wire=setup.loopback_input > 0,
+        played_on=bench.card.device.name,
+        recorded_from=bench.card.inputs.name,
+        clock_ppm=1e6 * (ratio - 1.0) if bench.card.two_clocks else None,
+        inverted=phase.inverted,
+        misfit_rad=phase.misfit_rad,
+        noise_m_per_s2=float(noise[setup.input_number - 1].std() * scale),
+        peak_m_per_s2=float(np.abs(own).max() * scale),
+        peak_input_db=float(decibels(np.abs(heard[setup.input_number - 1]).max())),
+        level_db=setup.level_db,
+        measured_on=datetime.now(UTC).date(),
+    )
+
+
+def _margin(channel: RigChannel, row: Floats, rate_hz: int, level_db: float) -> Margin:
+    """How loud the rig lets it be; refuses what is louder."""
+    margin = highest_gain(Rig(channels=(channel,)), [channel.place], row[np.newaxis], rate_hz)
+    if factor_of(level_db) <= margin.factor:
+        return margin
+    if margin.factor == 0.0:
+        advice = "choose shorter sweeps, or fewer of them"
+    else:
+        advice = f"choose a level of {_down(20.0 * log10(margin.factor))} dB or less"
+    raise InvalidInputError(
+        f"at {_minus(f'{level_db:g}')} dB the sweep would pass a limit of the rig "
+        f"({margin.words}); {advice}"
+    )
+
+
+def _tell(progress: Progress, total: int, before: int, words: str, done: int) -> None:
+    progress(before + done, total, words)
+
+
+def _take(
+    bench: Bench,
+    row: Floats,
+    level_db: float,
+    margin: Margin,
+    stop: Stop,
+    told: Callable[[int], None],
+) -> Floats:
+    """Play a row, and return what came in, (n_inputs, n_times), from its first sample on."""
+    output, fade = bench.channel.output, fade_samples(bench.rate_hz)
+    n_outputs = max(output, min(FEWEST_WAYS, bench.card.device.n_outputs))
+    mix = mix_of(
+        row[np.newaxis],
+        bench.rate_hz,
+        outputs=[output],
+        titles=[f"sweep of place {bench.channel.place}"],
+        n_outputs=n_outputs,
+    )
+    mix = replace(mix, most_gain=margin.factor, limit=margin.words)
+    deck = Deck(n_outputs, bench.rate_hz, level_db)
+    deck.play(mix, 0)
+    duplex = Duplex(deck, bench.card, fade + row.size)
+    duplex.run(stop, told)
+    ending = deck.ending
+    if ending is not None and ending.reason != "end":
+        raise PlaybackError(ending.sentence)
+    if duplex.n_lost:
+        raise PlaybackError(
+            f"Samples were lost {duplex.n_lost} times while measuring, so that what was recorded "
+            "has holes. Close other programs, or ask the device for a longer delay."
+        )
+    # The deck fades in what stands before its first sample: silence.
+    return duplex.recorded[:, fade:].astype(np.float64)
+
+
+def _refuse_clipping(bench: Bench, heard: Floats, level_db: float) -> None:
+    """Refuse what reaches the ends of an input."""
+    for number in bench.numbers:
+        peak = float(np.abs(heard[number - 1]).max(initial=0.0))
+        if not np.isfinite(peak):
+            raise PlaybackError("The device recorded something that is no number. Choose another.")
+        if peak >= _CLIPPED:
+            raise _clips(number, "clips", level_db, "a lower level")
+
+
+def _refuse_what_will_clip(bench: Bench, heard: Floats, noise: Floats, level_db: float) -> None:
+    """Refuse what would reach the ends of an input at the level that is wanted."""
+    louder = 10.0 ** ((bench.setup.level_db - level_db) / 20.0)
+    for number in bench.numbers:
+        mean = float(noise[number - 1].mean())
+        still = abs(mean) + float(np.abs(noise[number - 1] - mean).max())
+        # The noise stays as loud as it is.
+        moved = max(float(np.abs(heard[number - 1] - mean).max()) + abs(mean) - still, 0.0)
+        if still + moved * louder >= _CLIPPED:
+            most_db = level_db + 20.0 * log10((_CLIPPED - still) / moved) - 0.1
+            raise _clips(number, "would clip", bench.setup.level_db, f"{_down(most_db)} dB or less")
+
+
+def _clips(number: int, what: str, level_db: float, advice: str) -> InvalidInputError:
+    return InvalidInputError(
+        f"input {number} {what} at {_minus(f'{level_db:g}')} dB; choose {advice}, or turn the gain "
+        "of that input down"
+    )
+
+
+def _found(
+    bench: Bench, heard: Floats, noise: Floats, level_db: float, start: int, repeats: int
+) -> tuple[AveragedResponse | InvalidInputError, float]:
+    """The response of what was heard, or the error where that is not enough; and the clocks."""
+    setup, latest = bench.setup, round(LONGEST_DELAY_S * bench.rate_hz)
+    ratio = 1.0
+    if bench.card.two_clocks:
+        # A wire says it best.
+        number = setup.loopback_input or setup.input_number
+        still = heard[number - 1] - noise[number - 1].mean()
+        ratio = clock_ratio(still, start, bench.period, repeats)
+    sent = bench.sweep_by(ratio) * factor_of(level_db)
+
+    def sweeps_of(number: int, played: Floats, scale: float) -> Sweeps:
+        mean = noise[number - 1].mean()
+        n = bench.period + latest
+        begins = start + bench.period * ratio * np.arange(repeats)
+        parts = [part_from(heard[number - 1] - mean, begin, n) for begin in begins]
+        silence = (noise[number - 1] - mean) * scale
+        return Sweeps(played, np.stack(parts) * scale, silence, bench.rate_hz)
+
+    known = None
+    try:
+        own = sweeps_of(setup.input_number, sent * bench.volts, setup.m_per_s2_at_full_scale)
+        if setup.loopback_input:
+            known = delay_of(sweeps_of(setup.loopback_input, sent, 1.0), bench.swept_hz)
+        return averaged_response(own, setup.band_hz, bench.swept_hz, known), ratio
+    except InvalidInputError as error:
+        return InvalidInputError(sentence(str(error))), ratio
+
+
+def _response(found: AveragedResponse) -> MeasuredResponse:
+    return MeasuredResponse.of(found.frequency_hz, found.response)
+
+
+def _down(decibels_: float) -> str:
+    """Rounded down, so that what is said is enough."""
+    return _minus(f"{floor(10.0 * decibels_) / 10.0:.1f}")
+
+
+def _minus(words: str) -> str:
+    return words.replace("-", "\u2212")

@@ -1,0 +1,415 @@
+"""Whether the arrays of a MATLAB v7.3 file are all there: each piece once, in its place.
+
+Such files are HDF5 of the oldest kind, whose indices nothing checks.  Where one bit of an index has
+flipped, HDF5 gives zeros for the piece that it no longer finds, without a word.
+"""
+
+import hashlib
+import itertools
+import math
+import zlib
+from dataclasses import dataclass
+from itertools import pairwise
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource.base import files
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import DatasetError, StorageError
+from skinsource.base.extras import package_of_extra
+from skinsource.base.job import Progress, Stop, stop_if
+from skinsource.base.published import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS, VOLAR_OUTPUTS
+from skinsource.base.quoting import printable
+from skinsource.base.work import counted
+from skinsource.limbs.dataset.published import MASK_FILES, MASK_SHAPES, N_VERTICES
+
+if TYPE_CHECKING:
+    import h5py
+
+
+# Numbers of HDF5's filters.
+_DEFLATE, _SHUFFLE = 1, 2
+
+WHAT_TO_DO = "The download may be cut short; run 'skinsource dataset fetch' again."
+
+
+class _Span(NamedTuple):
+    """Where some values lie in the file."""
+
+    first_byte: int
+    size_bytes: int
+    name: str
+
+
+def refuse_scattered(path: Path) -> None:
+    """Refuse a MATLAB v7.3 file in which a piece of an array is missing, misplaced or shared.
+
+    Other files pass: those of MATLAB v7 check themselves.
+
+    Raises
+    ------
+    DatasetError
+        Says which array and piece.
+    Exception
+        Whatever HDF5 raises at a damaged file.
+    """
+    if not files.is_hdf5(path):
+        return
+    spans: list[_Span] = []
+
+    def look_at(_: str, part: Any) -> None:
+        if isinstance(part, files.Dataset):
+            spans.extend(_spans_of(part, path))
+
+    with files.File(path, "r", locking="best-effort") as file:
+        file.visititems(look_at)
+    for one, other in pairwise(sorted(spans)):
+        if one.first_byte + one.size_bytes > other.first_byte:
+            raise _damaged(path, f"{one.name} and {other.name} lie in the same place")
+
+
+def _spans_of(dataset: "h5py.Dataset", path: Path) -> list[_Span]:
+    """Where the values of an array lie; none where they lie in the header, which is read whole."""
+    name = str(dataset.name)
+    kind = dataset.id.get_type()
+    # What is neither a number nor a text has parts, which are numbers in files that MATLAB wrote.
+    is_number = kind.get_class() in (files.h5t.INTEGER, files.h5t.FLOAT)
+    if is_number and not kind.equal(files.h5t.py_create(dataset.dtype)):
+        raise _damaged(path, f"{name} holds numbers of an unknown kind")
+    how = dataset.id.get_create_plist()
+    layout = how.get_layout()
+    if layout == files.h5d.COMPACT or not dataset.size:
+        return []
+    if layout == files.h5d.CHUNKED:
+        return _chunks_of(dataset, path)
+    if layout != files.h5d.CONTIGUOUS or how.get_external_count():
+        raise _damaged(path, f"{name} lies in other files")
+    first_byte, size_bytes = dataset.id.get_offset(), dataset.id.get_storage_size()
+    if first_byte is None or size_bytes != dataset.size * kind.get_size():
+        raise _damaged(path, f"{name} is not there, or not as a whole")
+    return [_Span(first_byte, size_bytes, name)]
+
+
+def _chunks_of(dataset: "h5py.Dataset", path: Path) -> list[_Span]:
+    name, shape, chunk = str(dataset.name), dataset.shape, dataset.chunks
+    assert chunk is not None  # noqa: S101, its layout says so
+    how = dataset.id.get_create_plist()
+    filters = tuple(how.get_filter(k)[0] for k in range(how.get_nfilters()))
+    if filters not in ((), (_DEFLATE,), (_SHUFFLE, _DEFLATE)):
+        raise _damaged(path, f"{name} is packed in an unknown way")
+    size_bytes = math.prod(chunk) * dataset.dtype.itemsize
+    expected = math.prod(-(-length // step) for length, step in zip(shape, chunk, strict=True))
+    found = dataset.id.get_num_chunks()
+    if found != expected:
+        raise _damaged(path, f"{name} has {found} pieces, expected {expected}")
+    spans = []
+    for k in range(found):
+        piece = dataset.id.get_chunk_info(k)
+        spans.append(_Span(piece.byte_offset, piece.size, f"{name}, piece {k + 1}"))
+    starts = (range(0, length, step) for length, step in zip(shape, chunk, strict=True))
+    for place in itertools.product(*starts):
+        # The index is asked as it is when the array is read.  A list of its entries says less: it
+        # leaves out parts of them.
+        if _unpacked_bytes(_piece_at(dataset, place), filters) != size_bytes:
+            raise _damaged(path, f"the piece of {name} at {place} is missing or damaged")
+    return spans
+
+
+def _piece_at(dataset: "h5py.Dataset", place: tuple[int, ...]) -> bytes:
+    """Bytes of a piece as they lie in the file; none where it is missing, or packed otherwise."""
+    try:
+        mask, packed = dataset.id.read_direct_chunk(place)
+    except (OSError, RuntimeError):
+        return b""
+    return b"" if mask else packed
+
+
+def _unpacked_bytes(packed: bytes, filters: tuple[int, ...]) -> int:
+    """Length of the values in a piece; -1 where they are damaged."""
+    if not filters:
+        return len(packed)
+    try:
+        return len(zlib.decompress(packed))
+    except zlib.error:
+        return -1
+
+
+def _damaged(path: Path, what: str) -> DatasetError:
+    return DatasetError(f"{path.name}: is damaged: {what}. {WHAT_TO_DO}")
+
+
+# MATLAB files, in either encoding (v7 and v7.3).
+
+
+def read_variable(path: Path, name: str) -> Any:
+    """Give the variable ``name`` of a MATLAB file: an array, a table (`DataFrame`), an object.
+
+    Raises
+    ------
+    MissingExtraError
+        mat-io is not installed.
+    StorageError
+        The file cannot be opened.
+    DatasetError
+        It is no MATLAB file, is cut off or damaged, or does not hold the variable.
+    """
+    matio = package_of_extra("matio", "dataset")
+    try:
+        with path.open("rb") as opened:
+            opened.read(1)
+    except OSError as error:
+        raise StorageError(
+            f"{path}: cannot be read ({error.strerror or error}). Give the folder that holds the "
+            "download."
+        ) from error
+    try:
+        refuse_scattered(path)
+        variables = matio.load_from_mat(str(path))
+    except DatasetError:
+        raise
+    except Exception as error:  # on a damaged file the parser may fail in any way
+        reason = printable(error) or type(error).__name__
+        raise DatasetError(
+            f"{path.name}: cannot be read as a MATLAB file ({reason}), expected MAT v7 or v7.3. "
+            f"{WHAT_TO_DO}"
+        ) from error
+    if name not in variables:
+        found = ", ".join(sorted(variables)) or "nothing"
+        raise DatasetError(
+            f"{path.name}: holds {found}, expected a variable '{name}'. Is this the right file? "
+            f"{WHAT_TO_DO}"
+        )
+    return variables[name]
+
+
+# The toolbox's map files, checked.
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class MapFiles:
+    """What the eight map files hold; coordinates are outline pixels, y up.
+
+    Attributes
+    ----------
+    outline : (1505, 2)
+        Closed polygon.
+    output_positions : (72, 2)
+        NaN for the six volar outputs.
+    input_positions : (20, 2)
+    visibility : (1505, 72)
+        Distance from outline vertex to output where the one sees the other, else NaN.
+    masks
+        One per limb, (rows, columns) of 1 mm, row and column 0 at the lowest y and x:
+        1 on the skin, 0 elsewhere.
+    """
+
+    outline: Floats
+    output_positions: Floats
+    input_positions: Floats
+    visibility: Floats
+    masks: tuple[NDArray[np.uint8], ...]
+
+
+def read_map_files(folder: Path) -> MapFiles:
+    """Read and check the map files.
+
+    Raises
+    ------
+    DatasetError
+        A file is not what it should be.
+    """
+    return MapFiles(
+        outline=_outline(folder / "surface.mat"),
+        output_positions=_output_positions(folder / "outputLocations.mat"),
+        input_positions=_finite(
+            folder / "inputLocations.mat", "inputLocations", (N_INPUTS, 2), "inputs, x and y"
+        ),
+        visibility=_visibility(folder / "adjacencyMatrix.mat"),
+        masks=tuple(
+            _mask(folder / name, shape) for name, shape in zip(MASK_FILES, MASK_SHAPES, strict=True)
+        ),
+    )
+
+
+def _outline(path: Path) -> Floats:
+    surface = read_variable(path, "surface")
+    try:
+        vertices = surface.properties["any"][0, 0]["Vertices"]
+    except (AttributeError, KeyError, IndexError, TypeError, ValueError) as error:
+        raise DatasetError(
+            f"{path.name}: 'surface' is no polyshape with Vertices. Is this the right file? "
+            f"{WHAT_TO_DO}"
+        ) from error
+    outline = _numbers(path, vertices, (N_VERTICES, 2), "vertices, x and y")
+    return _refuse_not_finite(path, outline)
+
+
+def _output_positions(path: Path) -> Floats:
+    positions = _numbers(
+        path, read_variable(path, "outputLocations"), (N_OUTPUTS, 2), "outputs, x and y"
+    )
+    volar = np.isin(np.arange(1, N_OUTPUTS + 1), VOLAR_OUTPUTS)
+    _refuse_not_finite(path, positions[~volar])
+    if not np.isnan(positions[volar]).all():
+        raise DatasetError(
+            f"{path.name}: gives places to the outputs {VOLAR_OUTPUTS[0]} to {VOLAR_OUTPUTS[-1]}, "
+            f"expected NaN: they lie on the other side of the hand. {WHAT_TO_DO}"
+        )
+    return positions
+
+
+def _visibility(path: Path) -> Floats:
+    distance = _numbers(
+        path,
+        read_variable(path, "adjacencyMatrix"),
+        (N_VERTICES, N_OUTPUTS),
+        "vertices, outputs",
+    )
+    seen = ~np.isnan(distance)
+    if np.isinf(distance).any() or (distance[seen] < 0).any() or not seen.any(axis=1).all():
+        raise DatasetError(
+            f"{path.name}: expected distances of 0 px or more, NaN where a vertex does not see an "
+            f"output, and at least one output seen from each vertex. {WHAT_TO_DO}"
+        )
+    return distance
+
+
+def _mask(path: Path, shape: tuple[int, int]) -> NDArray[np.uint8]:
+    mask = _numbers(path, read_variable(path, "mask"), shape, "rows, columns of 1 mm")
+    if not np.isin(mask, (0.0, 1.0)).all():
+        raise DatasetError(
+            f"{path.name}: expected a mask of zeros and ones, found other values. {WHAT_TO_DO}"
+        )
+    return mask.astype(np.uint8)
+
+
+def _finite(path: Path, name: str, shape: tuple[int, ...], axes: str) -> Floats:
+    return _refuse_not_finite(path, _numbers(path, read_variable(path, name), shape, axes))
+
+
+def _numbers(path: Path, value: Any, shape: tuple[int, ...], axes: str) -> Floats:
+    array = np.asarray(value)
+    if array.shape != shape or array.dtype.kind not in "fiub":
+        raise DatasetError(
+            f"{path.name}: has shape {array.shape} of {array.dtype}, expected {shape} of double "
+            f"({axes}). {WHAT_TO_DO}"
+        )
+    return np.ascontiguousarray(array, dtype=np.float64)
+
+
+def _refuse_not_finite(path: Path, array: Floats) -> Floats:
+    if not np.isfinite(array).all():
+        raise DatasetError(f"{path.name}: expected finite coordinates, found NaN. {WHAT_TO_DO}")
+    return array
+
+
+# The table of impulse responses, checked row by row.
+
+TABLE = "dataTable"
+COLUMNS = ("Data", "Model", "Location")
+N_LIMBS = 4
+N_ROWS = N_LIMBS * N_INPUTS
+SHAPE = (N_TAPS, N_OUTPUTS, N_AXES)
+
+#: (limb, input location), both from 1, to impulse responses (72 outputs, 3 axes, 522 taps).
+Responses = dict[tuple[int, int], Floats]
+
+
+def read_responses(path: Path, progress: Progress, stop: Stop) -> Responses:
+    """Read and check ``impulseResponses.mat``, in either MATLAB encoding.
+
+    Returns
+    -------
+    dict
+        (limb, input location) to views of shape (72 outputs, 3 axes, 522 taps), in m/s².
+
+    Raises
+    ------
+    DatasetError
+        The file or a row is not what it should be.
+    """
+    return check_table(read_variable(path, TABLE), path.name, progress, stop)
+
+
+def check_table(table: Any, file_name: str, progress: Progress, stop: Stop) -> Responses:
+    """Check every row of the table: numbers, shape, finiteness, and that each limb is complete."""
+    absent = [column for column in COLUMNS if column not in getattr(table, "columns", ())]
+    if absent:
+        raise DatasetError(
+            f"{file_name}: {TABLE} has no column {', '.join(absent)}; expected a table with the "
+            f"columns {', '.join(COLUMNS)}. Is this the right file? {WHAT_TO_DO}"
+        )
+    responses: Responses = {}
+    # Two measurements are never the same in every digit: one was put in place of the other.
+    earlier: dict[bytes, str] = {}
+    rows = zip(*(table[column] for column in COLUMNS), strict=True)
+    for number, (data, model, location) in enumerate(rows, start=1):
+        stop_if(stop, "Installing was stopped; nothing was changed.")
+        where = f"{file_name}: row {number}"
+        limb = _whole_number(model, N_LIMBS, f"{where} has Model")
+        place = _whole_number(location, N_INPUTS, f"{where} has Location")
+        where = f"{where} (model {limb}, location {place})"
+        if (limb, place) in responses:
+            raise DatasetError(
+                f"{where} repeats an earlier row, expected each model and location once. "
+                f"{WHAT_TO_DO}"
+            )
+        responses[limb, place] = response = _response(data, where)
+        twin = earlier.setdefault(hashlib.sha256(response.tobytes()).digest(), where)
+        if twin != where and response.any():
+            raise DatasetError(
+                f"{where} holds the values of {twin.removeprefix(f'{file_name}: ')}, expected its "
+                f"own. {WHAT_TO_DO}"
+            )
+        progress(number, N_ROWS, f"Checking limb {limb}, input {place}")
+    _refuse_gaps(responses, file_name)
+    return responses
+
+
+def _response(data: Any, where: str) -> Floats:
+    array = np.asarray(data)
+    if array.shape != SHAPE:
+        raise DatasetError(
+            f"{where} has shape {array.shape}, expected {SHAPE} (taps, outputs, axes). {WHAT_TO_DO}"
+        )
+    if array.dtype.kind != "f":
+        raise DatasetError(
+            f"{where} holds values of type {array.dtype}, expected double. {WHAT_TO_DO}"
+        )
+    finite = np.isfinite(array)
+    if not finite.all():
+        tap, output, axis = (int(k) + 1 for k in np.argwhere(~finite)[0])
+        strange = counted(int(np.count_nonzero(~finite)), "value")
+        raise DatasetError(
+            f"{where} holds {strange} not finite, the first at "
+            f"tap {tap}, output {output}, axis {axis}; expected finite numbers only. {WHAT_TO_DO}"
+        )
+    return _real(array).transpose(1, 2, 0)
+
+
+def _real(array: NDArray[Any]) -> Floats:
+    return array.astype(np.float64, copy=False)
+
+
+def _whole_number(value: Any, highest: int, what: str) -> int:
+    array = np.asarray(value)
+    if array.size == 1 and array.dtype.kind in "fiu":
+        number = array.item()
+        if 1 <= number <= highest and number == int(number):
+            return int(number)
+    raise DatasetError(f"{what} {value!s}, expected a whole number 1 to {highest}. {WHAT_TO_DO}")
+
+
+def _refuse_gaps(responses: Responses, file_name: str) -> None:
+    expected = ((limb, place) for limb in range(1, 5) for place in range(1, N_INPUTS + 1))
+    missing = [pair for pair in expected if pair not in responses]
+    if missing:
+        limb, place = missing[0]
+        raise DatasetError(
+            f"{file_name}: has {len(responses)} of {N_ROWS} rows, the first missing one is model "
+            f"{limb}, location {place}; expected one row for each of the models 1 to {N_LIMBS} "
+            f"and the locations 1 to {N_INPUTS}. {WHAT_TO_DO}"
+        )

@@ -1,0 +1,286 @@
+"""What the store ``measured.h5`` looks like inside: names, version, checksums.
+
+The file is in the format of HDF5 1.10, which checks sums of all that is not an array; each array
+has a SHA-256 of its own.  All texts are of fixed length: HDF5 leaves others unchecked.
+::
+
+    /                        format, format_version, installed_at, source_name,
+                             source_sha256, source_bytes, unpublished
+    /responses/limb-1 … -4   (20 inputs, 72 outputs, 3 axes, 522 taps) float64, one
+                             chunk per input, not compressed; sha256: one per input
+    /map/outline …           float64, each with its sha256
+    /masks/limb-1 … -4       (rows, columns) uint8, each with its sha256
+"""
+
+import hashlib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource.base.assets import user_folder
+from skinsource.base.errors import DatasetError, StorageError
+from skinsource.base.files import is_file, is_folder
+from skinsource.base.published import N_AXES, N_INPUTS, N_OUTPUTS, N_TAPS
+
+FILE_NAME = "measured.h5"
+FORMAT = "skinsource measured dataset"
+FORMAT_VERSION = 2
+LIMBS = (1, 2, 3, 4)
+RESPONSES_SHAPE = (N_INPUTS, N_OUTPUTS, N_AXES, N_TAPS)
+CHUNK = (1, N_OUTPUTS, N_AXES, N_TAPS)
+N_VERTICES = 1505
+#: (rows, columns) of 1 mm each, for the hand lengths of limbs 1 to 4.
+MASK_SHAPES = ((464, 174), (437, 164), (490, 184), (437, 164))
+MAP_SHAPES = {
+    "outline": (N_VERTICES, 2),
+    "output_positions": (N_OUTPUTS, 2),
+    "input_positions": (N_INPUTS, 2),
+    "visibility": (N_VERTICES, N_OUTPUTS),
+}
+#: All that is stored in one piece: name in the store, shape.
+WHOLE_SHAPES = {f"map/{part}": shape for part, shape in MAP_SHAPES.items()} | {
+    f"masks/limb-{limb}": shape for limb, shape in zip(LIMBS, MASK_SHAPES, strict=True)
+}
+_LIMB_NAMES = tuple(f"limb-{limb}" for limb in LIMBS)
+#: Groups of the store, and what is in each.
+GROUPS = {"responses": _LIMB_NAMES, "map": tuple(MAP_SHAPES), "masks": _LIMB_NAMES}
+#: What ``unpublished`` says where all files were the published ones; else their names, with commas.
+ALL_PUBLISHED = "none"
+FLOATS, BYTES = "<f8", "u1"
+
+
+def responses_name(limb: int) -> str:
+    """Name of the impulse responses of one limb in the store."""
+    return f"responses/limb-{limb}"
+
+
+def mask_name(limb: int) -> str:
+    """Name of the mask of one limb in the store."""
+    return f"masks/limb-{limb}"
+
+
+def whole_type(name: str) -> str:
+    """Type of the values of what is stored in one piece."""
+    return BYTES if name.startswith("masks/") else FLOATS
+
+
+def checksum(array: NDArray[Any]) -> str:
+    """SHA-256 of the values as they lie in the store: C order, little-endian."""
+    stored = np.ascontiguousarray(array, dtype=array.dtype.newbyteorder("<"))
+    return hashlib.sha256(stored.data).hexdigest()
+
+
+# Where things are in what a user downloaded.
+
+RESPONSES_FILE = "impulseResponses.mat"
+MAP_FOLDER = "visualization"
+MASK_FILES = ("mask1.mat", "mask2.mat", "mask3.mat", "mask4.mat")
+MAP_FILES = (
+    "adjacencyMatrix.mat",
+    "inputLocations.mat",
+    *MASK_FILES,
+    "outputLocations.mat",
+    "surface.mat",
+)
+# The toolbox keeps its map in source/visualization; archives add one more folder around it.
+_FOLDERS = (
+    "",
+    "visualization",
+    "source/visualization",
+    "*/visualization",
+    "*/source/visualization",
+)
+# What Python calls temporary files.
+_TEMPORARY = "tmp" + "[a-z0-9_]" * 8
+_RESPONSES_FOLDERS = ("", "*", "*/source")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DownloadedFiles:
+    """A complete download.
+
+    Attributes
+    ----------
+    responses
+        File with the impulse responses.
+    map_folder
+        Folder with the eight map files.
+    """
+
+    responses: Path
+    map_folder: Path
+
+
+def download_folder() -> Path:
+    """Where ``skinsource dataset fetch`` puts its files."""
+    return user_folder() / "measured-download"
+
+
+def leftovers(downloads: Path) -> tuple[Path, ...]:
+    """Temporary files of the package pooch that killed downloads left in their folder."""
+    folders = (folder for folder in (downloads, downloads / MAP_FOLDER) if is_folder(folder))
+    return tuple(path for folder in folders for path in sorted(folder.glob(_TEMPORARY)))
+
+
+def find_downloaded(path: Path) -> DownloadedFiles:
+    """Find the files of the download in a folder, or beside ``impulseResponses.mat`` itself.
+
+    Raises
+    ------
+    StorageError
+        There is no such file or folder.
+    DatasetError
+        Files are missing; the message names them.
+    """
+    whole = is_folder(path)
+    if not whole and not is_file(path):
+        raise StorageError(
+            f"{path}: no such file or folder. Give the folder that holds {RESPONSES_FILE} and the "
+            "toolbox's folder 'visualization', or get both with 'skinsource dataset fetch'."
+        )
+    folder = path if whole else path.parent
+    responses = _first(folder, _RESPONSES_FOLDERS, RESPONSES_FILE) if whole else path
+    if responses is None:
+        raise DatasetError(
+            f"{path}: holds no {RESPONSES_FILE}. Give the folder that holds it and the toolbox's "
+            "folder 'visualization', or get both with 'skinsource dataset fetch'."
+        )
+    surface = _first(folder, _FOLDERS, "surface.mat")
+    map_folder = folder / MAP_FOLDER if surface is None else surface.parent
+    missing = [name for name in MAP_FILES if not is_file(map_folder / name)]
+    if missing:
+        raise DatasetError(
+            f"{map_folder}: missing {', '.join(missing)}. Put the toolbox's folder 'visualization' "
+            f"with its {len(MAP_FILES)} map files beside {responses.name}, or get everything with "
+            "'skinsource dataset fetch'."
+        )
+    return DownloadedFiles(responses=responses, map_folder=map_folder)
+
+
+def _first(folder: Path, patterns: tuple[str, ...], name: str) -> Path | None:
+    for pattern in patterns:
+        found = sorted(folder.glob(f"{pattern}/{name}" if pattern else name))
+        if found:
+            return found[0]
+    return None
+
+
+# The published files: where they are and how to tell that they arrived whole.
+
+#: Record of the dataset, doi 10.5281/zenodo.10547601.
+DATASET_URL = "https://zenodo.org/records/10547601/files"
+#: The toolbox's map files at one fixed commit.
+MAP_URL = (
+    "https://raw.githubusercontent.com/neelitummala/skinsource/"
+    "3d3ed8ae97b4854ede92ce9024fa41ca8e330d30/source/visualization"
+)
+_MAP = (
+    (
+        "adjacencyMatrix.mat",
+        410_849,
+        "74372e9291de93a66907f6c74a90ebad933e3b997e2da231981f1e77ab98d0c8",
+    ),
+    (
+        "inputLocations.mat",
+        2_232,
+        "8bf6797f4ce5d9f7f678eb8cf30b68ee9a2bc88de3d6ae48b25565a50e1dfda6",
+    ),
+    ("mask1.mat", 1_373, "99a5c89d1051174b6e3190f6a62d1fa66913a1db3d029fdd2584e80c5ef554f8"),
+    ("mask2.mat", 1_280, "58e6430af10d22781c1c7f9bd12787a6ea5e9a2b9021afa0795af3d125ccb79b"),
+    ("mask3.mat", 1_491, "fba711deaca55fb8548ce2e5364e5296051361dd58e2f51b5526f3e96db5530d"),
+    ("mask4.mat", 1_280, "c85efa2fdf7196b12938729c9c8556b7f08690b117ed548172d845e3fc3fb1a4"),
+    (
+        "outputLocations.mat",
+        3_064,
+        "1ce8e7e8219eb7289e65bfb7940027fa0ff9bfdc68b06db0359e25a24a0c6988",
+    ),
+    ("surface.mat", 22_427, "e1e9f22f5f747ce1004b8e935b7737df209a6a13b286f98d3d4abd8b12908e30"),
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RemoteFile:
+    """One file to download.
+
+    Attributes
+    ----------
+    name
+        Path inside the download folder, with ``/``.
+    url
+    size_bytes
+    checksum
+        ``"md5:…"`` or ``"sha256:…"``.
+    """
+
+    name: str
+    url: str
+    size_bytes: int
+    checksum: str
+
+
+def published_files(
+    dataset_url: str = DATASET_URL, map_url: str = MAP_URL
+) -> tuple[RemoteFile, ...]:
+    """List the files to download, from the given addresses or mirrors of them."""
+    responses = RemoteFile(
+        name=RESPONSES_FILE,
+        url=f"{dataset_url}/{RESPONSES_FILE}?download=1",
+        size_bytes=69_367_862,
+        checksum="md5:9226dcefe3f80809a06376fbaa42ae91",
+    )
+    maps = (
+        RemoteFile(
+            name=f"{MAP_FOLDER}/{name}",
+            url=f"{map_url}/{name}",
+            size_bytes=size,
+            checksum=f"sha256:{sha256}",
+        )
+        for name, size, sha256 in _MAP
+    )
+    return (*maps, responses)
+
+
+def checksum_of(path: Path, algorithm: str) -> str:
+    """Checksum of a file, as in `RemoteFile.checksum`.
+
+    Raises
+    ------
+    StorageError
+        It cannot be read.
+    """
+    try:
+        with path.open("rb") as opened:
+            return f"{algorithm}:{hashlib.file_digest(opened, algorithm).hexdigest()}"
+    except OSError as error:
+        raise StorageError(
+            f"{path}: cannot be read ({error.strerror or error}). Give the folder that holds the "
+            "download."
+        ) from error
+
+
+def unpublished_files(found: DownloadedFiles) -> tuple[str, ...]:
+    """Published names of those files in a download that are not the published ones."""
+    strange = []
+    for file in published_files():
+        name = file.name.rpartition("/")[2]
+        path = found.responses if name == RESPONSES_FILE else found.map_folder / name
+        if checksum_of(path, file.checksum.partition(":")[0]) != file.checksum:
+            strange.append(name)
+    return tuple(strange)
+
+
+def refuse_unpublished_maps(found: DownloadedFiles, unpublished: tuple[str, ...]) -> None:
+    """Raise `DatasetError` if any of the ``unpublished`` files is one of the map's.
+
+    A damaged one moves sensors, and nothing in it tells.
+    """
+    strange = [name for name in unpublished if name in MAP_FILES]
+    if strange:
+        raise DatasetError(
+            f"{found.map_folder}: not the published content: {', '.join(strange)} (the checksum "
+            "differs). The download may be damaged; run 'skinsource dataset fetch' again. If other "
+            "files are meant, use 'skinsource dataset install PATH --unpublished'."
+        )

@@ -1,0 +1,325 @@
+"""From files of a lab to a limb that is kept here."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, fields
+from math import prod
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.base.files import is_file, named
+from skinsource.base.job import Progress, Stop, never, silent
+from skinsource.base.quoting import quoted
+from skinsource.limbs import limb_layout
+from skinsource.limbs.limb import LimbFacts
+from skinsource.limbs.limb_layout import hull_around, points_of, refusal
+from skinsource.limbs.own_limbs import OwnLimb, facts_of, install_limb, own_limb_path
+from skinsource.readers.readers import reader_of
+from skinsource.readers.reading_process import ReadingProcess
+
+#: An array of three dimensions, and one of four, if nobody says what they are.
+USUAL_ORDERS = {3: "iot", 4: "ioat"}
+_HULL_NOTE = "the outline is a hull around the places, not measured"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LimbSource:
+    """What a limb is made of.
+
+    Attributes
+    ----------
+    responses
+        A file in the layout of `docs/limbs.md`, or any array of three or four dimensions in NPY,
+        NPZ, MATLAB or HDF5.
+    array, order
+        Of such an array: its name (empty: the largest), and what its dimensions are, a letter
+        each: i input, o output, a axis, t tap (empty: ``"ioat"``, or ``"iot"`` of three).
+    outline, inputs, outputs
+        Files of points (CSV, the outline also SVG), or points themselves, (n, 2); None: those of
+        the layout; without any outline a hull is drawn around the places.
+    y_down
+        Whether y of these points points down, as in pictures; None: as SVG says, else up.
+    values
+        Fields of `OwnLimb` besides, which go before those of the layout: ``{"axes": "xz"}``.
+    """
+
+    responses: Path
+    array: str = ""
+    order: str = ""
+    outline: Path | Floats | None = None
+    inputs: Path | Floats | None = None
+    outputs: Path | Floats | None = None
+    y_down: bool | None = None
+    values: dict[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Prepared:
+    """A limb whose responses have not been read yet: ``request`` asks the child for them."""
+
+    limb: OwnLimb
+    request: dict[str, Any]
+
+
+def import_limb(
+    source: LimbSource,
+    *,
+    replace: bool = False,
+    progress: Progress = silent,
+    stop: Stop = never,
+) -> LimbFacts:
+    """Read, check and keep a limb.
+
+    Parameters
+    ----------
+    source
+        What it is made of.
+    replace
+        Whether an own limb of the same name goes; it cannot be had back.
+    progress, stop
+        Told how far it is; asked whether to go on.
+
+    Raises
+    ------
+    FileFormatError
+        A file does not hold what it should, or is damaged.
+    InvalidInputError
+        A value does not fit: a name that is taken, numbers of places that differ.
+    StorageError
+        A file cannot be read, or the limb cannot be written.
+    Stopped
+        ``stop`` said so; nothing is left behind.
+    """
+    with ReadingProcess() as process:
+        found = prepared(source, process, stop=stop)
+        if not replace:
+            _refuse_taken(found.limb.name)
+        responses = _responses(source.responses, found, process, stop)
+        try:
+            install_limb(found.limb, responses, progress=progress, stop=stop)
+        except InvalidInputError as error:
+            raise FileFormatError(f"{named(Path(source.responses.name))}: {error}") from error
+    return facts_of(found.limb.name)
+
+
+def _refuse_taken(name: str) -> None:
+    """A damaged limb counts too: what is left of it may be all that there is."""
+    if is_file(own_limb_path(name)):
+        raise InvalidInputError(
+            f"an own limb is called {quoted(name)} already, and would be lost: give this one "
+            "another name, or say that it takes its place (--replace; replace=True in Python)"
+        )
+
+
+def prepared(source: LimbSource, process: ReadingProcess, *, stop: Stop = never) -> Prepared:
+    """Read all but the responses, and check it; raises as `import_limb`."""
+    path = source.responses
+    about = process.ask(path, {"do": "limb"}, stop=stop)["limb"]
+    header: dict[str, Any] = about["header"] or {}
+    shape, request = _arranged(source, about)
+    values: dict[str, Any] = {
+        "name": "",
+        **_of_layout(path, header),
+        **{key: value for key, value in source.values.items() if value is not None},
+    }
+    down = False
+    for part, whole in (
+        ("outline", "outline"),
+        ("inputs", "input_positions"),
+        ("outputs", "output_positions"),
+    ):
+        given = getattr(source, part)
+        if given is None:
+            values.setdefault(whole, None)
+            continue
+        points = read_points(given, process, stop=stop) if isinstance(given, Path) else None
+        values[whole] = np.array(given) if points is None else points.points
+        down = down or (points is not None and points.y_down)
+        if points is not None and points.names and part != "outline":
+            values[f"{part[:-1]}_names"] = points.names
+    _turn_up(values, source, down=down if source.y_down is None else source.y_down)
+    values["n_taps"] = shape[3]
+    try:
+        _complete(values, shape)
+        return Prepared(limb=OwnLimb(**values), request=request)
+    except InvalidInputError as error:
+        raise InvalidInputError(f"{named(Path(path.name))}: {error}") from error
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Points:
+    """Points of a file, (n, 2), NaN where one is missing; names; whether y points down."""
+
+    points: Floats
+    names: tuple[str, ...]
+    y_down: bool
+
+
+def read_points(path: Path, process: ReadingProcess, *, stop: Stop = never) -> Points:
+    """Places of a CSV file, or the outline of a CSV or SVG file; raises as `import_limb`."""
+    found = process.ask(path, {"do": "points"}, stop=stop)["points"]
+    try:
+        rows = [(np.nan, np.nan) if row is None else row for row in found["points"]]
+        points = np.array(rows, np.float64).reshape(-1, 2)
+        names = tuple(map(str, found["names"]))
+    except (TypeError, ValueError, KeyError) as error:
+        raise FileFormatError(
+            f"{named(Path(path.name))}: its points make no sense, expected rows of x and y."
+        ) from error
+    return Points(points=points, names=names, y_down=bool(found["y_down"]))
+
+
+def _arranged(
+    source: LimbSource, about: dict[str, Any]
+) -> tuple[tuple[int, int, int, int], dict[str, Any]]:
+    """Shape of the responses, (inputs, outputs, axes, taps), and how they are asked for."""
+    if about["header"] is not None:
+        inputs, outputs, axes, taps = about["header"]["shape"]
+        return (inputs, outputs, axes, taps), {"do": "responses", "array": None, "order": ""}
+    arrays = [one for one in about["arrays"] if source.array in ("", one["name"])]
+    if not arrays:
+        names = ", ".join(quoted(one["name"]) for one in about["arrays"][:10])
+        raise InvalidInputError(
+            f"{named(Path(source.responses.name))}: it has no array {quoted(source.array)}, "
+            f"expected one of {names}"
+        )
+    array = max(arrays, key=lambda one: prod(one["shape"]))
+    order = source.order or USUAL_ORDERS[len(array["shape"])]
+    if sorted(order) not in (sorted("ioat"), sorted("iot")) or len(order) != len(array["shape"]):
+        raise InvalidInputError(
+            f"{named(Path(source.responses.name))}: the order of {quoted(array['name'])}, which "
+            f"has {len(array['shape'])} dimensions, is {quoted(order)}, expected i, o, a and t, "
+            "each once (without a where there are three)"
+        )
+    size = dict(zip(order, map(int, array["shape"]), strict=True))
+    shape = size["i"], size["o"], size.get("a", 1), size["t"]
+    return shape, {"do": "responses", "array": array["name"], "order": order}
+
+
+def _of_layout(path: Path, header: dict[str, Any]) -> dict[str, Any]:
+    """Fields of `OwnLimb` that a file in the layout says."""
+    if not header:
+        return {}
+    return {
+        "name": header["name"],
+        "title": header["title"],
+        "note": " ".join(str(header["note"]).split()),
+        "axes": header["axes"],
+        "per_unit_drive": _either(path, header, "answers", "drive", "pulse"),
+        "left": _either(path, header, "hand", "left", "right"),
+        "synthetic": bool(header["synthetic"]),
+        "sample_rate_hz": header["sample_rate_hz"],
+        "pre_trigger_delay_s": header["pre_trigger_delay_s"],
+        "band_hz": header["band_hz"],
+        "hand_length_mm": header["hand_length_mm"],
+        "hand_length_px": header["hand_length"],
+        "input_names": tuple(header["input_names"]),
+        "output_names": tuple(header["output_names"]),
+        **{
+            name: np.array([(np.nan, np.nan) if row is None else row for row in header[name]])
+            for name in ("outline", "input_positions", "output_positions")
+        },
+    }
+
+
+def _either(path: Path, header: dict[str, Any], name: str, first: str, second: str) -> bool:
+    if header[name] not in (first, second):
+        raise refusal(
+            path,
+            f"the attribute {quoted(name)} is {quoted(header[name])}",
+            f"{first} or {second}",
+        )
+    return bool(header[name] == first)
+
+
+def _turn_up(values: dict[str, Any], source: LimbSource, *, down: bool) -> None:
+    """Let y point up in what was given beside the layout."""
+    for part, whole in (
+        ("outline", "outline"),
+        ("inputs", "input_positions"),
+        ("outputs", "output_positions"),
+    ):
+        if down and getattr(source, part) is not None:
+            values[whole] = np.asarray(values[whole]) * (1.0, -1.0)
+
+
+def _complete(values: dict[str, Any], shape: tuple[int, int, int, int]) -> None:
+    """Say what is missing, and whether the numbers of places are those of the responses."""
+    known = {one.name for one in fields(OwnLimb)}
+    for name in ("axes", "sample_rate_hz", "hand_length_mm"):
+        if values.get(name) is None:
+            raise InvalidInputError(f"{name} is not known, expected it with the responses")
+    strange = sorted(set(values) - known)
+    if strange:
+        raise InvalidInputError(f"{', '.join(strange)} says nothing about a limb")
+    if not isinstance(values["axes"], str) or len(values["axes"]) != shape[2]:
+        raise InvalidInputError(
+            f"axes is {quoted(values['axes'])}, expected {shape[2]} of x, y and z, as many as the "
+            "responses have"
+        )
+    for name, n in (("input_positions", shape[0]), ("output_positions", shape[1])):
+        points = values[name]
+        if points is None:
+            raise InvalidInputError(f"{name} are not known, expected {n} places, x and y")
+        if np.shape(points) != (n, 2):
+            raise InvalidInputError(
+                f"{name} has shape {np.shape(points)}, expected ({n}, 2): the responses have {n}"
+            )
+    if not np.isfinite(values["output_positions"]).all(axis=1).any():
+        raise InvalidInputError(
+            "no output has a place on the map, expected one at least: nothing could be drawn of it"
+        )
+    if values["outline"] is None:
+        values["outline"] = hull_around(
+            np.vstack((values["input_positions"], values["output_positions"]))
+        )
+        note = values.get("note") or ""
+        values["note"] = f"{note}; {_HULL_NOTE}" if note else _HULL_NOTE
+    if values.get("hand_length_px") is None:
+        values["hand_length_px"] = values["hand_length_mm"]
+
+
+def _responses(
+    path: Path, found: Prepared, process: ReadingProcess, stop: Stop
+) -> Iterator[Floats]:
+    for block in process.stream(path, found.request, stop=stop):
+        rows = found.limb.n_outputs * len(found.limb.axes)
+        if block.shape != (rows, found.limb.n_taps):
+            raise FileFormatError(
+                f"{named(Path(path.name))}: a response has shape {block.shape}, expected "
+                f"{(rows, found.limb.n_taps)}. The file has changed, or is damaged."
+            )
+        yield block.reshape(found.limb.shape[1:])
+
+
+# What the child process does for limbs.
+
+_HDF5 = "HDF5", "MATLAB 7.3"
+#: What such files can be.
+EXPECTED = {
+    "limb": "responses in the layout of docs/limbs.md, or in NPY, NPZ, MATLAB or HDF5",
+    "points": "a CSV or SVG file",
+    "responses": "responses in the layout of docs/limbs.md, or in NPY, NPZ, MATLAB or HDF5",
+    "arrays": "a table of numbers, NPY, NPZ, MATLAB or HDF5",
+}
+
+
+def look(request: dict[str, Any], path: Path) -> dict[str, Any]:
+    """Answer what a file says besides its responses."""
+    if request["do"] == "points":
+        return {"points": points_of(path)}
+    if request["do"] == "arrays":
+        return limb_layout.offered_by(path)
+    if reader_of(path).name in _HDF5 and limb_layout.is_limb_file(path):
+        return {"limb": {"header": limb_layout.header_of(path), "arrays": []}}
+    return {"limb": {"header": None, "arrays": limb_layout.arrays_of(path)}}
+
+
+def blocks(request: dict[str, Any], path: Path) -> Iterator[Floats]:
+    """Give the responses to one input after another, (n_channels, n_taps)."""
+    if request["array"] is None:
+        return limb_layout.response_blocks(path)
+    return limb_layout.array_blocks(path, str(request["array"]), str(request["order"]))

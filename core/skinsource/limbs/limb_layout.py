@@ -1,0 +1,439 @@
+"""One way to say what is wrong with the files of a limb."""
+
+import csv
+import io
+import shutil
+from collections.abc import Iterator
+from contextlib import AbstractContextManager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import scipy
+
+from skinsource.base import files
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import InvalidInputError, RecordingError, StorageError
+from skinsource.base.files import named, read_bytes, replacing
+from skinsource.base.job import Progress, Stop, never, silent, stop_if
+from skinsource.base.quoting import quoted
+from skinsource.limbs.own_limbs import LimbFile, OwnLimb, existing_path
+from skinsource.limbs.svg_path import outline_of
+from skinsource.readers import arrays
+from skinsource.readers.arrays import Members, reason_against, stated_rate
+from skinsource.readers.readers import reader_of
+
+_ADVICE = "docs/limbs.md says what a limb consists of."
+
+
+def refusal(path: Path, found: str, expected: str) -> RecordingError:
+    """The error that names the file, what was found and expected, and where to look."""
+    return RecordingError(f"{named(Path(path.name))}: {found}, expected {expected}. {_ADVICE}")
+
+
+# The HDF5 file that a lab hands over: `docs/limbs.md` describes it for people.
+#
+# ::
+#
+#     /                  format, format_version, name, title, note, sample_rate_hz, axes,
+#                        pre_trigger_delay_s, band_hz, answers, hand, hand_length_mm, synthetic
+#     /responses         (n_inputs, n_outputs, n_axes, n_taps) float32 or float64, m/s²
+#     /map               hand_length
+#     /map/outline       (n_vertices, 2)
+#     /map/inputs        (n_inputs, 2)
+#     /map/outputs       (n_outputs, 2), NaN where an output has no place on the back
+#     /names/inputs      (n_inputs,) texts, may be missing; so may outputs
+
+FORMAT, VERSION = "skinsource limb", 1
+#: Attributes: texts, and numbers; those without a default must be there.
+TEXTS = {"name": "", "title": "", "note": "", "axes": None, "answers": "drive", "hand": "right"}
+NUMBERS = {
+    "sample_rate_hz": None,
+    "pre_trigger_delay_s": 0.0,
+    "hand_length_mm": None,
+    "synthetic": 0.0,
+}
+_ONLY_OF_LIMBS = ("format_version", "hand_length_mm")
+_POINTS = {"outline": "outline", "inputs": "input_positions", "outputs": "output_positions"}
+_NAMES = {"inputs": "input_names", "outputs": "output_names"}
+_LONGEST_TEXT, _MOST_NAMES, _MOST_ROWS = 4000, 512, 20_001
+_BESIDE_BYTES = 2**20
+
+
+def is_limb_file(path: Path) -> bool:
+    """Whether an HDF5 file says that it holds a limb; for the child process.
+
+    Raises
+    ------
+    RecordingError
+        It says what only limbs do, but not that it is one: as an array it would lose the rest.
+    """
+    with files.File(path, "r", locking=False) as file:
+        if "format" in file.attrs and _text(file, path, "format", "") == FORMAT:
+            return True
+        if any(name in file.attrs for name in _ONLY_OF_LIMBS):
+            found = _text(file, path, "format", None)
+            raise refusal(path, f"the attribute 'format' is {quoted(found)}", quoted(FORMAT))
+        return False
+
+
+def header_of(path: Path) -> dict[str, Any]:
+    """All but the responses, as JSON carries it; for the child process.
+
+    Raises
+    ------
+    RecordingError
+        It does not have the layout.
+    """
+    with files.File(path, "r", locking=False) as file:
+        version = _number(file, path, "format_version", None)
+        if version != VERSION:
+            raise refusal(path, f"format_version is {version:g}", f"{VERSION}")
+        header: dict[str, Any] = {name: _text(file, path, name, TEXTS[name]) for name in TEXTS}
+        header |= {name: _number(file, path, name, NUMBERS[name]) for name in NUMBERS}
+        header["band_hz"] = _band(file, path)
+        responses = _responses(file, path)
+        header["shape"] = [int(n) for n in responses.shape]
+        group = files.own_member(file, "map", files.Group)
+        if group is None:
+            raise refusal(path, "it has no group 'map'", "one with outline, inputs and outputs")
+        header["hand_length"] = _number(group, path, "hand_length", header["hand_length_mm"])
+        for name, field in _POINTS.items():
+            points = np.asarray(_dataset(group, path, name, 2, _MOST_ROWS)[()], np.float64)
+            header[field] = _without_nan(points)
+        names = files.own_member(file, "names", files.Group)
+        for name, field in _NAMES.items():
+            header[field] = [] if names is None else _names(names, path, name)
+        return header
+
+
+def response_blocks(path: Path) -> Iterator[Floats]:
+    """Responses to one input after another, (n_outputs x n_axes, n_taps); for the child process."""
+    with files.File(path, "r", locking=False) as file:
+        responses = _responses(file, path)
+        for number in range(responses.shape[0]):
+            found = np.asarray(responses[number], np.float64)
+            yield found.reshape(-1, found.shape[-1])
+
+
+def export_limb(name: str, path: Path, *, progress: Progress = silent, stop: Stop = never) -> None:
+    """Write an imported limb in the layout in which labs hand them over.
+
+    Raises
+    ------
+    UnknownLimbError
+        No imported limb is called so.
+    FileFormatError, StorageError
+        It is damaged, the disk is full, or the folder cannot be written.
+    Stopped
+        ``stop`` said so.
+    """
+    held = LimbFile(existing_path(name))
+    limb = held.limb
+    n_bytes = 8 * int(np.prod(limb.shape)) + _BESIDE_BYTES
+    free_bytes = shutil.disk_usage(path.resolve().parent).free if path.parent.is_dir() else n_bytes
+    if free_bytes < n_bytes:
+        # Where the disk is full, HDF5 ends the process.
+        raise StorageError(
+            f"{named(path)}: the limb takes {n_bytes / 1e9:.2f} GB, and {free_bytes / 1e9:.2f} GB "
+            "are free there. Free some space, or choose another disk."
+        )
+    with replacing(path) as temporary, files.File(temporary, "w") as file:
+        _put_header(file, limb)
+        responses = file.create_dataset("responses", limb.shape, "<f8", track_times=False)
+        for number in range(1, limb.n_inputs + 1):
+            stop_if(stop)
+            responses[number - 1] = held.response(number)
+            progress(number, limb.n_inputs, "Writing the responses")
+
+
+def _put_header(file: Any, limb: OwnLimb) -> None:
+    texts = {
+        "format": FORMAT,
+        "name": limb.name,
+        "title": limb.title,
+        "note": limb.note,
+        "axes": limb.axes,
+        "answers": "drive" if limb.per_unit_drive else "pulse",
+        "hand": "left" if limb.left else "right",
+    }
+    for name, text in texts.items():
+        file.attrs[name] = text
+    for name in ("sample_rate_hz", "pre_trigger_delay_s", "hand_length_mm"):
+        file.attrs[name] = getattr(limb, name)
+    if limb.band_hz is not None:
+        file.attrs["band_hz"] = limb.band_hz
+    file.attrs["format_version"] = VERSION
+    file.attrs["synthetic"] = int(limb.synthetic)
+    group = file.create_group("map")
+    group.attrs["hand_length"] = limb.hand_length_px
+    for name, field in _POINTS.items():
+        group.create_dataset(name, data=getattr(limb, field), track_times=False)
+    for name, field in _NAMES.items():
+        if getattr(limb, field):
+            texts_of = np.array([one.encode() for one in getattr(limb, field)])
+            file.require_group("names").create_dataset(name, data=texts_of, track_times=False)
+
+
+def _responses(file: Any, path: Path) -> Any:
+    return _dataset(file, path, "responses", 4, 2**20)
+
+
+def _dataset(group: Any, path: Path, name: str, n_dimensions: int, longest: int) -> Any:
+    found = files.own_member(group, name, files.Dataset)
+    if found is None:
+        raise refusal(path, f"it has no dataset {quoted(name)}", "one of numbers")
+    reason = reason_against(found, path.stat().st_size)
+    if reason:
+        raise refusal(path, f"{quoted(name)} cannot be read: {reason}", "plain numbers")
+    shape = tuple(int(n) for n in found.shape)
+    if len(shape) != n_dimensions or not all(1 <= n <= longest for n in shape):
+        expected = "(n, 2)" if n_dimensions == 2 else "(inputs, outputs, axes, taps)"
+        raise refusal(path, f"{quoted(name)} has shape {shape}", expected)
+    return found
+
+
+def _text(group: Any, path: Path, name: str, default: str | None) -> str:
+    value = _attribute(group, path, name, default)
+    if isinstance(value, bytes):
+        value = value.decode("utf-8", "replace")
+    if not isinstance(value, str) or len(value) > _LONGEST_TEXT:
+        raise refusal(path, f"the attribute {quoted(name)} is {quoted(value)}", "a short text")
+    return value
+
+
+def _number(group: Any, path: Path, name: str, default: float | None) -> float:
+    value = _attribute(group, path, name, default)
+    array = np.asarray(value)
+    if array.size != 1 or array.dtype.kind not in "iufb" or not np.isfinite(array).all():
+        raise refusal(path, f"the attribute {quoted(name)} is {quoted(value)}", "one number")
+    return float(array.reshape(-1)[0])
+
+
+def _band(group: Any, path: Path) -> list[float] | None:
+    value = _attribute(group, path, "band_hz", False)
+    if value is False:
+        return None
+    array = np.asarray(value)
+    if array.shape != (2,) or array.dtype.kind not in "iuf" or not np.isfinite(array).all():
+        raise refusal(path, f"the attribute 'band_hz' is {quoted(value)}", "two frequencies")
+    return [float(one) for one in array]
+
+
+def _attribute(group: Any, path: Path, name: str, default: Any) -> Any:
+    if name not in group.attrs:
+        if default is None:
+            raise refusal(path, f"it has no attribute {quoted(name)}", "one")
+        return default
+    if group.attrs.get_id(name).get_storage_size() > 4 * _LONGEST_TEXT:
+        raise refusal(path, f"the attribute {quoted(name)} is very long", "a text or a number")
+    value = group.attrs[name]
+    if isinstance(value, np.ndarray) and value.size == 1:
+        value = value.reshape(-1)[0]
+    # As a person reads it: 5, not np.int64(5).
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def _names(group: Any, path: Path, name: str) -> list[str]:
+    found = files.own_member(group, name, files.Dataset)
+    if found is None:
+        return []
+    shape = found.shape
+    if shape is None or len(shape) != 1 or shape[0] > _MOST_NAMES or found.dtype.kind not in "SO":
+        raise refusal(path, f"'names/{name}' is no list of texts", "one text for each place")
+    values = found[()]
+    return [
+        one.decode("utf-8", "replace") if isinstance(one, bytes) else str(one) for one in values
+    ]
+
+
+def _without_nan(points: Floats) -> list[list[float] | None]:
+    return [row.tolist() if np.isfinite(row).all() else None for row in points]
+
+
+# Arrays of any number of dimensions in NPY, NPZ, MATLAB and HDF5 files; for the child process.
+
+_OPENED = {
+    "NPY": arrays.opened_npy,
+    "NPZ": arrays.opened_npz,
+    "MATLAB": arrays.opened,
+    "MATLAB 7.3": arrays.opened_hdf5,
+    "HDF5": arrays.opened_hdf5,
+}
+#: What the letters of an order stand for.
+ORDER_LETTERS = "ioat"
+_KINDS, _MOST_ARRAYS = "iuf", 200
+
+
+def arrays_of(path: Path) -> list[dict[str, Any]]:
+    """Name and shape of each array of numbers with three or four dimensions."""
+    with _opened(path) as members:
+        found = [
+            {"name": one.name, "shape": [int(n) for n in one.array.shape]}
+            for one in members.members
+            if len(one.array.shape) in (3, 4) and np.dtype(one.array.dtype).kind in _KINDS
+        ]
+        if not found:
+            raise refusal(
+                path,
+                f"it holds no array of 3 or 4 dimensions. {' '.join(members.notes)}".rstrip(" ."),
+                "responses: inputs, outputs, axes and taps in some order",
+            )
+        return found[:_MOST_ARRAYS]
+
+
+def offered_by(path: Path) -> dict[str, Any]:
+    """Name, shape and rate of each array of three dimensions, and the rate of the file.
+
+    None of tables and sound, which are read signal by signal.
+    """
+    if reader_of(path).name not in _OPENED:
+        return {"arrays": [], "rate_hz": None}
+    with _opened(path) as members:
+        found = [
+            {
+                "name": one.name,
+                "shape": [int(n) for n in one.array.shape],
+                "rate_hz": one.rate_hz,
+            }
+            for one in members.members
+            if len(one.array.shape) == 3 and np.dtype(one.array.dtype).kind in _KINDS
+        ]
+        stated = stated_rate(members)
+        return {"arrays": found[:_MOST_ARRAYS], "rate_hz": stated[1] if stated else None}
+
+
+def array_blocks(path: Path, name: str, order: str) -> Iterator[Floats]:
+    """Responses to one input after another, (n_outputs x n_axes, n_taps).
+
+    Parameters
+    ----------
+    name
+        Of the array; empty: the only one, or the largest.
+    order
+        A letter for each dimension, in the order of the file: i input, o output, a axis, t tap.
+    """
+    with _opened(path) as members:
+        array = _chosen(path, members, name)
+        shape = tuple(int(n) for n in array.shape)
+        if sorted(order) != sorted(ORDER_LETTERS.replace("a", "") if len(shape) == 3 else "ioat"):
+            raise refusal(
+                path,
+                f"the order of its {len(shape)} dimensions is {quoted(order)}",
+                "i, o, a and t, each once (without a where there are three)",
+            )
+        for number in range(shape[order.index("i")]):
+            at: list[Any] = [slice(None)] * len(shape)
+            at[order.index("i")] = number
+            found = np.asarray(array[tuple(at)], np.float64)
+            rest = order.replace("i", "")
+            if "a" not in rest:
+                found, rest = found[..., None], f"{rest}a"
+            found = found.transpose([rest.index(letter) for letter in "oat"])
+            yield found.reshape(-1, found.shape[-1])
+
+
+def _chosen(path: Path, members: Members, name: str) -> Any:
+    offered = [one for one in members.members if len(one.array.shape) in (3, 4)]
+    named = [one for one in offered if one.name == name] if name else offered
+    if not named:
+        names = ", ".join(quoted(one.name) for one in offered[:10]) or "none"
+        raise refusal(path, f"it has no array {quoted(name)}", f"one of {names}")
+    return max(named, key=lambda one: int(np.prod(one.array.shape))).array
+
+
+def _opened(path: Path) -> AbstractContextManager[Members]:
+    file_format = reader_of(path).name
+    if file_format not in _OPENED:
+        raise refusal(path, f"it is a {file_format} file", "NPY, NPZ, MATLAB or HDF5")
+    return _OPENED[file_format](path)
+
+
+# Places from CSV, and outlines from CSV or SVG; for the child process.
+
+_MOST_BYTES, _POINTS_MOST_ROWS = 8 * 2**20, 20_001
+_MISSING = ("", "nan", "-", "none")
+
+
+def points_of(path: Path) -> dict[str, Any]:
+    """Points of a file as JSON carries them: ``points``, rows of x and y or None, and ``names``.
+
+    A CSV file has a point a row: x, y and, if wanted, a name; with a header its columns are found
+    by the names ``x``, ``y`` and ``name``.  Of an SVG file the largest closed line is taken.
+    ``y_down`` says whether y points down, as in SVG.
+    """
+    content = read_bytes(path, most=_MOST_BYTES)
+    if content.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"<"):
+        try:
+            line = outline_of(content)
+        except ValueError as error:
+            raise refusal(path, str(error), "an SVG file with a path") from error
+        if len(line) > _POINTS_MOST_ROWS or not np.isfinite(line).all():
+            raise refusal(path, f"its line has {len(line)} points", f"at most {_POINTS_MOST_ROWS}")
+        return {"points": line.tolist(), "names": [], "y_down": True}
+    rows = _rows(path, content)
+    points, names = [], []
+    x, y, name, rows = _columns(rows)
+    for number, row in enumerate(rows, start=1):
+        points.append(_point(path, row, x, y, number))
+        names.append(row[name].strip() if name is not None and name < len(row) else "")
+    return {"points": points, "names": names if any(names) else [], "y_down": False}
+
+
+def _rows(path: Path, content: bytes) -> list[list[str]]:
+    text = content.decode("utf-8-sig", "replace")
+    lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
+    first = lines[0] if lines else ""
+    delimiter = max(",;\t ", key=first.count) if first else ","
+    skip = delimiter == " "
+    read = csv.reader(io.StringIO("\n".join(lines)), delimiter=delimiter, skipinitialspace=skip)
+    try:
+        found = [row for row in read if row]
+    except csv.Error as error:
+        raise refusal(path, f"it is no table ({error})", "rows of x and y") from error
+    if not 1 <= len(found) <= _POINTS_MOST_ROWS:
+        raise refusal(
+            path, f"it has {len(found)} rows", f"1 to {_POINTS_MOST_ROWS} rows of x and y"
+        )
+    return found
+
+
+def _columns(rows: list[list[str]]) -> tuple[int, int, int | None, list[list[str]]]:
+    header = [one.strip().lower() for one in rows[0]]
+    if "x" in header and "y" in header:
+        name = header.index("name") if "name" in header else None
+        return header.index("x"), header.index("y"), name, rows[1:]
+    return 0, 1, 2, rows
+
+
+def _point(path: Path, row: list[str], x: int, y: int, number: int) -> list[float] | None:
+    cells = [row[k].strip() if k < len(row) else "" for k in (x, y)]
+    if all(one.lower() in _MISSING for one in cells):
+        return None
+    try:
+        found = [float(one) for one in cells]
+    except ValueError as error:
+        raise refusal(
+            path, f"row {number} has {quoted(','.join(cells))}", "two numbers, x and y"
+        ) from error
+    if not np.isfinite(found).all():
+        raise refusal(path, f"row {number} has {quoted(','.join(cells))}", "two finite numbers")
+    return found
+
+
+# An outline for places that came without one.
+
+#: How far the hull stays away from the places, in their extent.
+_MARGIN = 0.12
+
+
+def hull_around(places: Floats) -> Floats:
+    """The convex hull of places, (n, 2), NaN where one is missing, moved outwards."""
+    points = places[np.isfinite(places).all(axis=1)]
+    if len(points) < 1:
+        raise InvalidInputError("no place is known, expected some, or an outline")
+    reach = _MARGIN * max(float(np.ptp(points, axis=0).max()), 1.0)
+    around = np.linspace(0, 2 * np.pi, 24, endpoint=False)
+    ring = reach * np.column_stack((np.cos(around), np.sin(around)))
+    spread = (points[:, None] + ring[None]).reshape(-1, 2)
+    return np.asarray(spread[scipy.spatial.ConvexHull(spread).vertices])

@@ -1,0 +1,697 @@
+"""All that a limb of a lab's own holds besides its responses."""
+
+import hashlib
+import json
+import os
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from pathlib import Path
+from typing import IO, Any
+
+import numpy as np
+
+from skinsource.base.arguments import one_of, real_array, real_number, whole_number
+from skinsource.base.arrays import Floats
+from skinsource.base.assets import user_folder
+from skinsource.base.errors import (
+    FileFormatError,
+    InvalidInputError,
+    SkinSourceError,
+    StorageError,
+    UnknownLimbError,
+)
+from skinsource.base.files import explained, is_file, make_folder, named, replacing
+from skinsource.base.job import Progress, Stop, never, silent, stop_if
+from skinsource.base.published import AXES, BAND_HZ, Axes, Band, axes_of, words
+from skinsource.base.quoting import printable, quoted
+from skinsource.base.work import counted
+from skinsource.limbs.limb import PUBLISHED, Limb, LimbFacts, LimbMap
+
+MOST_INPUTS, MOST_OUTPUTS, MOST_TAPS = 256, 512, 2**20
+#: Of all responses together: 256 x 512 x 3 of half a second at 4 kHz take 6.3 GB.
+MOST_BYTES = 8 * 10**9
+MOST_VERTICES = 20_000
+LEAST_RATE_HZ, MOST_RATE_HZ = 100.0, 768_000.0
+NAME_RULE = "small letters, digits and '-', at most 40, a letter first"
+_NAME = re.compile(r"[a-z][a-z0-9-]{0,39}")
+# As the limbs that come with the studio, and those that are published.
+_TAKEN = ("measured-", "synthetic-")
+_LONGEST_TITLE, _LONGEST_NOTE, _LONGEST_PLACE = 100, 2000, 80
+# Coordinates beyond this are no places on a hand, in whatever unit.
+_FARTHEST = 1e6
+
+
+def is_free_name(name: object) -> bool:
+    """Whether an own limb may be called so: `NAME_RULE`, and no limb that comes with the studio."""
+    return isinstance(name, str) and bool(_NAME.fullmatch(name)) and not name.startswith(_TAKEN)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class OwnLimb:
+    """Checked when it is made.
+
+    Attributes
+    ----------
+    name
+        What designs and commands call it, see `NAME_RULE`.
+    title, note
+        What the window calls it, and what users should know of it.
+    n_taps, axes, sample_rate_hz, pre_trigger_delay_s, band_hz, per_unit_drive, synthetic
+        As of `skinsource.Limb`.
+    hand_length_mm
+        Tip of the middle finger to the middle of the wrist.
+    hand_length_px
+        The same in the unit of the coordinates.
+    outline : (n_vertices, 2)
+        Closed polygon, x to the right, y up; the back of the hand, fingertips up.
+    input_positions : (n_inputs, 2)
+        Seen through the hand from the back.
+    output_positions : (n_outputs, 2)
+        NaN where an output has no place on the back.
+    input_names, output_names
+        One for each; empty: none has a name.
+    left
+        Whether it is a left hand.
+    mirrored
+        Whether it is shown as a right hand.
+    """
+
+    name: str
+    title: str = ""
+    note: str = ""
+    n_taps: int
+    axes: Axes
+    sample_rate_hz: float
+    pre_trigger_delay_s: float = 0.0
+    band_hz: Band | None = None
+    per_unit_drive: bool = True
+    synthetic: bool = False
+    hand_length_mm: float
+    hand_length_px: float
+    outline: Floats
+    input_positions: Floats
+    output_positions: Floats
+    input_names: tuple[str, ...] = ()
+    output_names: tuple[str, ...] = ()
+    left: bool = False
+    mirrored: bool = False
+
+    def __post_init__(self) -> None:
+        if not is_free_name(self.name):
+            raise InvalidInputError(
+                f"the name of the limb is {quoted(self.name)}, expected {NAME_RULE}, not beginning "
+                f"with {' or '.join(_TAKEN)}"
+            )
+        self._put(title=_line("title", self.title, _LONGEST_TITLE))
+        self._put(note=_line("note", self.note, _LONGEST_NOTE))
+        one_of("axes", self.axes, AXES)
+        self._put(n_taps=whole_number("n_taps", self.n_taps, 1, MOST_TAPS))
+        for name, least, most, unit in (
+            ("sample_rate_hz", LEAST_RATE_HZ, MOST_RATE_HZ, "Hz"),
+            ("pre_trigger_delay_s", 0.0, 10.0, "s"),
+            ("hand_length_mm", 20.0, 2000.0, "mm"),
+            ("hand_length_px", 1e-3, _FARTHEST, "of the unit of the outline"),
+        ):
+            expected = f"a number from {least:g} to {most:g} {unit}"
+            number = real_number(name, getattr(self, name), expected, least=least, most=most)
+            self._put(**{name: number})
+        self._put(band_hz=_band(self.band_hz, self.sample_rate_hz))
+        self._check_places()
+        n_bytes = 8 * self.n_inputs * self.n_outputs * len(self.axes) * self.n_taps
+        if n_bytes > MOST_BYTES:
+            raise InvalidInputError(
+                f"the responses would take {n_bytes / 1e9:.1f} GB, expected at most "
+                f"{MOST_BYTES / 1e9:g}. Shorten them, or leave places out."
+            )
+
+    def _check_places(self) -> None:
+        outline = _points("outline", self.outline, 3, MOST_VERTICES, missing=False)
+        if len(outline) > 3 and np.array_equal(outline[0], outline[-1]):
+            outline = outline[:-1]
+        x, y = outline.T
+        extent = np.ptp(outline, axis=0).max()
+        area = 0.5 * abs(float(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))))
+        if not area > 1e-6 * extent**2:
+            raise InvalidInputError(
+                "outline encloses no area, expected the corners of a polygon in their order"
+            )
+        self._put(
+            outline=outline,
+            input_positions=_points("input_positions", self.input_positions, 1, MOST_INPUTS),
+            output_positions=_points("output_positions", self.output_positions, 1, MOST_OUTPUTS),
+        )
+        for what, names, n in (
+            ("input_names", self.input_names, self.n_inputs),
+            ("output_names", self.output_names, self.n_outputs),
+        ):
+            texts = tuple(_line(what, one, _LONGEST_PLACE) for one in names)
+            if texts and len(texts) != n:
+                raise InvalidInputError(
+                    f"{what} are {len(texts)}, expected {n}, one for each place"
+                )
+            self._put(**{what: texts})
+
+    def _put(self, **checked: object) -> None:
+        for name, value in checked.items():
+            object.__setattr__(self, name, value)
+
+    @property
+    def n_inputs(self) -> int:
+        """How many input places there are."""
+        return len(self.input_positions)
+
+    @property
+    def n_outputs(self) -> int:
+        """How many outputs there are."""
+        return len(self.output_positions)
+
+    @property
+    def shape(self) -> tuple[int, int, int, int]:
+        """Of the responses: (n_inputs, n_outputs, n_axes, n_taps)."""
+        return self.n_inputs, self.n_outputs, len(self.axes), self.n_taps
+
+    def map(self) -> LimbMap:
+        """Outline and places, as they are shown."""
+        # About the middle of the outline, so that it stays where it is.
+        both = self.outline[:, 0].min() + self.outline[:, 0].max()
+
+        def shown(points: Floats) -> Floats:
+            return np.column_stack((both - points[:, 0], points[:, 1])) if self.mirrored else points
+
+        return LimbMap(
+            outline=shown(self.outline),
+            output_positions=shown(self.output_positions),
+            input_positions=shown(self.input_positions),
+            hand_length_px=self.hand_length_px,
+            axes_shown=False,
+        )
+
+    def shown_mirrored(self, mirrored: bool) -> "OwnLimb":
+        """The same, shown the other way round or not."""
+        return replace(self, mirrored=mirrored)
+
+
+def _line(what: str, text: object, longest: int) -> str:
+    if not isinstance(text, str) or len(text) > longest or not (text.isprintable()):
+        raise InvalidInputError(
+            f"{what} is {quoted(text)}, expected one line of at most {longest} characters"
+        )
+    return text.strip()
+
+
+def _band(band_hz: object, sample_rate_hz: float) -> Band | None:
+    if band_hz is None:
+        return None
+    found = real_array("band_hz", band_hz, "two frequencies")  # type: ignore[arg-type]
+    highest = sample_rate_hz / 2.0
+    if found.shape != (2,) or not 0.0 <= found[0] < found[1] <= highest:
+        raise InvalidInputError(
+            f"band_hz is {quoted(band_hz)}, expected a lower and a higher frequency, up to half "
+            f"the sample rate, {highest:g} Hz"
+        )
+    return float(found[0]), float(found[1])
+
+
+def _points(what: str, points: object, fewest: int, most: int, *, missing: bool = True) -> Floats:
+    """Checked places, (n, 2); a row without a number is no place, where that may be."""
+    found = np.array(real_array(what, points, "(n, 2)"))  # type: ignore[arg-type]
+    if found.ndim != 2 or found.shape[1] != 2 or not fewest <= len(found) <= most:
+        raise InvalidInputError(
+            f"{what} has shape {found.shape}, expected (n, 2) with {fewest} to {most} rows: x, y"
+        )
+    unusable = ~(np.abs(found) <= _FARTHEST)
+    if missing:
+        found[np.isnan(found).any(axis=1)] = np.nan
+        unusable = ~(np.abs(found) <= _FARTHEST) & ~np.isnan(found)
+    if unusable.any():
+        row, column = np.argwhere(unusable)[0]
+        raise InvalidInputError(
+            f"{what}, row {row + 1}: {'xy'[column]} is {found[row, column]}, expected a number of "
+            f"at most {_FARTHEST:g}"
+        )
+    found.flags.writeable = False
+    return found
+
+
+# The file that an imported limb is kept in.
+#
+# 512 bytes of head: the format, the SHA-256 and the length of the text behind them.  The text:
+# JSON, all but the responses, and the SHA-256 of each of them.  From the next multiple of 512 on:
+# the responses, float64, little-endian, input by input.  So one input is read alone, and damage is
+# noticed wherever it is.
+
+_MAGIC, _BLOCK = b"skinsource limb 1\n", 512
+_MOST_TEXT = 16 * 2**20
+_AGAIN = "Import the limb again."
+#: What the digest of a limb is made of: all that a number can depend on.
+_DIGESTED = (
+    "n_taps",
+    "axes",
+    "sample_rate_hz",
+    "pre_trigger_delay_s",
+    "per_unit_drive",
+    "hand_length_mm",
+    "hand_length_px",
+    "outline",
+    "input_positions",
+    "output_positions",
+    "sha256",
+)
+#: And of these, where they are said: limbs that say nothing of them keep their digest.
+_DIGESTED_IF_SAID = ("band_hz",)
+_FIELDS = tuple(OwnLimb.__dataclass_fields__)
+
+
+class LimbFile:
+    """An own limb on disk; it is opened for each reading, so that it can be replaced meanwhile.
+
+    Attributes
+    ----------
+    path
+        The file.
+    limb
+        What it holds, but for the responses.
+    digest
+        SHA-256 of all numbers of the limb.
+
+    Raises
+    ------
+    StorageError
+        The file cannot be read.
+    FileFormatError
+        It is damaged, or no such file.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        try:
+            with path.open("rb") as file:
+                text, self._text_sum = _text_of(file, path)
+                size = path.stat().st_size
+        except OSError as error:
+            raise StorageError(
+                f"{named(path)}: cannot be read ({error.strerror or error}). Check that it is "
+                "there, and whose it is."
+            ) from error
+        try:
+            tree = json.loads(text)
+            self._sums = tuple(str(one) for one in tree.pop("sha256"))
+            self.limb = _limb_of(tree)
+        except InvalidInputError as error:
+            raise _damaged(path, str(error)) from error
+        except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
+            raise _damaged(path, f"its text makes no sense ({printable(error)})") from error
+        self._start = _start(len(text))
+        expected = self._start + self.limb.n_inputs * self._bytes_each
+        if len(self._sums) != self.limb.n_inputs or size != expected:
+            raise _damaged(path, f"it has {size} bytes, expected {expected}")
+        self.digest = _digest(self.limb, self._sums)
+
+    @property
+    def _bytes_each(self) -> int:
+        return 8 * self.limb.n_outputs * len(self.limb.axes) * self.limb.n_taps
+
+    def response(self, location: int) -> Floats:
+        """Responses to one input place, (n_outputs, n_axes, n_taps), m/s²."""
+        try:
+            with self.path.open("rb") as file:
+                if _text_of(file, self.path)[1] != self._text_sum:
+                    raise FileFormatError(
+                        f"{named(self.path)}: was replaced by other data since the limb was "
+                        "opened. Open the limb again."
+                    )
+                file.seek(self._start + (location - 1) * self._bytes_each)
+                content = file.read(self._bytes_each)
+        except OSError as error:
+            raise StorageError(
+                f"{named(self.path)}: cannot be read ({error.strerror or error}). Check that it "
+                "is there, and whose it is."
+            ) from error
+        if hashlib.sha256(content).hexdigest() != self._sums[location - 1]:
+            raise _damaged(self.path, f"the responses to input {location} have another checksum")
+        return np.frombuffer(content, "<f8").astype(np.float64).reshape(self.limb.shape[1:])
+
+
+def write_limb_file(
+    path: Path,
+    limb: OwnLimb,
+    responses: Iterable[Floats],
+    *,
+    progress: Progress = silent,
+    stop: Stop = never,
+) -> None:
+    """Write a limb, whole or not at all.
+
+    Parameters
+    ----------
+    path
+        The file; what stands there is replaced.
+    limb
+        All but the responses.
+    responses
+        Those to one input place after another, (n_outputs, n_axes, n_taps) each, m/s².
+
+    Raises
+    ------
+    InvalidInputError
+        A response has another shape, or holds what is no usable number.
+    StorageError
+        The disk is full, the folder cannot be written.
+    Stopped
+        ``stop`` said so.
+    """
+    # The text is as long whatever the checksums are.
+    room = _start(len(_encoded(limb, ("0" * 64,) * limb.n_inputs)))
+    with replacing(path) as temporary, temporary.open("r+b") as file:
+        file.seek(room)
+        sums = []
+        for number, response in enumerate(_checked(limb, responses), start=1):
+            stop_if(stop)
+            content = np.ascontiguousarray(response, "<f8").tobytes()
+            sums.append(hashlib.sha256(content).hexdigest())
+            file.write(content)
+            progress(number, limb.n_inputs, "Writing the responses")
+        text = _encoded(limb, tuple(sums))
+        file.seek(0)
+        head = _MAGIC + f"{hashlib.sha256(text).hexdigest()}\n{len(text)}\n".encode()
+        file.write(head.ljust(_BLOCK, b"\0") + text)
+
+
+def _checked(limb: OwnLimb, responses: Iterable[Floats]) -> Iterator[Floats]:
+    count = 0
+    for number, response in enumerate(responses, start=1):
+        if response.shape != limb.shape[1:]:
+            raise InvalidInputError(
+                f"the response to input {number} has shape {response.shape}, expected "
+                f"{limb.shape[1:]} (outputs, axes, taps)"
+            )
+        usable = np.abs(response) <= _LARGEST
+        if not usable.all():
+            output, axis, tap = np.argwhere(~usable)[0]
+            raise InvalidInputError(
+                f"in the response to input {number}, output {output + 1}, axis "
+                f"{limb.axes[axis]}, tap {tap} is {response[output, axis, tap]}, expected a "
+                f"finite number of at most {_LARGEST:g}. Mend the measurement, or leave the place "
+                "out."
+            )
+        count = number
+        yield response
+    if count != limb.n_inputs:
+        raise InvalidInputError(
+            f"there are responses to {counted(count, 'input')}, expected {limb.n_inputs}"
+        )
+
+
+#: As `skinsource.design.signal_path` takes it.
+_LARGEST = 1e30
+
+
+def _text_of(file: IO[bytes], path: Path) -> tuple[bytes, str]:
+    head = file.read(_BLOCK)
+    if not head.startswith(_MAGIC) or len(head) < _BLOCK:
+        raise _damaged(path, "it does not begin as the file of a limb")
+    lines = head[len(_MAGIC) :].rstrip(b"\0").decode("ascii", "replace").split("\n")
+    if len(lines) != 3 or not lines[1].isdecimal() or len(lines[1]) > 9 or lines[2]:
+        raise _damaged(path, "its head makes no sense")
+    expected, n_bytes = lines[0], int(lines[1])
+    if n_bytes > _MOST_TEXT:
+        raise _damaged(path, f"its text has {n_bytes} bytes, expected at most {_MOST_TEXT}")
+    text = file.read(n_bytes)
+    if hashlib.sha256(text).hexdigest() != expected:
+        raise _damaged(path, "its text has another checksum")
+    return text, expected
+
+
+def _start(text_bytes: int) -> int:
+    return _BLOCK + -(-text_bytes // _BLOCK) * _BLOCK
+
+
+def _encoded(limb: OwnLimb, sums: tuple[str, ...]) -> bytes:
+    return _json(_tree(limb, sums))
+
+
+def _json(tree: dict[str, Any]) -> bytes:
+    return json.dumps(tree, sort_keys=True, allow_nan=False, separators=(",", ":")).encode("ascii")
+
+
+def _tree(limb: OwnLimb, sums: tuple[str, ...]) -> dict[str, Any]:
+    tree = {name: getattr(limb, name) for name in _FIELDS}
+    for name, value in tree.items():
+        if isinstance(value, np.ndarray):
+            tree[name] = [None if np.isnan(row).any() else row.tolist() for row in value]
+    return {**tree, "sha256": list(sums)}
+
+
+def _limb_of(tree: dict[str, Any]) -> OwnLimb:
+    for name in ("outline", "input_positions", "output_positions"):
+        tree[name] = [(np.nan, np.nan) if row is None else row for row in tree[name]]
+    for name in ("input_names", "output_names"):
+        tree[name] = tuple(tree[name])
+    return OwnLimb(**tree)
+
+
+def _digest(limb: OwnLimb, sums: tuple[str, ...]) -> str:
+    tree = _tree(limb, sums)
+    said = tuple(name for name in _DIGESTED_IF_SAID if tree[name] is not None)
+    return hashlib.sha256(_json({name: tree[name] for name in (*_DIGESTED, *said)})).hexdigest()
+
+
+def _damaged(path: Path, reason: str) -> FileFormatError:
+    return FileFormatError(
+        f"{named(path)}: the limb cannot be used: {reason.rstrip('.')}. {_AGAIN}"
+    )
+
+
+# The limbs that were imported: a file each, in a folder beside the measured dataset.
+
+FOLDER, ENDING = "limbs", ".limb"
+
+
+def own_limb_path(name: str) -> Path:
+    """Where an own limb is kept, or would be."""
+    return user_folder() / FOLDER / f"own-{name}{ENDING}"
+
+
+def own_limb_names() -> tuple[str, ...]:
+    """Names of the limbs that were imported, in the order of the alphabet."""
+    try:
+        found = sorted((user_folder() / FOLDER).glob(f"own-*{ENDING}"))
+        names = [path.name.removeprefix("own-").removesuffix(ENDING) for path in found]
+        return tuple(name for name in names if is_free_name(name) and is_file(own_limb_path(name)))
+    except (OSError, StorageError):
+        return ()  # of a folder that may not be searched nothing can be used either
+
+
+def install_limb(
+    limb: OwnLimb,
+    responses: Iterable[Floats],
+    *,
+    progress: Progress = silent,
+    stop: Stop = never,
+) -> Path:
+    """Keep a limb under its name, in place of one that has this name already.
+
+    Parameters and errors are those of `skinsource.limbs.own_limbs.write_limb_file`.
+    """
+    path = own_limb_path(limb.name)
+    make_folder(path.parent)
+    write_limb_file(path, limb, responses, progress=progress, stop=stop)
+    return path
+
+
+def load_own_limb(name: str) -> Limb:
+    """Open an own limb: its map now, its responses one input at a time when touched.
+
+    Raises
+    ------
+    UnknownLimbError
+        There is none of this name.
+    FileFormatError, StorageError
+        Its file is damaged, or cannot be read; raised by ``response_to`` too.
+    """
+    file = _opened(name)
+    held = file.limb
+    return Limb(
+        name=name,
+        hand_length_mm=held.hand_length_mm,
+        synthetic=held.synthetic,
+        map=held.map(),
+        read_response=file.response,
+        sample_rate_hz=held.sample_rate_hz,
+        axes=held.axes,
+        pre_trigger_delay_s=held.pre_trigger_delay_s,
+        band_hz=held.band_hz,
+        per_unit_drive=held.per_unit_drive,
+        note=held.note,
+        shape=held.shape,
+    )
+
+
+def mirror_limb(
+    name: str, mirrored: bool, *, progress: Progress = silent, stop: Stop = never
+) -> None:
+    """Show a limb the other way round, as a right hand, or as it is.
+
+    Raises as `load_own_limb`, and `Stopped` where ``stop`` said so: it is as it was then.
+    """
+    file = _opened(name)
+    limb = file.limb.shown_mirrored(mirrored)
+    responses = map(file.response, range(1, limb.n_inputs + 1))
+    write_limb_file(file.path, limb, responses, progress=progress, stop=stop)
+
+
+def remove_limb(name: str) -> None:
+    """Delete an own limb; raises as `load_own_limb`, but damage is no hindrance."""
+    path = existing_path(name)
+    with explained(path):
+        path.unlink()
+
+
+def _opened(name: str) -> LimbFile:
+    return LimbFile(existing_path(name))
+
+
+def existing_path(name: str) -> Path:
+    """Where an own limb is kept; raises `UnknownLimbError` where there is none."""
+    if not is_free_name(name) or not is_file(own_limb_path(name)):
+        raise UnknownLimbError(
+            f"no own limb is called {quoted(name)}; there are "
+            f"{', '.join(own_limb_names()) or 'none'}"
+        )
+    return own_limb_path(name)
+
+
+# What is known of each limb, by its name: without its responses, and again only if it changed.
+
+
+def facts_of(name: str) -> LimbFacts:
+    """Names and sizes of a limb; of one that is not here, or damaged, sizes of the published ones.
+
+    Where none is named, all is that of the published ones.
+    Quick enough for each edit: a file is read again only after it has changed.
+    """
+    published = PUBLISHED.get(name)
+    if published is not None:
+        return published
+    if is_free_name(name):
+        path = own_limb_path(name)
+        try:
+            about = path.stat()
+            return _read(name, path, _state_of(about))[0]
+        except (OSError, SkinSourceError):
+            pass
+    band_hz = None if name else BAND_HZ
+    return LimbFacts(name=name, title=name, sentence="", band_hz=band_hz, known=False)
+
+
+def axes_on(limb: str, axes: Axes) -> Axes:
+    """These axes, or all of a limb that was not measured along each of them."""
+    measured = facts_of(limb).axes
+    try:
+        return axes_of(measured, axes)
+    except InvalidInputError:
+        return measured
+
+
+def outputs_on(limb: str, outputs: tuple[int, ...]) -> tuple[int, ...]:
+    """Those of these outputs that a limb has; where it has none of them, as many of its first."""
+    facts = facts_of(limb)
+    if not facts.known:
+        return outputs
+    found = tuple(number for number in outputs if number <= facts.n_outputs)
+    return found or tuple(range(1, min(len(outputs), facts.n_outputs) + 1))
+
+
+def drive_unit_known(name: str, digest: str = "") -> bool:
+    """Whether it is known what the responses of a limb answer: the probe, whose drive is in m/s².
+
+    Not of a limb of a lab's own that answers a drive, nor of one that is not here.
+
+    Parameters
+    ----------
+    name, digest
+        Of the limb, as of a design.
+    """
+    facts = facts_of(name)
+    other = facts.own and bool(digest) and facts.digest != digest
+    return not (facts.missing or facts.per_unit_drive or other)
+
+
+def own_map(name: str) -> LimbMap | None:
+    """The map of an own limb, as quickly; None of others, and of one that is not here."""
+    if not facts_of(name).own:
+        return None
+    path = own_limb_path(name)
+    try:
+        about = path.stat()
+        return _read(name, path, _state_of(about))[1]
+    except (OSError, SkinSourceError):
+        return None
+
+
+def missing_limb(name: str, digest: str) -> str:
+    """Why a design of this limb cannot be computed here, in a sentence; empty if it can.
+
+    Parameters
+    ----------
+    name, digest
+        Of the limb, as of a design.  Where a measured limb is not installed is not said here.
+    """
+    facts = facts_of(name)
+    if not facts.known:
+        return (
+            f"The limb {quoted(name)} of this design is not here. Import it (File > Own limbs…), "
+            "or choose another one."
+        )
+    if facts.own and digest and facts.digest != digest:
+        return (
+            f"The limb {quoted(name)} here is another one than that of this design: it has other "
+            "numbers. Import the right one, or choose this one anew."
+        )
+    return ""
+
+
+def _band_words(band_hz: Band | None) -> str:
+    return "" if band_hz is None else f", measured from {band_hz[0]:g} to {band_hz[1]:g} Hz"
+
+
+def _state_of(about: os.stat_result) -> tuple[int, ...]:
+    """What differs wherever a file took the place of another.
+
+    Its time alone does not: the clock of a file system ticks a few milliseconds apart, and copies
+    keep the time of what was copied.
+    """
+    return about.st_mtime_ns, about.st_ctime_ns, about.st_size, about.st_ino
+
+
+@lru_cache(maxsize=64)
+def _read(name: str, path: Path, _state: tuple[int, ...]) -> tuple[LimbFacts, LimbMap]:
+    file = LimbFile(path)
+    held = file.limb
+    hand = f"{'Left' if held.left else 'Right'} hand{', shown mirrored' if held.mirrored else ''}"
+    facts = LimbFacts(
+        name=name,
+        title=held.title or name,
+        sentence=f"{hand}, imported: {counted(held.n_inputs, 'place')}, "
+        f"{counted(held.n_outputs, 'output')} along "
+        f"{words(held.axes)}, {held.sample_rate_hz:g} Hz{_band_words(held.band_hz)}.",
+        n_inputs=held.n_inputs,
+        n_outputs=held.n_outputs,
+        n_taps=held.n_taps,
+        axes=held.axes,
+        sample_rate_hz=held.sample_rate_hz,
+        pre_trigger_delay_s=held.pre_trigger_delay_s,
+        band_hz=held.band_hz,
+        hand_length_mm=held.hand_length_mm,
+        per_unit_drive=held.per_unit_drive,
+        synthetic=held.synthetic,
+        own=True,
+        input_names=held.input_names,
+        output_names=held.output_names,
+        digest=file.digest,
+        left=held.left,
+        mirrored=held.mirrored,
+    )
+    return facts, held.map()

@@ -1,0 +1,1 @@
+"""Interpolation of values at the outputs over the surface of the limb."""

@@ -1,0 +1,174 @@
+"""Sites so near to each other that they are one, and the refusal of two values for one place."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+import scipy
+from numpy.typing import ArrayLike
+
+from skinsource.base.arguments import real_array
+from skinsource.base.arrays import Booleans, Floats, Indices
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.base.errors import InvalidInputError
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
+
+
+#: Sites no farther apart than this part of the size of all are one site.
+NEAR_DUPLICATE = 1e-9
+
+Pairs = tuple[tuple[int, int], ...]
+
+
+def first_at_same_place(sites: Floats, size: float) -> Indices:
+    """Index of the first site at the place of each, (n_sites,): its own where it lies alone.
+
+    Parameters
+    ----------
+    sites : (n_sites, 2)
+        Finite coordinates.
+    size
+        Extent of what they are part of; `NEAR_DUPLICATE` of it counts as no distance.
+    """
+    every = np.arange(len(sites))
+    near = scipy.spatial.KDTree(sites).query_pairs(NEAR_DUPLICATE * size, output_type="ndarray")
+    if not len(near):
+        return every
+    joined = scipy.sparse.coo_array((np.ones(len(near)), tuple(near.T)), shape=2 * every.shape)
+    _, group = scipy.sparse.csgraph.connected_components(joined, directed=False)
+    _, first = np.unique(group, return_index=True)
+    return np.asarray(first[group], dtype=np.intp)
+
+
+def pairs_at_same_place(sites: Floats, size: float) -> Pairs:
+    """Each site that shares its place, with the first one there; sites without a place are NaN."""
+    placed = np.flatnonzero(np.isfinite(sites).all(axis=1))
+    first = placed[first_at_same_place(sites[placed], size)]
+    second = first != placed
+    return tuple(zip(first[second].tolist(), placed[second].tolist(), strict=True))
+
+
+def refuse_two_values_for_one_place(values: Floats, pairs: Pairs) -> None:
+    """Raise where two outputs at one place were given different values.
+
+    Parameters
+    ----------
+    values : (n_outputs, ...)
+        Given values.
+    pairs
+        From `pairs_at_same_place`.
+
+    Raises
+    ------
+    InvalidInputError
+        Names both outputs and their values.
+    """
+    for one, other in pairs:
+        differ = np.argwhere(np.atleast_1d(values[one] != values[other]))
+        if len(differ):
+            at = tuple(differ[0])
+            found = (np.atleast_1d(values[k])[at] for k in (one, other))
+            raise InvalidInputError(
+                f"outputs {one + 1} and {other + 1} lie at the same place of the map, but were "
+                "given {:g} and {:g}; expected one value for one place. Move one of the two, or "
+                "give both the same value.".format(*found)
+            )
+
+
+# The heatmap: from one value per output to a picture of the back of the hand and arm.
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SurfaceOperator:
+    """Spreads one value per output over the outline of the limb.
+
+    Attributes
+    ----------
+    weights : (rows * columns, n_outputs) sparse
+        Row of a pixel is row * columns + column; empty outside the mask.
+    mask : (rows, columns) of bool
+        Pixels inside the closed outline.  Rows increase with y, columns with x.
+    x_mm, y_mm : (columns,) and (rows,)
+        Places of the pixels: coordinates of the limb's map, scaled to millimetres.
+    fallback_count
+        Pixels interpolated linearly because natural neighbours failed there; normally 0.
+    blind_vertices, single_vertices
+        Number of outline vertices that see no output and take the two nearest by the way inside
+        the outline; and of those that see only one, and take its value.
+    same_place
+        Outputs (counted from 0) at one place, in pairs: they need equal values; normally empty.
+    warnings
+        What a user should know about this map, in sentences; normally empty.
+    """
+
+    weights: "csr_array[np.float64]"
+    mask: Booleans
+    x_mm: Floats
+    y_mm: Floats
+    fallback_count: int
+    blind_vertices: int
+    single_vertices: int
+    same_place: Pairs
+    warnings: tuple[str, ...]
+
+    def interpolate(self, values: ArrayLike) -> Floats:
+        """Interpolate values at the outputs over the surface.
+
+        Values are decibels by convention: the published toolbox interpolates decibels, and
+        interpolating amplitudes gives other pictures (up to 2.3 dB apart).  -inf, the decibels
+        of nothing, counts as -200 dB, because it would blot out all its neighbours.  Other
+        values are taken as they are.
+
+        Parameters
+        ----------
+        values : (n_outputs,) or (n_outputs, n_frames)
+            Outputs without a place on the map are ignored, also where NaN.
+
+        Returns
+        -------
+        (rows, columns) or (rows, columns, n_frames)
+            In the unit of ``values``; NaN outside the mask.
+
+        Raises
+        ------
+        InvalidInputError
+            The shape is wrong, the value of an output with a place is NaN or +inf, or outputs at
+            one place have different values.
+        """
+        given = real_array("values", values, "one value per output")
+        n_outputs = self.weights.shape[1]
+        if given.ndim not in (1, 2) or given.shape[0] != n_outputs:
+            raise InvalidInputError(
+                f"the surface was given values of shape {given.shape}; expected one value per "
+                f"output, ({n_outputs},) or ({n_outputs}, n_frames)."
+            )
+        given = np.where(np.isneginf(given), FLOOR_DB, given)
+        bad = ~np.isfinite(given).reshape(n_outputs, -1).all(axis=1) & self._placed
+        if bad.any():
+            names = ", ".join(str(output) for output in np.flatnonzero(bad) + 1)
+            raise InvalidInputError(
+                f"the surface was given NaN or +inf for output {names}; every output that has a "
+                "place on the map needs a finite value or -inf. Correct the values before "
+                "interpolating."
+            )
+        refuse_two_values_for_one_place(given, self.same_place)
+        # Zero times NaN must not reach the outputs that do have a place.
+        usable = np.where(self._placed.reshape(-1, *[1] * (given.ndim - 1)), given, 0.0)
+        surface = np.full((*self.mask.shape, *given.shape[1:]), np.nan)
+        surface[self.mask] = self._inside @ usable
+        return surface
+
+    @cached_property
+    def _placed(self) -> Booleans:
+        """Outputs that have a place on the map, (n_outputs,)."""
+        placed = np.zeros(self.weights.shape[1], bool)
+        placed[self.weights.indices] = True
+        return placed
+
+    @cached_property
+    def _inside(self) -> "csr_array[np.float64]":
+        """Weights of the pixels inside the mask alone, (n_inside, n_outputs)."""
+        return self.weights[np.flatnonzero(self.mask)]

@@ -1,0 +1,486 @@
+"""What a prediction is not good for: conditions of the measurement that a design leaves."""
+
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+import scipy
+from numpy.typing import ArrayLike
+
+from skinsource.base.arguments import finite_array, positive_number
+from skinsource.base.arrays import Floats
+from skinsource.base.published import BAND_HZ, LARGEST_VELOCITY_M_PER_S, Band
+from skinsource.base.quoting import sentence
+from skinsource.limbs.limb import Limb
+from skinsource.limbs.scaling import Scaling
+from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
+from skinsource.signals.spectra import share_outside_band
+
+# One condition, and whether a design keeps it.
+
+#: ``"kept"``, ``"left"``, or ``"unknown"`` where nothing can be said.
+State = Literal["kept", "left", "unknown"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Finding:
+    """A condition of the measurement.
+
+    Attributes
+    ----------
+    name
+        ``"band"``, ``"drive"``, ``"spacing"``, ``"noise"``, ``"limb"`` or ``"scaling"``; or
+        ``"inputs"``, where some are left out because they cannot be played.
+    state
+        Whether the design keeps it.
+    sentence
+        What was found, and what it means.
+    in_short
+        The same where there is little room, as below a picture; "" where it is not left.  In place
+        of its number stands a field such as ``"{:.0%}"``: of several designs it is a range.
+    number
+        That number; None where there is none.
+    mend
+        Name of what would mend it: ``"quieter"``, ``"band_limit"``,
+        ``"probe_scaling"``, ``"deselect"``; "" where nothing does.
+    factor
+        What amplitudes are to be multiplied with where that mends it; else 1.
+    outputs
+        Those that it is about; none: it is about all.
+    of_maps
+        Whether it is about what maps draw between outputs, and about nothing else.
+    """
+
+    name: str
+    state: State
+    sentence: str
+    in_short: str = ""
+    number: float | None = None
+    mend: str = ""
+    factor: float = 1.0
+    outputs: tuple[int, ...] = ()
+    of_maps: bool = False
+
+
+Findings = tuple[Finding, ...]
+
+
+def words_of(findings: Findings) -> list[str]:
+    """A line for each condition that is not kept, for the head of a file."""
+    said = {"left": "CAUTION", "unknown": "unknown"}
+    return [
+        f"validity, {one.name}: {said[one.state]}: {one.sentence}"
+        for one in findings
+        if one.state in said
+    ]
+
+
+# What goes with a result wherever it is taken: notes on its limbs, and conditions not kept.
+
+_FIELD = re.compile(r"(\{:[^}]*\})")
+_UNJUDGED = "whether conditions of the measurement are kept was not judged"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Judged:
+    """One of the designs that something shows.
+
+    Attributes
+    ----------
+    label
+        What it is called there, such as the title of its limb.
+    note
+        What there is to note of its limb; "" where there is nothing.
+    findings
+        Conditions of the measurement; None: they were not judged.
+    """
+
+    label: str
+    note: str = ""
+    findings: Findings | None = None
+
+    def without_maps(self) -> "Judged":
+        """The same for what draws no map: nothing is told of what lies between outputs."""
+        if self.findings is None:
+            return self
+        return replace(self, findings=tuple(one for one in self.findings if not one.of_maps))
+
+
+def in_short(judged: Sequence[Judged]) -> tuple[str, ...]:
+    """Notes and conditions that are not kept, a short sentence each, for a caption.
+
+    Where numbers differ between designs, the smallest and the largest are told.
+    """
+    numbers: dict[str, list[float]] = {}
+    for one in judged:
+        for found in one.findings or ():
+            if found.number is not None:
+                numbers.setdefault(found.in_short, []).append(found.number)
+    said = _together(judged, _sentences)
+    return tuple(
+        sentence(whose + (_with_range(words, numbers[words]) if words in numbers else words))
+        for whose, words in said
+    )
+
+
+def in_full(judged: Sequence[Judged]) -> tuple[str, ...]:
+    """The same as lines for the head of a table, which name what is unknown too."""
+    return tuple(f"{whose}{words}" for whose, words in _together(judged, _lines))
+
+
+def _together(
+    judged: Sequence[Judged], said_of: Callable[[Judged], Sequence[str]]
+) -> list[tuple[str, str]]:
+    """What holds for all of them once, and what holds for some once, with which they are."""
+    labels_of: dict[str, list[str]] = {}
+    for one in judged:
+        for words in dict.fromkeys(said_of(one)):
+            labels_of.setdefault(words, []).append(one.label)
+    return [
+        ("" if len(labels) == len(judged) else f"{', '.join(labels)}: ", words)
+        for words, labels in labels_of.items()
+    ]
+
+
+def _with_range(words: str, numbers: Sequence[float]) -> str:
+    """The words with their number; with two where numbers look different."""
+    before, field, after = _FIELD.split(words, maxsplit=1)
+    ends = dict.fromkeys(field.format(one) for one in (min(numbers), max(numbers)))
+    return f"{before}{' to '.join(ends)}{after}"
+
+
+def _sentences(one: Judged) -> list[str]:
+    note = [f"{one.note[:1].upper()}{one.note[1:]}"] if one.note else []
+    if one.findings is None:
+        return [*note, f"{_UNJUDGED[:1].upper()}{_UNJUDGED[1:]}"]
+    return [*note, *(found.in_short for found in one.findings if found.in_short)]
+
+
+def _lines(one: Judged) -> list[str]:
+    note = [f"NOTE on the limb: {one.note}"] if one.note else []
+    return note + ([f"validity: {_UNJUDGED}"] if one.findings is None else words_of(one.findings))
+
+
+# How fast a probe moves whose acceleration is known.
+
+# What is slower than the band is faded out over an octave, which rings for so many periods.
+_RINGS_PERIODS = 10.0
+# Even where a band begins lower still: a velocity from there on would need minutes of room.
+_LEAST_HZ = 1.0
+
+
+def are_probe_accelerations(limb: Limb, scaling: Scaling, *, actuated: bool) -> bool:
+    """Whether drives are accelerations of a probe, m/s².
+
+    Not where actuators move in its place, nor where a lab's own responses answer a drive: nobody
+    says in which unit that was.
+    """
+    return scaling == "probe" and not actuated and not limb.per_unit_drive
+
+
+def probe_velocity(
+    acceleration: ArrayLike, sample_rate_hz: float, lowest_hz: float = BAND_HZ[0]
+) -> float:
+    """Return the largest velocity of a probe, m/s, from its acceleration.
+
+    By division of the spectrum; what is slower than the measured band is faded out over the octave
+    below it (a raised cosine, from 12.5 to 25 Hz of the published limbs), because it would drift.
+
+    Parameters
+    ----------
+    acceleration : (n_times,)
+        m/s², silent before and after.
+    sample_rate_hz
+        Its rate.
+    lowest_hz
+        Where the measured band begins.
+    """
+    data = finite_array("acceleration", acceleration, "(n_times,)")
+    rate = positive_number("sample_rate_hz", sample_rate_hz)
+    if data.ndim != 1 or not data.any():
+        return 0.0
+    room = round(_RINGS_PERIODS / lowest_hz * rate)
+    n_fft = scipy.fft.next_fast_len(data.size + room, real=True)
+    frequency_hz = np.arange(n_fft // 2 + 1) * (rate / n_fft)
+    part = np.clip(2.0 * frequency_hz / lowest_hz - 1.0, 0.0, 1.0)
+    weight = 0.5 - 0.5 * np.cos(np.pi * part)
+    divisor = np.where(weight > 0.0, 2.0 * np.pi * frequency_hz, 1.0)
+    spectrum = scipy.fft.rfft(data, n_fft) * (weight / (1j * divisor))
+    return float(np.abs(scipy.fft.irfft(spectrum, n_fft)).max())
+
+
+def fastest_probe(
+    drives: Iterable[ArrayLike], sample_rate_hz: float, band_hz: Band | None = BAND_HZ
+) -> float:
+    """Return the largest velocity of any of the probes that are driven so, m/s; 0: none is."""
+    lowest_hz = lowest_hz_of(band_hz)
+    return max((probe_velocity(one, sample_rate_hz, lowest_hz) for one in drives), default=0.0)
+
+
+def lowest_hz_of(band_hz: Band | None) -> float:
+    """Below it no velocity is told: accelerations were not measured there, or nobody says."""
+    low_hz = 0.0 if band_hz is None else band_hz[0]
+    return max(low_hz, _LEAST_HZ) if low_hz > 0.0 else BAND_HZ[0]
+
+
+# Conditions of the measurement (SkinSource, 2024), and whether a design keeps them.
+
+#: Above it wavelengths are too short for the spacing of the outputs of the published limbs.
+SPATIAL_LIMIT_HZ = 300.0
+#: So much of the energy may lie where it should not.
+MOST_SHARE = 0.05
+_MM_PER_M = 1e3
+_LIMIT = f"{LARGEST_VELOCITY_M_PER_S * _MM_PER_M:g} mm/s"
+_GUESSED = "lies above {:g} Hz: between outputs the map is a guess."
+_UNIT_NOT_KNOWN = Finding(
+    name="drive",
+    state="unknown",
+    sentence=(
+        "The responses of this limb answer a drive of unknown unit: how fast the probe moves is "
+        "not known, so neither is whether the skin answers in proportion, as it does up to "
+        f"{_LIMIT}."
+    ),
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Drive:
+    """What is played at one place, and its energy."""
+
+    place: int
+    samples: Floats
+    energy: float
+
+
+def found_in_drives(
+    drives: Sequence[tuple[int, Floats]],
+    sample_rate_hz: float,
+    scaling: Scaling,
+    *,
+    probe: bool = True,
+    unit_known: bool = True,
+    band_hz: Band | None = BAND_HZ,
+    spatial_limit_hz: float | None = SPATIAL_LIMIT_HZ,
+) -> Findings:
+    """Return what is found in what is played: band, drive, and spacing.
+
+    Parameters
+    ----------
+    drives
+        Input place and samples, (n_times,); in probe scaling m/s².
+    sample_rate_hz
+        Their rate.
+    scaling
+        What their unit is.
+    probe
+        Whether they are what the probe does, not what an actuator is asked for.
+    unit_known
+        Whether responses answer an acceleration, not a drive of whatever unit.
+    band_hz
+        In which the responses were measured; None: it is not known.
+    spatial_limit_hz
+        Up to which the outputs stand close enough; None: it is not known.
+    """
+    played = [
+        _Drive(place=place, samples=samples, energy=float(np.vdot(samples, samples)))
+        for place, samples in drives
+    ]
+    return (
+        _band(played, sample_rate_hz, band_hz),
+        _velocity(played, sample_rate_hz, scaling, band_hz, probe=probe)
+        if unit_known
+        else _UNIT_NOT_KNOWN,
+        _spacing(played, sample_rate_hz, spatial_limit_hz),
+    )
+
+
+def found_in_outputs(above_noise_db: Floats | None, *, synthetic: bool, silent: bool) -> Finding:
+    """Return what is found of the noise in the outputs.
+
+    Parameters
+    ----------
+    above_noise_db : (n_outputs,) or None
+        Level above that of the noise; None: nothing is known of it.
+    synthetic, silent
+        Why nothing may be known.
+    """
+    if silent:
+        return Finding(name="noise", state="kept", sentence="Nothing is driven.")
+    if above_noise_db is None:
+        if synthetic:
+            sentence = "A synthetic limb has no noise; the sensors of a measurement have."
+        else:
+            sentence = "The responses do not tell their noise: too little comes before the pulse."
+        return Finding(name="noise", state="unknown", sentence=sentence)
+    noisy = tuple(int(k) + 1 for k in np.flatnonzero(above_noise_db < LEAST_ABOVE_NOISE_DB))
+    least = f"{LEAST_ABOVE_NOISE_DB:g} dB"
+    if not noisy:
+        sentence = f"All outputs are {least} or more above the noise of their sensors."
+        return Finding(name="noise", state="kept", sentence=sentence)
+    few = f"{above_noise_db.size} outputs are less than {least} above the noise"
+    return Finding(
+        name="noise",
+        state="left",
+        in_short=f"{{:.0f}} of {few}.",
+        number=len(noisy),
+        sentence=(
+            f"{len(noisy)} of {few} of the measurement: {listed(noisy)}. Their levels are mostly "
+            "noise; they are hatched on the map."
+        ),
+        mend="deselect",
+        outputs=noisy,
+    )
+
+
+def found_in_setup(*, synthetic: bool, scaling: Scaling, places: Sequence[int]) -> Findings:
+    """Return what is found in the choice of limb and scaling.
+
+    Parameters
+    ----------
+    synthetic
+        Whether the limb is computed.
+    scaling
+        What an amplitude of 1 means.
+    places
+        Input places that are heard.
+    """
+    hides = scaling == "upstream" and bool(places)
+    several = "" if len(set(places)) < 2 else " between the places that play"
+    return (
+        Finding(
+            name="limb",
+            state="left" if synthetic else "kept",
+            in_short="Responses are computed from a model, not measured." if synthetic else "",
+            sentence=(
+                "Responses of this limb are computed from a model of waves, not measured."
+                if synthetic
+                else "Responses of this limb were measured."
+            ),
+        ),
+        Finding(
+            name="scaling",
+            state="left" if hides else "kept",
+            in_short=(
+                "That some places carry less than others is hidden by this scaling."
+                if hides
+                else ""
+            ),
+            sentence=(
+                "This scaling gives each input the same peak on the skin: that some places carry "
+                f"less than others is hidden{several}."
+                if hides
+                else "Places keep their differences in level."
+            ),
+            mend="probe_scaling" if hides else "",
+        ),
+    )
+
+
+def listed(outputs: Sequence[int]) -> str:
+    """Numbers in a sentence, runs of three or more as ranges: "1, 4 to 7 and 9".
+
+    >>> listed((1, 4, 5, 6, 7, 9, 10))
+    '1, 4 to 7, 9 and 10'
+    """
+    runs: list[list[int]] = []
+    for number in sorted(outputs):
+        if runs and number == runs[-1][-1] + 1:
+            runs[-1].append(number)
+        else:
+            runs.append([number])
+    parts: list[str] = []
+    for run in runs:
+        parts += [f"{run[0]} to {run[-1]}"] if len(run) > 2 else [str(number) for number in run]
+    return parts[0] if len(parts) == 1 else f"{', '.join(parts[:-1])} and {parts[-1]}"
+
+
+def _share(played: Sequence[_Drive], rate: float, band: Band) -> float:
+    """Share of the energy of all drives outside a band; 0 in silence."""
+    energy = sum(one.energy for one in played)
+    if energy == 0.0:
+        return 0.0
+    outside = sum(share_outside_band(one.samples, rate, band) * one.energy for one in played)
+    return outside / energy
+
+
+def _band(played: Sequence[_Drive], rate: float, band_hz: Band | None) -> Finding:
+    if band_hz is None:
+        sentence = (
+            "In which band this limb was measured is not known, so neither is whether what plays "
+            "lies within it."
+        )
+        return Finding(name="band", state="unknown", sentence=sentence)
+    share = _share(played, rate, band_hz)
+    band = f"{band_hz[0]:g} to {band_hz[1]:g} Hz"
+    left = share > MOST_SHARE
+    return Finding(
+        name="band",
+        state="left" if left else "kept",
+        in_short=f"{{:.0%}} of the energy lies outside of the measured {band}." if left else "",
+        number=share if left else None,
+        sentence=f"{share:.0%} of the energy of what plays lies outside of the measured {band}"
+        + ("; what the skin does there is not known." if left else "."),
+        mend="band_limit" if left else "",
+    )
+
+
+def _velocity(
+    played: Sequence[_Drive], rate: float, scaling: Scaling, band_hz: Band | None, *, probe: bool
+) -> Finding:
+    if scaling != "probe":
+        return Finding(
+            name="drive",
+            state="unknown",
+            sentence=(
+                "How fast the probe moves is not known in this scaling, so neither is whether the "
+                f"skin answers in proportion, as it does up to {_LIMIT}."
+            ),
+            mend="probe_scaling",
+        )
+    if not probe:
+        sentence = "Drives go through actuators here: the actuator panel tells how fast these move."
+        return Finding(name="drive", state="unknown", sentence=sentence)
+    fastest = fastest_probe((one.samples for one in played), rate, band_hz)
+    lowest_hz = lowest_hz_of(band_hz)
+    left = fastest > LARGEST_VELOCITY_M_PER_S
+    moves, speed = "The probe moves at up to {:.3g} mm/s", fastest * _MM_PER_M
+    beyond = f"above {_LIMIT} the skin no longer answers in proportion."
+    return Finding(
+        name="drive",
+        state="left" if left else "kept",
+        in_short=f"{moves}; {beyond}" if left else "",
+        number=speed if left else None,
+        sentence=(
+            f"{moves.format(speed)}, from {lowest_hz:g} Hz on; "
+            + (beyond if left else f"up to {_LIMIT} the skin answers in proportion.")
+        ),
+        mend="quieter" if left else "",
+        factor=LARGEST_VELOCITY_M_PER_S / fastest if left else 1.0,
+    )
+
+
+def _spacing(played: Sequence[_Drive], rate: float, limit_hz: float | None) -> Finding:
+    if limit_hz is None:
+        sentence = (
+            "Up to which frequency the outputs of this limb stand close enough for waves is not "
+            "known: between them the map may be a guess."
+        )
+        return Finding(name="spacing", state="unknown", sentence=sentence, of_maps=True)
+    share = _share(played, rate, (0.0, limit_hz))
+    left = share > MOST_SHARE
+    return Finding(
+        name="spacing",
+        of_maps=True,
+        state="left" if left else "kept",
+        in_short=f"{{:.0%}} of the energy {_GUESSED.format(limit_hz)}" if left else "",
+        number=share if left else None,
+        sentence=f"{share:.0%} of the energy of what plays lies above {limit_hz:g} Hz"
+        + (
+            ", where waves are too short for the spacing of the outputs: between them the map is a "
+            "guess."
+            if left
+            else "; up to there the outputs stand close enough."
+        ),
+    )

@@ -1,1 +1,0 @@
-"""What `skinsource.predict` does: vibrations by any samples, for scripts."""

@@ -1,0 +1,533 @@
+"""Signals of files that hold named arrays: NPY, NPZ, MAT and HDF5."""
+
+import re
+import struct
+import zipfile
+import zlib
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, contextmanager
+from dataclasses import dataclass, field
+from functools import cached_property
+from math import prod
+from pathlib import Path
+from typing import IO, Any
+
+import numpy as np
+import scipy
+from numpy.lib import format as npy
+
+from skinsource.base import files
+from skinsource.base.quoting import printable, quoted
+from skinsource.readers import limits
+from skinsource.readers.reader import Block, Found, Series, refusal, unknown_series
+from skinsource.readers.units import time_unit_s, unit_named
+
+_RATE_NAMES = re.compile(
+    r"(fs|sr|rate|srate|samplerate|samplingrate|samplefrequency|samplingfrequency|frequency)(hz)?"
+)
+_KINDS = "iuf"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Member:
+    """An array of a file.
+
+    Attributes
+    ----------
+    name
+        Where in the file it is: "tap/acceleration".
+    array
+        Has ``shape`` and ``dtype``, and gives parts of itself; nothing is read before that.
+    unit
+        What the file says about its unit.
+    rate_hz
+        What the file says about its rate.
+    """
+
+    name: str
+    array: Any
+    unit: str = ""
+    rate_hz: float | None = None
+
+
+@dataclass(slots=True)
+class Members:
+    """The arrays of an open file, and what is to be said about the others."""
+
+    members: list[Member] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+
+    def leave_out(self, name: str, reason: str) -> None:
+        """Say why an array is not offered."""
+        note = f"Left out: {quoted(name)}, {reason}."
+        if note not in self.notes and len(self.notes) < 20:
+            self.notes.append(note)
+
+
+#: Opens a file: what it gives is valid as long as the file is open.
+Open = Callable[[Path], AbstractContextManager[Members]]
+
+
+def look(path: Path, file_format: str, opened: Open) -> Found:
+    """Return the signals among the arrays of a file."""
+    with opened(path) as members:
+        offered = list(_offered(members))
+        rate = stated_rate(members)
+        if not offered:
+            left_out = " ".join(members.notes) or "It holds no array of numbers."
+            raise refusal(
+                path,
+                f"nothing in it can be played: {left_out.rstrip('.')}",
+                "a list of real numbers",
+                "Choose another file, or save the signal as a plain array.",
+            )
+        series = tuple(one for one, *_ in offered)
+        if len(series) > limits.MOST_SERIES:
+            members.notes.append(f"Left out: all after the first {limits.MOST_SERIES} signals.")
+        return Found(
+            format=file_format,
+            series=series[: limits.MOST_SERIES],
+            rate_hz=rate[1] if rate else None,
+            rate_from=quoted(rate[0]) if rate else "",
+            notes=tuple(members.notes),
+        )
+
+
+def blocks(path: Path, keys: Sequence[str], start: int, stop: int, opened: Open) -> Iterator[Block]:
+    """Give samples of some signals among the arrays of a file."""
+    with opened(path) as members:
+        places = {one.key: (one, member, axis) for one, member, axis in _offered(members)}
+        chosen = []
+        for key in keys:
+            if key not in places:
+                raise unknown_series(path, key)
+            chosen.append(places[key])
+        stop = min([stop, *(one.n_samples for one, *_ in chosen)])
+        for at in range(start, stop, limits.BLOCK):
+            end = min(at + limits.BLOCK, stop)
+            parts = [_part(one, member, axis, at, end) for one, member, axis in chosen]
+            yield np.stack(parts)
+
+
+def _part(one: Series, member: Member, axis: int, start: int, end: int) -> np.ndarray:
+    place: list[Any] = [0] * len(member.array.shape)
+    place[axis] = slice(start, end)
+    if len(place) == 2:
+        place[1 - axis] = _column(one.key)
+    found = np.asarray(member.array[tuple(place)])
+    return found.astype(np.float64, copy=False)
+
+
+def _column(key: str) -> int:
+    return int(key.rpartition("[")[2].rstrip("]")) if key.endswith("]") else 0
+
+
+def _offered(members: Members) -> Iterator[tuple[Series, Member, int]]:
+    """Each signal with its array and the axis along which time runs."""
+    for member in members.members:
+        shape, kind = tuple(int(n) for n in member.array.shape), np.dtype(member.array.dtype)
+        if kind.kind not in _KINDS or kind.itemsize > 8:
+            members.leave_out(member.name, f"it holds {printable(kind)}, not real numbers")
+            continue
+        if max(shape, default=0) < 2:
+            continue  # a number, such as a rate
+        if len(shape) > 2 or min(shape) == 0:
+            words = "×".join(map(str, shape))
+            members.leave_out(member.name, f"it is an array of {words}, not a list of signals")
+            continue
+        axis = int(np.argmax(shape))
+        columns = shape[1 - axis] if len(shape) == 2 else 1
+        if columns > limits.MOST_COLUMNS:
+            members.leave_out(
+                member.name,
+                f"it has {columns} columns, expected at most {limits.MOST_COLUMNS}",
+            )
+            continue
+        for column in range(columns):
+            yield _series(member, shape, axis, column, columns), member, axis
+
+
+def _series(member: Member, shape: tuple[int, ...], axis: int, column: int, of: int) -> Series:
+    base = member.name.rpartition("/")[2]
+    time_s = time_unit_s(base, member.unit) if of == 1 else None
+    return Series(
+        key=member.name if of == 1 else f"{member.name}[{column}]",
+        name=printable(member.name if of == 1 else f"{member.name}, column {column + 1}"),
+        n_samples=shape[axis],
+        dtype=str(np.dtype(member.array.dtype)),
+        shape=shape,
+        unit=unit_named(member.unit),
+        rate_hz=member.rate_hz,
+        is_time=time_s is not None,
+        time_unit_s=time_s or 1.0,
+    )
+
+
+def stated_rate(members: Members) -> tuple[str, float] | None:
+    """The number in a file that is called like a rate."""
+    for member in members.members:
+        shape = tuple(member.array.shape)
+        if int(np.prod(shape)) != 1 or np.dtype(member.array.dtype).kind not in _KINDS:
+            continue
+        rate_hz = rate_in(member.name.rpartition("/")[2], np.asarray(member.array[()]).ravel()[0])
+        if rate_hz is not None:
+            return member.name, rate_hz
+    return None
+
+
+def rate_in(name: str, value: object) -> float | None:
+    """The rate that something called ``name`` states; None if it is called otherwise."""
+    plain = re.sub(r"[^a-z]", "", name.lower())
+    if not _RATE_NAMES.fullmatch(plain):
+        return None
+    try:
+        rate_hz = float(np.asarray(value, np.float64).ravel()[0])
+    except (TypeError, ValueError, IndexError, OverflowError):
+        return None
+    return rate_hz if limits.LEAST_RATE_HZ <= rate_hz <= limits.MOST_RATE_HZ else None
+
+
+# NPY and NPZ: the header is read first, and nothing is ever unpickled.
+
+_MOST_MEMBERS = 4096
+_AGAIN = "The file is damaged or incomplete; save it again with numpy.save."
+
+
+@dataclass(frozen=True, slots=True)
+class _Header:
+    shape: tuple[int, ...]
+    fortran_order: bool
+    dtype: np.dtype[Any]
+
+    @property
+    def n_bytes(self) -> int:
+        return prod(self.shape) * self.dtype.itemsize
+
+
+@contextmanager
+def opened_npy(path: Path) -> Iterator[Members]:
+    """Give the array of an NPY file, which is read where it is needed."""
+    with path.open("rb") as file:
+        header = _header(path, file)
+        offset = file.tell()
+    there = path.stat().st_size - offset
+    members = Members()
+    if header.dtype.hasobject:
+        members.leave_out("the array", "it holds Python objects")
+    elif header.n_bytes > there:
+        raise refusal(
+            path,
+            f"its header promises {header.n_bytes} bytes and {there} are there",
+            "all of them",
+            _AGAIN,
+        )
+    elif header.n_bytes:
+        array = np.memmap(
+            path,
+            dtype=header.dtype,
+            mode="r",
+            offset=offset,
+            shape=header.shape,
+            order="F" if header.fortran_order else "C",
+        )
+        members.members.append(Member(name="the array", array=array))
+    yield members
+
+
+@contextmanager
+def opened_npz(path: Path) -> Iterator[Members]:
+    """Give the arrays of an NPZ file; each is unpacked when it is first read."""
+    members = Members()
+    with zipfile.ZipFile(path) as archive:
+        infos = archive.infolist()
+        if len(infos) > _MOST_MEMBERS:
+            raise refusal(path, f"it holds {len(infos)} files", f"at most {_MOST_MEMBERS}", _AGAIN)
+        for info in infos:
+            if info.is_dir() or not info.filename.endswith(".npy"):
+                continue
+            name = info.filename.removesuffix(".npy")
+            if info.flag_bits & 1:
+                members.leave_out(name, "it is encrypted")
+                continue
+            with archive.open(info) as file:
+                header = _header(path, file)
+                start = file.tell()
+            if header.dtype.hasobject:
+                members.leave_out(name, "it holds Python objects")
+                continue
+            if start + header.n_bytes != info.file_size:
+                raise refusal(
+                    path,
+                    f"the header of {quoted(name)} promises {header.n_bytes} bytes and "
+                    f"{info.file_size - start} are there",
+                    "all of them",
+                    _AGAIN,
+                )
+            if _is_bomb(info, header):
+                members.leave_out(
+                    name, f"it would unpack to {header.n_bytes} bytes, which is too much"
+                )
+                continue
+            members.members.append(Member(name=name, array=_Packed(path, archive, info, header)))
+        yield members
+
+
+class _Packed:
+    """An array in an archive."""
+
+    def __init__(
+        self, path: Path, archive: zipfile.ZipFile, info: zipfile.ZipInfo, header: _Header
+    ) -> None:
+        self._path, self._archive, self._info, self._header = path, archive, info, header
+        self.shape, self.dtype = header.shape, header.dtype
+
+    def __getitem__(self, place: Any) -> Any:
+        return self._whole[place]
+
+    @cached_property
+    def _whole(self) -> np.ndarray:
+        header = self._header
+        with self._archive.open(self._info) as file:
+            _header(self._path, file)
+            content = file.read(header.n_bytes)
+            file.read(1)  # at its end the checksum is looked at
+        if len(content) != header.n_bytes:
+            raise refusal(self._path, "it ends too early", f"{header.n_bytes} bytes", _AGAIN)
+        flat = np.frombuffer(content, header.dtype)
+        return flat.reshape(header.shape, order="F" if header.fortran_order else "C")
+
+
+def _is_bomb(info: zipfile.ZipInfo, header: _Header) -> bool:
+    ratio = header.n_bytes / max(info.compress_size, 1)
+    suspicious = header.n_bytes > limits.SUSPICIOUS_BYTES and ratio > limits.MOST_RATIO
+    return header.n_bytes > limits.MOST_BYTES or suspicious
+
+
+def _header(path: Path, file: IO[bytes]) -> _Header:
+    version = npy.read_magic(file)
+    read = {(1, 0): npy.read_array_header_1_0, (2, 0): npy.read_array_header_2_0}.get(version)
+    if read is None:
+        raise refusal(
+            path,
+            f"its NPY version is {version[0]}.{version[1]}",
+            "1.0 or 2.0",
+            "Save it as a plain array with numpy.save.",
+        )
+    shape, fortran_order, dtype = read(file)
+    if any(n < 0 for n in shape):
+        raise refusal(path, f"its shape is {quoted(shape)}", "lengths of 0 or more", _AGAIN)
+    return _Header(tuple(int(n) for n in shape), bool(fortran_order), dtype)
+
+
+# MATLAB files of version 5 (saved with -v6 or -v7), through scipy.
+#
+# scipy's reader believes what it reads, so the elements of the file are walked first: their lengths
+# must lie in the file, and what is unpacked must be of a size that can be.
+
+HEADER_BYTES = 128
+_MATRIX, _COMPRESSED = 14, 15
+_MOST_ELEMENTS = 4096
+_MATLAB_FILE_AGAIN = (
+    "The file is damaged or incomplete; save it again in MATLAB, with -v7 or -v7.3."
+)
+
+
+@contextmanager
+def opened(path: Path) -> Iterator[Members]:
+    """Give the arrays of a MATLAB file, those in structures too."""
+    check_elements(path)
+    members = Members()
+    for name, value in scipy.io.loadmat(path, simplify_cells=True).items():
+        if not name.startswith("__"):
+            _collect(name, value, members, 0)
+    yield members
+
+
+def check_elements(path: Path) -> None:
+    """Refuse a file whose elements cannot be what they declare, before anything is allocated."""
+    size = path.stat().st_size
+    with path.open("rb") as file:
+        header = file.read(HEADER_BYTES)
+        order = {b"IM": "<", b"MI": ">"}.get(header[126:128])
+        if len(header) < HEADER_BYTES or order is None:
+            raise refusal(
+                path, "it has no MATLAB header", "MATLAB v5, v7 or v7.3", _MATLAB_FILE_AGAIN
+            )
+        unpacked = 0
+        for _ in range(_MOST_ELEMENTS):
+            tag = file.read(8)
+            if not tag:
+                return
+            if len(tag) < 8:
+                raise refusal(path, "it ends within a tag", "whole elements", _MATLAB_FILE_AGAIN)
+            kind, length = struct.unpack(f"{order}II", tag)
+            after = file.tell() + length
+            if kind not in (_MATRIX, _COMPRESSED) or after > size:
+                raise refusal(
+                    path,
+                    f"an element of kind {kind} declares {length} bytes and {size - file.tell()} "
+                    "are left",
+                    "variables that lie within the file",
+                    _MATLAB_FILE_AGAIN,
+                )
+            if kind == _COMPRESSED:
+                unpacked += _unpacked_bytes(path, file, length, order)
+                _check_size(path, unpacked, size)
+            file.seek(after)
+    raise refusal(path, f"it has over {_MOST_ELEMENTS} variables", "fewer", _MATLAB_FILE_AGAIN)
+
+
+def _unpacked_bytes(path: Path, file: IO[bytes], length: int, order: str) -> int:
+    beginning = zlib.decompressobj().decompress(file.read(min(length, 4096)), 8)
+    if len(beginning) < 8:
+        raise refusal(path, "a variable cannot be unpacked", "whole variables", _MATLAB_FILE_AGAIN)
+    kind, inner = struct.unpack(f"{order}II", beginning)
+    if kind != _MATRIX:
+        raise refusal(path, f"a variable is of kind {kind}", f"kind {_MATRIX}", _MATLAB_FILE_AGAIN)
+    return int(inner)
+
+
+def _check_size(path: Path, unpacked: int, size: int) -> None:
+    suspicious = unpacked > limits.SUSPICIOUS_BYTES and unpacked > limits.MOST_RATIO * size
+    if unpacked > limits.MOST_BYTES or suspicious:
+        raise refusal(
+            path,
+            f"it would unpack to {unpacked} bytes",
+            f"at most {limits.MOST_BYTES}, and {limits.MOST_RATIO} times its own size",
+            "Save the part that you need, or save it with -v7.3.",
+        )
+
+
+def _collect(name: str, value: Any, members: Members, depth: int) -> None:
+    if depth >= limits.MOST_DEPTH:
+        members.leave_out(name, f"it is more than {limits.MOST_DEPTH} structures deep")
+    elif isinstance(value, Mapping):
+        for inner, one in list(value.items())[:_MOST_ELEMENTS]:
+            _collect(f"{name}/{inner}", one, members, depth + 1)
+    elif isinstance(value, str):
+        return  # a comment, such as the unit
+    elif isinstance(value, bool | int | float | np.generic | np.ndarray):
+        array = np.asarray(value)
+        if array.dtype.kind in "iuf":
+            members.members.append(Member(name=name, array=array))
+        else:
+            members.leave_out(name, f"it holds {array.dtype}, not real numbers")
+    else:
+        members.leave_out(name, "it is neither an array nor a structure")
+
+
+# HDF5, and MATLAB 7.3, which is HDF5.
+#
+# Walked link by link: what leads to other files, or is computed from them, is not followed, and
+# what declares much more than the file can hold is not believed.
+
+# deflate, shuffle, checksum, szip, nbit, scale and offset, lzf: those that come with the library.
+_FILTERS = frozenset({1, 2, 3, 4, 5, 6, 32000})
+_MOST_CHUNK_BYTES = 64 * 2**20
+_MOST_LINKS = 10_000
+# Where MATLAB keeps what others refer to.
+_MATLABS_OWN = ("#refs#", "#subsystem#")
+_ELSEWHERE = "it lies in another file"
+
+
+@contextmanager
+def opened_hdf5(path: Path) -> Iterator[Members]:
+    """Give the datasets of a file, which are read where they are needed."""
+    with files.File(path, "r", locking=False) as file:
+        members = Members()
+        _walk(file, "", members, _Walk(path.stat().st_size), 0)
+        yield members
+
+
+class _Walk:
+    """How far the walk is."""
+
+    def __init__(self, file_bytes: int) -> None:
+        self.file_bytes = file_bytes
+        self.seen: set[Any] = set()
+        self.links = 0
+
+    def is_new(self, thing: Any) -> bool:
+        """Whether this has not been met before: groups can hold themselves."""
+        about = files.h5o.get_info(thing.id)
+        known = (about.fileno, about.addr)
+        if known in self.seen:
+            return False
+        self.seen.add(known)
+        return True
+
+
+def _walk(group: Any, prefix: str, members: Members, walk: _Walk, depth: int) -> None:
+    for name in group:
+        walk.links += 1
+        if walk.links > _MOST_LINKS:
+            members.leave_out(prefix or "/", f"it holds more than {_MOST_LINKS} things")
+            return
+        full = f"{prefix}{name}"
+        if not prefix and name in _MATLABS_OWN:
+            continue
+        if not isinstance(group.get(name, getlink=True), files.HardLink):
+            members.leave_out(full, "it is a link that leads elsewhere")
+            continue
+        thing = group[name]
+        if not walk.is_new(thing):
+            continue
+        if isinstance(thing, files.Dataset):
+            _add(thing, full, members, walk)
+        elif isinstance(thing, files.Group):
+            if depth + 1 >= limits.MOST_DEPTH:
+                members.leave_out(full, f"it is more than {limits.MOST_DEPTH} groups deep")
+            else:
+                _walk(thing, f"{full}/", members, walk, depth + 1)
+
+
+def _add(dataset: Any, name: str, members: Members, walk: _Walk) -> None:
+    reason = reason_against(dataset, walk.file_bytes)
+    if reason:
+        members.leave_out(name, reason)
+        return
+    if "MATLAB_empty" in dataset.attrs or dataset.attrs.get("MATLAB_class") == b"char":
+        return
+    unit, rate_hz = _attributes(dataset)
+    members.members.append(Member(name=name, array=dataset, unit=unit, rate_hz=rate_hz))
+
+
+def reason_against(dataset: Any, file_bytes: int) -> str:
+    """Why a dataset cannot be read; empty if it can."""
+    if dataset.shape is None:
+        return "it is empty"
+    if dataset.external or dataset.is_virtual:
+        return _ELSEWHERE
+    kind = dataset.dtype
+    if kind.kind not in "iuf":
+        return f"it holds {'text or objects' if kind.kind in 'OSU' else kind}, not real numbers"
+    made = dataset.id.get_create_plist()
+    filters = [made.get_filter(k)[0] for k in range(made.get_nfilters())]
+    if not _FILTERS.issuperset(filters):
+        return "it is packed in a way that is not known here"
+    if dataset.chunks and prod(dataset.chunks) * kind.itemsize > _MOST_CHUNK_BYTES:
+        return f"its chunks are larger than {_MOST_CHUNK_BYTES} bytes"
+    declared = prod(dataset.shape) * kind.itemsize
+    believed = max(limits.MOST_RATIO * file_bytes, limits.SUSPICIOUS_BYTES)
+    if declared > believed:
+        return f"it declares {declared} bytes and the file has {file_bytes}"
+    stored = dataset.id.get_storage_size()
+    if (not stored and declared) or (not filters and stored < declared):
+        return f"it declares {declared} bytes and holds {stored}"
+    return ""
+
+
+def _attributes(dataset: Any) -> tuple[str, float | None]:
+    """Unit and rate, where attributes that are called so hold them."""
+    unit, rate_hz = "", None
+    for name in list(dataset.attrs)[:100]:
+        kind = dataset.attrs.get_id(name)
+        if kind.get_storage_size() > 1024:
+            continue
+        value = dataset.attrs[name]
+        if name.lower() in ("unit", "units"):
+            text = value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
+            unit = text[:40]
+        elif isinstance(value, np.generic | np.ndarray) and np.size(value) == 1:
+            rate_hz = rate_in(name, value) or rate_hz
+    return unit, rate_hz

@@ -1,0 +1,332 @@
+"""How a table of numbers is written: separator, decimal comma, headings, units."""
+
+import io
+import re
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TextIO
+
+import numpy as np
+
+from skinsource.base.arrays import Floats
+from skinsource.base.quoting import printable, quoted
+from skinsource.base.work import counted
+from skinsource.readers import limits
+from skinsource.readers.reader import Block, Found, Series, refusal, unknown_series
+from skinsource.readers.timestamps import stated_rate_hz
+from skinsource.readers.units import split_heading, time_unit_s, unit_named
+
+#: Separators, the likelier ones first; the last is any run of blanks.
+SEPARATORS = ("\t", ";", ",", "|", " ")
+COMMENTS = ("#", "%", "//")
+MISSING = ("", "nan", "na", "n/a", "null", "none", "-nan")
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d+)?|[+-]?inf(inity)?", re.IGNORECASE)
+# Rows that have to look alike for the layout to be believed.
+_ROWS = 40
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TextLayout:
+    """How the lines of a table are cut.
+
+    Attributes
+    ----------
+    separator
+        Between cells; a blank stands for any run of them.
+    decimal
+        "." or ",".
+    trailing
+        Whether each line ends with a separator that separates nothing.
+    header_lines
+        Lines before the first row of numbers.
+    names, units
+        Of the columns; units as they are written, empty where there are none.
+    rate_hz
+        What the lines before the numbers say about the rate.
+    notes
+        What was a guess.
+    """
+
+    separator: str
+    decimal: str
+    trailing: bool
+    header_lines: int
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    rate_hz: float | None = None
+    notes: tuple[str, ...] = ()
+
+    def cells(self, line: str) -> list[str]:
+        """The cells of a line, without quotation marks."""
+        return split(line, self.separator, self.trailing)
+
+
+def split(line: str, separator: str, trailing: bool = False) -> list[str]:
+    """Cut a line into cells."""
+    line = line.strip("\r\n")
+    if separator == " ":
+        parts = line.split()
+    else:
+        line = line.rstrip(" ")
+        parts = (line.removesuffix(separator) if trailing else line).split(separator)
+    return [part.strip().strip('"').strip() for part in parts]
+
+
+def number(cell: str, decimal: str) -> float | None:
+    """The number in a cell, NaN where it says that it has none; None if it is something else."""
+    if cell.lower() in MISSING:
+        return float("nan")
+    plain = cell.replace(",", ".") if decimal == "," else cell
+    if not _NUMBER.fullmatch(plain) or (decimal == "," and "." in cell):
+        return None
+    return float(plain.lower().replace("d", "e"))
+
+
+def is_comment(line: str) -> bool:
+    """Whether a line only explains, or is empty."""
+    return not line.strip() or line.lstrip().startswith(COMMENTS)
+
+
+def layout_of(lines: Sequence[str]) -> TextLayout | None:
+    """The layout of a table that begins with ``lines``; None if no row of numbers is found."""
+    best: tuple[int, int, str, str, bool] | None = None
+    for separator in SEPARATORS:
+        for decimal in (".", ","):
+            if decimal == separator:
+                continue
+            found = _rows_of_numbers(lines, separator, decimal)
+            if found is None:
+                continue
+            first, columns, trailing = found
+            # Fewer lines before the numbers, then more columns; the likelier separator wins a tie.
+            if best is None or (-first, columns) > (-best[0], best[1]):
+                best = (first, columns, separator, decimal, trailing)
+    return None if best is None else _with_headings(lines, *best)
+
+
+def _rows_of_numbers(
+    lines: Sequence[str], separator: str, decimal: str
+) -> tuple[int, int, bool] | None:
+    """First row, columns, and whether lines end with a separator."""
+    rows = [k for k, line in enumerate(lines) if not is_comment(line)]
+    ends = [lines[k].rstrip("\r\n ").endswith(separator) for k in rows[-_ROWS:]]
+    trailing = separator != " " and bool(ends) and all(ends)
+    columns, first = 0, None
+    for k in reversed(rows):
+        cells = split(lines[k], separator, trailing)
+        values = [number(cell, decimal) for cell in cells]
+        numeric = all(value is not None for value in values) and any(
+            cell.lower() not in MISSING for cell in cells
+        )
+        if not numeric or (first is not None and len(cells) != columns):
+            break
+        first, columns = k, len(cells)
+    if first is None or columns > limits.MOST_SERIES:
+        return None
+    return first, columns, trailing
+
+
+def _with_headings(
+    lines: Sequence[str], first: int, columns: int, separator: str, decimal: str, trailing: bool
+) -> TextLayout:
+    before = [line for line in lines[:first] if line.strip()]
+    headings = [
+        cells
+        for line in before[-3:]
+        if len(cells := split(line.lstrip("#%/ "), separator, trailing)) == columns
+        and not all(number(cell, ".") is not None for cell in cells)
+    ]
+    units: list[str] = [""] * columns
+    if len(headings) > 1 and _are_units(headings[-1]):
+        units = [cell.strip("[]() ") for cell in headings.pop()]
+    names = [f"column {k + 1}" for k in range(columns)]
+    if headings:
+        for k, cell in enumerate(headings[-1]):
+            name, unit = split_heading(cell)
+            names[k], units[k] = name or names[k], unit or units[k]
+    guess = decimal == "." and separator == "," and columns == 2 and not headings
+    whole = guess and all("." not in line for line in lines[first:])
+    return TextLayout(
+        separator=separator,
+        decimal=decimal,
+        trailing=trailing,
+        header_lines=first,
+        names=tuple(names),
+        units=tuple(units),
+        rate_hz=stated_rate_hz(before, decimal),
+        notes=("Commas are taken as separators, not as decimal commas.",) if whole else (),
+    )
+
+
+def _are_units(cells: Sequence[str]) -> bool:
+    plain = [cell.strip("[]() ") for cell in cells]
+    times = ("s", "ms", "us", "µs", "ns", "sec")
+    known = [bool(unit_named(one)) or one.lower() in times for one in plain]
+    return any(known) and all(ok or not one for ok, one in zip(known, plain, strict=True))
+
+
+# CSV, TSV and other tables of numbers in text; read line by line.
+
+_HEAD_BYTES = 2**16
+_LONGEST_LINE = 2**20
+_ADVICE = "Save it as text with one row of numbers for each sample."
+
+
+def look(path: Path) -> Found:
+    """Return the columns of a table."""
+    with _opened(path) as (file, layout):
+        rows, cut_off = _count(path, file, layout)
+    if not rows:
+        raise refusal(path, "no row of numbers", "at least one", _ADVICE)
+    names = [printable(name) for name in layout.names]
+    times = [time_unit_s(*pair) for pair in zip(layout.names, layout.units, strict=True)]
+    series = tuple(
+        Series(
+            key=str(k),
+            name=name,
+            n_samples=rows,
+            dtype="text",
+            shape=(rows, len(names)),
+            unit=unit_named(layout.units[k]),
+            is_time=times[k] is not None,
+            time_unit_s=times[k] or 1.0,
+        )
+        for k, name in enumerate(names)
+    )
+    left_out = ("Left out: the last line, which is cut off.",) if cut_off else ()
+    return Found(
+        format="text",
+        series=series,
+        rate_hz=layout.rate_hz,
+        rate_from="the lines before the numbers" if layout.rate_hz else "",
+        notes=(*layout.notes, *left_out),
+    )
+
+
+def blocks(path: Path, keys: Sequence[str], start: int, stop: int) -> Iterator[Block]:
+    """Give some columns; cells that are empty or say NaN are NaN."""
+    with _opened(path) as (file, layout):
+        columns = len(layout.names)
+        for key in keys:
+            if not (key.isdecimal() and int(key) < columns):
+                raise unknown_series(path, key)
+        chosen = [int(key) for key in keys]
+        at_once = max(limits.BLOCK // columns, 1)
+        lines: list[str] = []
+        first_line = 0
+        for row, (line_number, line) in enumerate(_rows(path, file, layout)):
+            if row >= stop:
+                break
+            if row < start:
+                if row % limits.BLOCK == 0:
+                    yield np.empty((len(chosen), 0))  # still at work
+                continue
+            first_line = first_line if lines else line_number
+            lines.append(line)
+            if len(lines) == at_once:
+                yield _parsed(path, lines, first_line, layout)[chosen]
+                lines = []
+        if lines:
+            yield _parsed(path, lines, first_line, layout)[chosen]
+
+
+@contextmanager
+def _opened(path: Path) -> Iterator[tuple[TextIO, TextLayout]]:
+    """Open a table, behind the lines before its numbers."""
+    size = path.stat().st_size
+    if size > limits.MOST_TEXT_BYTES:
+        raise refusal(
+            path,
+            f"{size} bytes of text",
+            f"at most {limits.MOST_TEXT_BYTES}",
+            "Save it as WAV, NPY or HDF5.",
+        )
+    with path.open("rb") as raw:
+        head = raw.read(_HEAD_BYTES)
+    encoding = _encoding(head)
+    whole = len(head) == size
+    text = head.decode(encoding, "replace")
+    # Cut as files are read below: some more characters end lines elsewhere.
+    lines = list(io.StringIO(text, newline=None))
+    if "\0" in text:
+        raise refusal(path, "it is no text", "a table of numbers", "Choose another file.")
+    layout = layout_of(lines if whole and len(lines) < 2 else lines[: -1 if len(lines) > 1 else 1])
+    if layout is None:
+        raise refusal(path, "no rows of numbers were found", "a table of numbers", _ADVICE)
+    with path.open(encoding=encoding, errors="replace") as file:
+        for _ in range(layout.header_lines):
+            _line(path, file)
+        yield file, layout
+
+
+def _encoding(head: bytes) -> str:
+    if head.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return "utf-16"
+    try:
+        head[:-4].decode("utf-8")
+    except UnicodeDecodeError:
+        return "cp1252" if b"\x81" not in head else "latin-1"
+    return "utf-8-sig"
+
+
+def _line(path: Path, file: TextIO) -> str:
+    line = file.readline(_LONGEST_LINE)
+    if len(line) >= _LONGEST_LINE:
+        raise refusal(
+            path, f"a line of more than {_LONGEST_LINE} characters", "a row of numbers", _ADVICE
+        )
+    return line
+
+
+def _rows(path: Path, file: TextIO, layout: TextLayout) -> Iterator[tuple[int, str]]:
+    """Each row and the number of its line."""
+    line_number = layout.header_lines
+    while line := _line(path, file):
+        line_number += 1
+        if not is_comment(line):
+            yield line_number, line
+
+
+def _count(path: Path, file: TextIO, layout: TextLayout) -> tuple[int, bool]:
+    """Rows of numbers, and whether a last one is cut off and not counted."""
+    rows, last = 0, ""
+    for _, line in _rows(path, file, layout):
+        rows, last = rows + 1, line
+    cells = layout.cells(last)
+    whole = len(cells) == len(layout.names) and all(
+        number(cell, layout.decimal) is not None for cell in cells
+    )
+    cut_off = rows > 1 and not last.endswith("\n") and not whole
+    return rows - cut_off, cut_off
+
+
+def _parsed(path: Path, lines: list[str], first_line: int, layout: TextLayout) -> Floats:
+    """Numbers of some rows, (n_columns, n_rows)."""
+    columns = len(layout.names)
+    if not layout.trailing:
+        text = (line.replace(",", ".") for line in lines) if layout.decimal == "," else lines
+        separator = None if layout.separator == " " else layout.separator
+        try:
+            found = np.loadtxt(text, delimiter=separator, ndmin=2, comments=None)
+        except ValueError:
+            pass  # cells that are empty or quoted, or a mistake: slowly
+        else:
+            if found.shape == (len(lines), columns):
+                return found.T
+    rows = np.empty((columns, len(lines)))
+    for k, line in enumerate(lines):
+        cells = layout.cells(line)
+        values = [number(cell, layout.decimal) for cell in cells]
+        if len(cells) != columns or None in values:
+            wrong = [cell for cell, value in zip(cells, values, strict=True) if value is None]
+            found_words = quoted(wrong[0]) if wrong else counted(len(cells), "cell")
+            raise refusal(
+                path,
+                f"about line {first_line + k} holds {found_words}",
+                f"{columns} numbers",
+                "Mend or remove the line.",
+            )
+        rows[:, k] = values
+    return rows

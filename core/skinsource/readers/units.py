@@ -1,0 +1,117 @@
+"""Units of recordings, and the way from each to what an actuator plays.
+
+Accelerations, velocities and displacements become m/s²; forces, voltages and shares of full scale
+are drives as they are, because nothing says what they would move.
+"""
+
+import re
+from dataclasses import dataclass
+
+import numpy as np
+import scipy
+
+from skinsource.base.arrays import Floats
+
+#: Below this the spectrum of a differentiated signal is empty, above `FULL_HZ` it is whole.
+EMPTY_HZ, FULL_HZ = 15.0, 25.0
+STANDARD_GRAVITY = 9.80665
+# Silence on either side: the edge of the band rings for this long.
+_PADDING_S = 0.5
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Unit:
+    """A unit that a recording may have.
+
+    Attributes
+    ----------
+    name
+        As it is written.
+    title
+        What a user chooses: "mm/s, velocity".
+    factor
+        What one of it is in SI units; 1 for drives.
+    derivatives
+        How often it is differentiated to become an acceleration.
+    becomes
+        The unit afterwards.
+    """
+
+    name: str
+    title: str
+    factor: float = 1.0
+    derivatives: int = 0
+    becomes: str = ""
+
+
+UNITS: dict[str, Unit] = {
+    unit.name: unit
+    for unit in (
+        Unit(name="full scale", title="Full scale (1 is the largest number)"),
+        Unit(name="m/s²", title="m/s², acceleration", becomes="m/s²"),
+        Unit(name="g", title="g, acceleration", factor=STANDARD_GRAVITY, becomes="m/s²"),
+        Unit(name="mm/s", title="mm/s, velocity", factor=1e-3, derivatives=1, becomes="m/s²"),
+        Unit(name="µm", title="µm, displacement", factor=1e-6, derivatives=2, becomes="m/s²"),
+        Unit(name="N", title="N, force", becomes="N"),
+        Unit(name="V", title="V, voltage", becomes="V"),
+    )
+}
+
+_SPELLINGS = {
+    "m/s^2": "m/s²", "m/s2": "m/s²", "m/s**2": "m/s²", "m s^-2": "m/s²", "m s-2": "m/s²",
+    "ms-2": "m/s²", "m·s⁻²": "m/s²", "m/s/s": "m/s²", "gn": "g", "g0": "g", "mm s^-1": "mm/s",
+    "mm/sec": "mm/s", "um": "µm", "μm": "µm", "micron": "µm", "microns": "µm",
+    "micrometer": "µm", "newton": "N", "newtons": "N", "volt": "V", "volts": "V", "fs": "",
+}  # fmt: skip
+_TIMES_S = {"s": 1.0, "sec": 1.0, "seconds": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "μs": 1e-6,
+            "ns": 1e-9}  # fmt: skip
+_TIME_NAMES = re.compile(r"(t|time|times|zeit|timestamps?|time[ _-]?stamps?|tijd|temps|seconds)")
+_IN_BRACKETS = re.compile(r"^(.*?)\s*[\[(]\s*([^\])]{1,20}?)\s*[\])]\s*$")
+_AFTER = re.compile(r"^(.*?)[ _](s|sec|ms|us|µs|ns)$")
+
+
+def unit_named(text: str) -> str:
+    """The unit that is meant by ``text``; empty where none of these is."""
+    stripped = text.strip()
+    spelled = _SPELLINGS.get(stripped.lower(), stripped)
+    if spelled in UNITS:
+        return spelled
+    return {"n": "N", "v": "V", "g": "g"}.get(spelled.lower(), "") if len(spelled) == 1 else ""
+
+
+def split_heading(heading: str) -> tuple[str, str]:
+    """A column's name and what it says in brackets: "acc_x [g]" is "acc_x" and "g"."""
+    found = _IN_BRACKETS.match(heading.strip())
+    return (found[1], found[2]) if found else (heading.strip(), "")
+
+
+def time_unit_s(name: str, words: str = "") -> float | None:
+    """Seconds that one of a series of this name means; None if the name is not one of time."""
+    base, ending = name.strip().lower(), words.strip().lower()
+    if not ending and (found := _AFTER.match(base)):
+        base, ending = found[1], found[2]
+    if not _TIME_NAMES.fullmatch(base):
+        return None
+    return _TIMES_S.get(ending) if ending else 1.0
+
+
+def differentiated(samples: Floats, sample_rate_hz: float, times: int) -> Floats:
+    """Return the derivative with respect to time, (n,), of a signal that is silent around it.
+
+    The spectrum is multiplied by i 2 pi f.  Below 15 Hz nothing is left of it, from 25 Hz on all:
+    between them half a cosine leads up.  Drifts and offsets, which mean nothing here and would
+    become large, are gone.
+    """
+    if not times:
+        return samples
+    n = samples.size
+    padding = int(_PADDING_S * sample_rate_hz)
+    length = scipy.fft.next_fast_len(n + 2 * padding, real=True)
+    padded = np.concatenate((np.zeros(padding), samples, np.zeros(length - n - padding)))
+    frequency_hz = scipy.fft.rfftfreq(length, 1.0 / sample_rate_hz)
+    rise = np.clip((frequency_hz - EMPTY_HZ) / (FULL_HZ - EMPTY_HZ), 0.0, 1.0)
+    passed = 0.5 * (1.0 - np.cos(np.pi * rise))
+    spectrum = scipy.fft.rfft(padded) * passed * (2j * np.pi * frequency_hz) ** times
+    if length % 2 == 0 and times % 2:
+        spectrum[-1] = 0.0  # of what turns half a time a sample, the slope is not known
+    return scipy.fft.irfft(spectrum, length)[padding : padding + n]

@@ -1,1 +1,0 @@
-"""RMS of all outputs in windows that follow each other."""

@@ -1,1 +1,0 @@
-"""What an amplitude of 1 means, and the calibration that goes with it."""

@@ -1,0 +1,1 @@
+"""Signals: generators, spectra, projection, resampling, formulas and analysis."""

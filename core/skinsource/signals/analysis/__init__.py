@@ -1,0 +1,1 @@
+"""Figures of signals: noise, spectrograms, statistics, transfer functions and wave speed."""

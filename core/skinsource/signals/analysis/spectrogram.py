@@ -1,0 +1,117 @@
+"""How much of each frequency there is, and when."""
+
+from dataclasses import dataclass
+from math import ceil
+from typing import TYPE_CHECKING
+
+import numpy as np
+import scipy
+from numpy.typing import ArrayLike
+
+from skinsource.base.arguments import finite_array, positive_number
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.job import Stop, never, stop_if
+
+if TYPE_CHECKING:
+    from scipy.signal import ShortTimeFFT
+
+#: More columns than a screen is wide tell nothing; where there are more, the loudest stays.
+MOST_COLUMNS = 2000
+# Windows from one to the next: each sample of the signal weighs the same then.
+_PER_WINDOW = 8
+_AT_ONCE = 512
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Spectrogram:
+    """Amplitudes over time and frequency.
+
+    Attributes
+    ----------
+    time_s : (n_columns,)
+        Middles of the windows, of which each column is the loudest, frequency by frequency.
+    frequency_hz : (n_bins,)
+        From 0 to half the rate.
+    amplitude : (n_bins, n_columns)
+        Unit of the signal: a long sine of amplitude 1 reads 1 at its frequency.
+    """
+
+    time_s: Floats
+    frequency_hz: Floats
+    amplitude: Floats
+
+    def at(self, time_s: float, frequency_hz: float) -> float:
+        """Amplitude of the column and the bin that are nearest."""
+        column = int(np.argmin(np.abs(self.time_s - time_s)))
+        return float(
+            self.amplitude[int(np.argmin(np.abs(self.frequency_hz - frequency_hz))), column]
+        )
+
+
+def spectrogram(
+    signal: ArrayLike, sample_rate_hz: float, window_s: float, stop: Stop = never
+) -> Spectrogram:
+    """Return the spectrogram of a signal, with a Hann window that slides by eighths of itself.
+
+    `scipy.signal.ShortTimeFFT`, scaled to magnitude and one-sided; beyond both ends of the signal
+    there is silence.
+
+    Parameters
+    ----------
+    signal : (n_times,)
+        Any unit.
+    sample_rate_hz
+        Its rate.
+    window_s
+        Length of the window: 0.05 tells 20 Hz apart, 0.2 tells 5 Hz apart.
+    stop
+        Asked now and then.
+
+    Raises
+    ------
+    InvalidInputError
+        No signal, samples that are not finite, or a window of less than 8 samples.
+    Stopped
+        ``stop`` said so.
+    """
+    data = finite_array("signal", signal, "(n_times,)")
+    rate = positive_number("sample_rate_hz", sample_rate_hz)
+    n_window = round(positive_number("window_s", window_s) * rate)
+    if data.ndim != 1 or not data.size:
+        raise InvalidInputError(f"signal has shape {data.shape}, expected (n_times,)")
+    if n_window < _PER_WINDOW:
+        raise InvalidInputError(
+            f"window_s is {window_s:g}, {n_window} samples; expected at least {_PER_WINDOW} samples"
+        )
+    transform = _transform(n_window, rate)
+    n_times = data.size
+    if n_times < n_window:
+        data = np.pad(data, (0, n_window - n_times))
+    # From the first window whose middle is on the signal to the last one.
+    last = (n_times - 1) // transform.hop + 1
+    pooled = ceil(last / MOST_COLUMNS)
+    amplitude = np.zeros((transform.f_pts, ceil(last / pooled)))
+    for first in range(0, last, pooled * _AT_ONCE):
+        stop_if(stop)
+        end = min(first + pooled * _AT_ONCE, last)
+        found = np.abs(transform.stft(data, p0=first, p1=end))
+        column = first // pooled
+        held = np.maximum.reduceat(found, np.arange(0, end - first, pooled), axis=1)
+        amplitude[:, column : column + held.shape[1]] = held
+    middles = np.arange(last) * (transform.hop / rate)
+    time_s = np.array([middles[k : k + pooled].mean() for k in range(0, last, pooled)])
+    return Spectrogram(time_s=time_s, frequency_hz=transform.f, amplitude=amplitude)
+
+
+def _transform(n_window: int, rate: float) -> "ShortTimeFFT":
+    window = scipy.signal.windows.hann(n_window, sym=False)
+    # Four times the bins that the window resolves: a sine between two of them reads 1 % low.
+    return scipy.signal.ShortTimeFFT(
+        window,
+        hop=n_window // _PER_WINDOW,
+        fs=rate,
+        mfft=scipy.fft.next_fast_len(4 * n_window, real=True),
+        scale_to="magnitude",
+        fft_mode="onesided2X",
+    )

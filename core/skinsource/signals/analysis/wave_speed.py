@@ -1,0 +1,228 @@
+"""The top of a smooth peak between samples."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy
+from numpy.typing import ArrayLike
+
+from skinsource.base.arguments import finite_array, positive_number
+from skinsource.base.arrays import Booleans, Floats
+from skinsource.base.decibels import decibels
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.job import Stop, never, stop_if
+
+
+def vertex(beside: Floats) -> float:
+    """Where the parabola through three points has its top, in steps from the middle one.
+
+    Parameters
+    ----------
+    beside : (3,)
+        The middle one is not below the others; where all are alike there is no top, and it is 0.
+    """
+    left, middle, right = (float(one) for one in beside)
+    bend = left - 2.0 * middle + right
+    return 0.0 if bend >= 0.0 else float(np.clip(0.5 * (left - right) / bend, -0.5, 0.5))
+
+
+# How fast a wave travels along a line of outputs, and how much it loses on the way.
+
+#: Signals whose shapes agree less than this have no delay of one to the other.
+LEAST_ALIKE = 0.5
+#: Delays of which the way explains a smaller share of the variance (r²) tell no speed.
+LEAST_EXPLAINED = 0.5
+#: A way whose ends are less than this share of its length apart does not go one way.
+LEAST_STRAIGHT = 0.5
+_MM_PER_CM = 10.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class TravellingWave:
+    """Delays and levels along a line, and the straight lines through them.
+
+    Attributes
+    ----------
+    distance_m : (n_points,)
+        Along the line, from its first point.
+    delay_s : (n_points,)
+        By how much a point moves later than the first: where the envelope of their
+        cross-correlation is highest; NaN: silent.
+    alike : (n_points,)
+        That envelope, as a share of what two signals of the same shape would have, 0 to 1.
+    level_db : (n_points,)
+        RMS, dB re 1 m/s².
+    counted : (n_points,) of bool
+        Points whose levels count: neither silent nor said to be mostly noise.
+    timed : (n_points,) of bool
+        Those of them whose delays count: alike enough for a delay to mean something.
+    speed_m_per_s, speed_deviation_m_per_s
+        Of the group: one over the slope of the delays, and its standard deviation, first order.
+        NaN: fewer than two points, no delay that grows, less than `LEAST_EXPLAINED` of the
+        variance of the delays explained, or a way less straight than `LEAST_STRAIGHT`.
+    attenuation_db_per_cm, attenuation_deviation_db_per_cm
+        Minus the slope of the levels; spreading included.
+    explained
+        Share of the variance of the delays that a straight line over the way explains, r², 0 to
+        1; NaN: fewer than two points, or delays that are all the same.
+    straight
+        How far apart the ends of the line are, as a share of its length, 0 to 1.
+    """
+
+    distance_m: Floats
+    delay_s: Floats
+    alike: Floats
+    level_db: Floats
+    counted: Booleans
+    timed: Booleans
+    speed_m_per_s: float
+    speed_deviation_m_per_s: float
+    attenuation_db_per_cm: float
+    attenuation_deviation_db_per_cm: float
+    explained: float
+    straight: float = 1.0
+
+
+def travelling_wave(
+    signals: ArrayLike,
+    distance_mm: ArrayLike,
+    sample_rate_hz: float,
+    trusted: ArrayLike | None = None,
+    stop: Stop = never,
+    *,
+    straight: float = 1.0,
+) -> TravellingWave:
+    """Return how a wave goes along a line.
+
+    Parameters
+    ----------
+    signals : (n_points, n_times)
+        Along one axis that means the same everywhere (z), m/s².
+    distance_mm : (n_points,)
+        Along the line.
+    sample_rate_hz
+        Rate of the signals.
+    trusted : (n_points,) of bool
+        Points that are more than noise; all unless given.  Silent ones never count.
+    stop
+        Asked before each point.
+    straight
+        How straight the line is, of `straightness`: a speed along a line to and fro is none.
+
+    Raises
+    ------
+    InvalidInputError
+        Shapes that do not fit, or numbers that are not finite.
+    Stopped
+        ``stop`` said so.
+    """
+    data, distance, rate, use = _checked(signals, distance_mm, sample_rate_hz, trusted)
+    level_db = decibels(np.sqrt(np.mean(np.square(data), axis=-1)))
+    delay_s, alike = _delays(data, rate, stop)
+    counted = use & np.isfinite(delay_s)
+    timed = counted & (alike >= LEAST_ALIKE)
+    slowness, slowness_deviation = _slope(distance[timed], delay_s[timed])
+    slope, slope_deviation = _slope(distance[counted], level_db[counted])
+    explained = _explained(distance[timed], delay_s[timed])
+    travels = slowness > 0.0 and explained >= LEAST_EXPLAINED and straight >= LEAST_STRAIGHT
+    return TravellingWave(
+        distance_m=distance,
+        delay_s=delay_s,
+        alike=alike,
+        level_db=level_db,
+        counted=counted,
+        timed=timed,
+        speed_m_per_s=1.0 / slowness if travels else np.nan,
+        speed_deviation_m_per_s=slowness_deviation / slowness**2 if travels else np.nan,
+        attenuation_db_per_cm=-slope / 1e3 * _MM_PER_CM,
+        attenuation_deviation_db_per_cm=slope_deviation / 1e3 * _MM_PER_CM,
+        explained=explained,
+        straight=straight,
+    )
+
+
+def line_distances_mm(places: ArrayLike, mm_per_unit: float) -> Floats:
+    """Return how far along a polygon each of its points is, (n_points,), mm.
+
+    ``places`` (n_points, 2) are in units of ``mm_per_unit``.
+    """
+    points = finite_array("places", places, "(n_points, 2)")
+    steps = np.hypot(*np.diff(points, axis=0).T) * positive_number("mm_per_unit", mm_per_unit)
+    return np.concatenate([[0.0], np.cumsum(steps)])
+
+
+def straightness(places: ArrayLike) -> float:
+    """Return how far apart the ends of a polygon are, as a share of its length, 0 to 1.
+
+    ``places`` (n_points, 2) are in any unit.  1: straight, or without length.  That is one over
+    the arc-chord ratio, the plainest measure of tortuosity (Bullitt et al. 2003, "distance
+    metric").
+    """
+    points = finite_array("places", places, "(n_points, 2)")
+    length = float(np.hypot(*np.diff(points, axis=0).T).sum())
+    return float(np.hypot(*(points[-1] - points[0]))) / length if length else 1.0
+
+
+def _checked(
+    signals: ArrayLike, distance_mm: ArrayLike, sample_rate_hz: float, trusted: ArrayLike | None
+) -> tuple[Floats, Floats, float, Booleans]:
+    """Signals, distances in m, rate, and which points are trusted, where they fit."""
+    data = finite_array("signals", signals, "(n_points, n_times)")
+    distance = finite_array("distance_mm", distance_mm, "(n_points,)") * 1e-3
+    rate = positive_number("sample_rate_hz", sample_rate_hz)
+    if data.ndim != 2 or not data.size or distance.shape != data.shape[:1]:
+        raise InvalidInputError(
+            f"signals have shape {data.shape}, distance_mm {distance.shape}; expected (n_points, "
+            "n_times) and (n_points,)"
+        )
+    use = np.ones(len(data), bool) if trusted is None else np.asarray(trusted, bool)
+    if use.shape != distance.shape:
+        raise InvalidInputError(f"trusted has shape {use.shape}, expected {distance.shape}")
+    return data, distance, rate, use
+
+
+def _delays(data: Floats, rate: float, stop: Stop) -> tuple[Floats, Floats]:
+    """Seconds after the first signal, and how alike the shapes are."""
+    n_times = data.shape[-1]
+    n_fft = scipy.fft.next_fast_len(2 * n_times, real=False)
+    first = scipy.fft.rfft(data[0], n_fft)
+    norm = float(np.linalg.norm(data[0]))
+    delay_s, alike = np.full(len(data), np.nan), np.zeros(len(data))
+    for k, signal in enumerate(data):
+        stop_if(stop)
+        size = norm * float(np.linalg.norm(signal))
+        if size == 0.0:
+            continue
+        cross = scipy.fft.rfft(signal, n_fft) * np.conj(first)
+        # Of the analytic signal only the positive frequencies, twice.
+        analytic = np.zeros(n_fft, np.complex128)
+        analytic[: cross.size] = 2.0 * cross
+        analytic[0] /= 2.0
+        if n_fft % 2 == 0:
+            analytic[n_fft // 2] /= 2.0
+        envelope = np.abs(scipy.fft.ifft(analytic))
+        top = int(np.argmax(envelope))
+        lag = top + vertex(envelope[[top - 1, top, (top + 1) % n_fft]])
+        delay_s[k] = (lag if lag < n_fft / 2 else lag - n_fft) / rate
+        alike[k] = min(envelope[top] / size, 1.0)
+    return delay_s, alike
+
+
+def _explained(x: Floats, y: Floats) -> float:
+    """Share of the variance of ``y`` that a straight line over ``x`` explains, r²."""
+    if x.size < 2 or np.ptp(x) == 0.0 or np.ptp(y) == 0.0:
+        return np.nan
+    return float(np.corrcoef(x, y)[0, 1] ** 2)
+
+
+def _slope(x: Floats, y: Floats) -> tuple[float, float]:
+    """Slope of the straight line through points by least squares, and its standard deviation."""
+    if x.size < 2 or np.ptp(x) == 0.0:
+        return np.nan, np.nan
+    away = x - x.mean()
+    spread = float(away @ away)
+    slope = float(away @ (y - y.mean())) / spread
+    left = y - y.mean() - slope * away
+    if x.size == 2:
+        return slope, np.nan
+    return slope, float(np.sqrt(left @ left / (x.size - 2) / spread))

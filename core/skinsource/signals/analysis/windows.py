@@ -1,0 +1,141 @@
+"""Which windows of a response belong to its stimulus."""
+
+from dataclasses import dataclass
+from math import ceil, floor
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from skinsource.base.arguments import finite_array, positive_number, real_number, whole_number
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import PRE_TRIGGER_DELAY_S
+from skinsource.signals.sampling import NEAR
+
+#: Windows that are looked at together.
+MOST_WINDOWS = 60
+_MOST_SAMPLES = 2**53
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Windows:
+    """Windows that follow each other, as `skinsource.windowed_rms` cuts them.
+
+    Attributes
+    ----------
+    first_sample
+        Where the first one begins.
+    window_samples
+        Samples of each.
+    count
+        How many there are.
+    """
+
+    first_sample: int
+    window_samples: int
+    count: int
+
+    def bounds_s(self, sample_rate_hz: float) -> list[tuple[float, float]]:
+        """Begin and end of each, in s from the begin of the first one."""
+        length_s = self.window_samples / sample_rate_hz
+        return [(j * length_s, (j + 1) * length_s) for j in range(self.count)]
+
+
+def windows_over(
+    stimulus_samples: int,
+    response_samples: int,
+    sample_rate_hz: float,
+    *,
+    count: int | None = None,
+    window_s: float | None = None,
+    delay_s: float = PRE_TRIGGER_DELAY_S,
+) -> Windows:
+    """Return the windows in which the response to a stimulus arrives.
+
+    The first one begins as late as the pre-trigger delay is long: what it holds was caused by the
+    begin of the stimulus.  Only whole windows count, and at most `MOST_WINDOWS`.
+
+    Parameters
+    ----------
+    stimulus_samples, response_samples
+        Lengths of stimulus and response.
+    sample_rate_hz
+        Of both.
+    count
+        How many windows the stimulus is cut into, each of the same number of samples, or
+    window_s
+        how long each is; then there are as many as reach into the stimulus.
+    delay_s
+        Pre-trigger delay of the limb, `Limb.pre_trigger_delay_s`.
+
+    Raises
+    ------
+    InvalidInputError
+        Neither or both are given, or one is out of range.
+    """
+    samples = whole_number("stimulus_samples", stimulus_samples, 1, _MOST_SAMPLES)
+    until = whole_number("response_samples", response_samples, samples, _MOST_SAMPLES)
+    rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
+    if (count is None) == (window_s is None):
+        raise InvalidInputError(
+            f"count is {count} and window_s is {window_s}: expected one of them, and no other"
+        )
+    first = floor(real_number("delay_s", delay_s, least=0.0) * rate_hz + NEAR)
+    if count is not None:
+        most = whole_number("count", count, 1, MOST_WINDOWS)
+        length = max(samples // most, 1)
+    else:
+        length = max(floor(positive_number("window_s", window_s or 0.0) * rate_hz + 0.5), 1)
+        most = min(ceil(samples / length), MOST_WINDOWS)
+    whole = max(until - first, 0) // length
+    return Windows(first_sample=first, window_samples=length, count=min(most, whole))
+
+
+# RMS in consecutive windows.
+
+
+def windowed_rms(signals: ArrayLike, window_samples: int, first_sample: int = 0) -> Floats:
+    """Return the RMS of signals in windows that follow each other.
+
+    Window j holds samples ``first_sample + j * window_samples`` up to those of the next one.  Only
+    whole windows count: what is left at the end belongs to none.
+
+    Parameters
+    ----------
+    signals : (..., n_times)
+        One signal each, (72, n_times) for the outputs of a limb.
+    window_samples
+        Samples of a window, at least 1.
+    first_sample
+        Where the first one begins: about 67 leaves out the pre-trigger delay of measured responses.
+
+    Returns
+    -------
+    (n_windows, ...)
+        In the unit of the signals; no window where the signals are too short for one.
+
+    Raises
+    ------
+    InvalidInputError
+        A sample is not finite, or a number of samples is not a whole number.
+
+    Examples
+    --------
+    >>> import skinsource as ss
+    >>> ss.windowed_rms([[3.0, 4.0, 0.0, 0.0, 1.0]], 2).round(3)
+    array([[3.536],
+           [0.   ]])
+    """
+    data = finite_array("signals", signals)
+    if data.ndim == 0:
+        raise InvalidInputError("signals is a single number, expected signals, (..., n_times)")
+    window = whole_number("window_samples", window_samples, 1, _MOST_SAMPLES)
+    first = whole_number("first_sample", first_sample, 0, _MOST_SAMPLES)
+    n_windows = max(data.shape[-1] - first, 0) // window
+    pieces = data[..., first : first + n_windows * window]
+    pieces = pieces.reshape(*data.shape[:-1], n_windows, window)
+    # By their largest sample, so that no square over- or underflows.
+    largest = np.abs(pieces).max(axis=-1, keepdims=True, initial=0.0)
+    scale = np.where(largest > 0.0, largest, 1.0)
+    rms = scale[..., 0] * np.sqrt(np.mean(np.square(pieces / scale), axis=-1))
+    return np.ascontiguousarray(np.moveaxis(rms, -1, 0))

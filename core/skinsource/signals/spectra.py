@@ -1,0 +1,258 @@
+"""Levels over time and over frequency."""
+
+import math
+from functools import lru_cache
+
+import numpy as np
+import scipy
+from numpy.lib.stride_tricks import sliding_window_view
+from numpy.typing import ArrayLike
+
+from skinsource.base.arguments import LARGEST_SAMPLE, finite_array, one_of, positive_number
+from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.job import Stop, never, stop_if
+from skinsource.base.published import BAND_HZ, SAMPLE_RATE_HZ, Band
+from skinsource.base.quoting import quoted
+from skinsource.signals.loudest_window import (
+    HOLD_WINDOW_S,
+    SPANS,
+    Span,
+    loudest_energy,
+    window_samples,
+)
+from skinsource.signals.sampling import turns
+
+_FRAMES_AT_ONCE = 64
+#: Over so many neighbours the spectra of noise are averaged in the paper.
+MEAN_OF_BINS = 10
+
+
+def rms(x: ArrayLike, span: Span = "record", sample_rate_hz: float = SAMPLE_RATE_HZ) -> Floats:
+    """Root mean square over time (the last axis), in the unit of ``x``.
+
+    Parameters
+    ----------
+    x : (..., n_times)
+        Signals.
+    span
+        ``"record"``: over all samples, as upstream; silence before and after counts.
+        ``"loudest"``: the largest RMS of any window; of a signal shorter than that, over a window
+        of which the rest is silent, so that silence around a signal changes nothing.
+    sample_rate_hz
+        Sample rate; only ``"loudest"`` asks for it.
+
+    Raises
+    ------
+    InvalidInputError
+        There are no samples, a sample is no finite real number, or the span or the rate is none.
+    """
+    one_of("span", span, SPANS)
+    rate = positive_number("sample_rate_hz", sample_rate_hz)
+    data, scale = _scaled(_samples(x, math.inf))
+    if span == "record":
+        energy = np.mean(np.square(data), axis=-1)
+    else:
+        n_window = window_samples(rate)
+        energy = loudest_energy(data, n_window) / n_window
+    return np.sqrt(energy) * scale
+
+
+def magnitude_spectrum(x: ArrayLike, sample_rate_hz: float) -> tuple[Floats, Floats]:
+    """One-sided amplitude spectrum over exactly the samples given.
+
+    Parameters
+    ----------
+    x : (..., n_times)
+        Signals.
+    sample_rate_hz
+        Sample rate.
+
+    Returns
+    -------
+    frequency_hz : (n_times // 2 + 1,)
+        From 0 to at most half the sample rate, in steps of ``sample_rate_hz / n_times``.
+    magnitude : (..., n_times // 2 + 1)
+        ``|FFT| / n_times``, doubled except at 0 Hz and at half the sample rate (which only an
+        even ``n_times`` has), as upstream: a sine of amplitude 1 on a bin shows 1.
+
+    Raises
+    ------
+    InvalidInputError
+        There are no samples, a sample is no finite real number, or the rate is not positive.
+    """
+    rate = positive_number("sample_rate_hz", sample_rate_hz)
+    data, scale = _scaled(_samples(x, LARGEST_SAMPLE))
+    frequency_hz, magnitude = one_sided_magnitude(scipy.fft.rfft(data), data.shape[-1], rate)
+    return frequency_hz, magnitude * scale[..., None]
+
+
+def peak_hold_spectrum(
+    x: ArrayLike, sample_rate_hz: float, stop: Stop = never
+) -> tuple[Floats, Floats]:
+    """Largest amplitude that each frequency reaches in any 250 ms.
+
+    A Hann window of 250 ms slides over the signal in eighths of its length, with silence beyond
+    both ends; what it shows is transformed, and each frequency keeps its largest value.  Silence
+    around a signal, its onset and (from 250 ms on) its length change nothing: a sine of amplitude
+    1 that lasts as long as the window or longer reads 1, shorter ones less.
+
+    Parameters
+    ----------
+    x : (..., n_times)
+        Signals.
+    sample_rate_hz
+        Sample rate.
+    stop
+        Asked now and then.
+
+    Returns
+    -------
+    frequency_hz : (n_bins,)
+        From 0 to half the sample rate, in steps of about a quarter of what 250 ms resolve: 1 Hz.
+    amplitude : (..., n_bins)
+        One-sided, divided by the sum of the window: never above the largest sample's double, and
+        for a sine within 1 % of its amplitude wherever it lies between the frequencies.
+
+    Raises
+    ------
+    InvalidInputError
+        There are no samples, a sample is no finite real number, or the rate is not positive.
+    Stopped
+        ``stop`` said so.
+    """
+    rate = positive_number("sample_rate_hz", sample_rate_hz)
+    data, scale = _scaled(_samples(x, LARGEST_SAMPLE))
+    n_window = max(round(HOLD_WINDOW_S * rate), 4)
+    window = scipy.signal.windows.hann(n_window, sym=False)
+    window *= 2.0 / window.sum()
+    n_fft = 2 * scipy.fft.next_fast_len(2 * n_window, real=True)
+    largest = np.zeros((math.prod(data.shape[:-1]), n_fft // 2 + 1))
+    for row, held in zip(data.reshape(len(largest), data.shape[-1]), largest, strict=True):
+        frames = sliding_window_view(np.pad(row, n_window - 1), n_window)[:: n_window // 8 or 1]
+        for first in range(0, len(frames), _FRAMES_AT_ONCE):
+            stop_if(stop)
+            shown = frames[first : first + _FRAMES_AT_ONCE] * window
+            np.maximum(held, np.abs(scipy.fft.rfft(shown, n_fft)).max(axis=0), out=held)
+    # Constant and fastest alternating parts have no mirror image to share with.
+    largest[:, [0, -1]] /= 2.0
+    frequency_hz = np.arange(n_fft // 2 + 1, dtype=np.float64) * (rate / n_fft)
+    of_each = largest.reshape(*data.shape[:-1], frequency_hz.size)
+    return frequency_hz, of_each * scale[..., None]
+
+
+def one_sided_magnitude(
+    spectra: Complexes, n_times: int, sample_rate_hz: float
+) -> tuple[Floats, Floats]:
+    """Frequencies and magnitudes as in `magnitude_spectrum`, from transforms of real signals."""
+    magnitude = np.abs(spectra) / n_times
+    magnitude[..., 1 : (n_times + 1) // 2] *= 2.0
+    frequency_hz = np.arange(n_times // 2 + 1, dtype=np.float64) * (sample_rate_hz / n_times)
+    return frequency_hz, magnitude
+
+
+def mean_of_bins(magnitude: Floats, n: int) -> Floats:
+    """Moving mean of a spectrum over neighbours, of fewer at the ends.
+
+    Parameters
+    ----------
+    magnitude : (..., n_bins)
+        Magnitudes.
+    n
+        How many: the bin itself, ``n // 2`` below and the rest above it; 1: the spectrum itself.
+    """
+    if n <= 1 or magnitude.shape[-1] == 0:
+        return magnitude
+    beside = [(0, 0)] * (magnitude.ndim - 1) + [(n // 2, (n - 1) // 2)]
+    sums = sliding_window_view(np.pad(magnitude, beside), n, axis=-1).sum(axis=-1)
+    known = np.pad(np.ones(magnitude.shape[-1]), beside[-1])
+    means: Floats = sums / sliding_window_view(known, n).sum(axis=-1)
+    return means
+
+
+def share_outside_band(samples: ArrayLike, sample_rate_hz: float, band: Band = BAND_HZ) -> float:
+    """Share of the energy of a signal outside a band, from 0 to 1; 0 of silence.
+
+    Of the spectrum of the samples at all frequencies, not only at multiples of 1 / duration: its
+    integral over the band is a sum of the autocorrelation r(l) over all lags l, times
+    (sin(2 pi high l / rate) - sin(2 pi low l / rate)) / (pi l).  No window nor padding enters.  The
+    sum is taken, by Parseval, over the transform of samples padded to twice their length, of which
+    the squares are the transform of r.
+
+    Parameters
+    ----------
+    samples : (n_times,)
+        The signal; silent before and after.
+    sample_rate_hz
+        Its rate.  What lies above half of it cannot be seen in samples.
+    band
+        Low and high, in Hz.
+
+    Raises
+    ------
+    InvalidInputError
+        A sample is no finite number, the rate is none, or the band is not 0 <= low < high.
+    """
+    rate = positive_number("sample_rate_hz", sample_rate_hz)
+    edges_hz = finite_array("band", band, "two frequencies")
+    data = finite_array("samples", samples)
+    if data.ndim != 1:
+        raise InvalidInputError(f"samples have shape {data.shape}, expected one signal, (n_times,)")
+    if edges_hz.shape != (2,) or not 0.0 <= edges_hz[0] < edges_hz[1]:
+        raise InvalidInputError(f"band is {quoted(band)}, expected 0 <= low < high, in Hz")
+    if not data.any():
+        return 0.0
+    data, _ = _scaled(data)
+    low, high = np.minimum(edges_hz, rate / 2).tolist()
+    outside, whole = (_known_shares if data.size <= _SHORT else _shares)(low, high, data.size, rate)
+    # Of numpy: the editor of a clip asks before anything else of scipy.fft has been imported.
+    spectrum = np.fft.rfft(data, _length(2 * data.size))
+    power = spectrum.real**2 + spectrum.imag**2
+    return min(max(float(power @ outside) / float(power @ whole), 0.0), 1.0)
+
+
+def _shares(low_hz: float, high_hz: float, n_times: int, rate_hz: float) -> tuple[Floats, Floats]:
+    """How much of the power at each frequency of `share_outside_band` lies outside, and in all.
+
+    (n_bins,) each, for ``n_times`` samples padded with as many zeros or more.
+    """
+    n = _length(2 * n_times)
+    of_lags = np.zeros(n)
+    of_lags[0] = (high_hz - low_hz) / rate_hz
+    edges = np.sin(2.0 * np.pi * turns(high_hz, n_times, rate_hz)[1:])
+    edges -= np.sin(2.0 * np.pi * turns(low_hz, n_times, rate_hz)[1:])
+    # Half: each lag stands here in both directions.
+    of_lags[1:n_times] = edges / (2.0 * np.pi * np.arange(1, n_times))
+    of_lags[n - n_times + 1 :] = of_lags[n_times - 1 : 0 : -1]
+    whole = np.ones(n // 2 + 1)
+    whole[1 : (n + 1) // 2] = 2.0
+    return whole * (1.0 - 2.0 * np.fft.rfft(of_lags).real), whole
+
+
+def _length(n: int) -> int:
+    """The shortest of 8, 9, 10, 12 and 15 times a power of two, at least ``n``."""
+    octave = 1 << max(n.bit_length() - 4, 0)
+    return next(step * octave for step in (8, 9, 10, 12, 15, 16) if step * octave >= n)
+
+
+# Asked for again and again for stimuli of one length; short ones, so that little is held.
+_SHORT = 2**14
+_known_shares = lru_cache(maxsize=8)(_shares)
+
+
+def _scaled(data: Floats) -> tuple[Floats, Floats]:
+    """Signals divided by a power of two each, near their largest sample; and those powers.
+
+    Squares and sums then neither over- nor underflow, and nothing rounds.
+    """
+    exponent = np.frexp(np.abs(data).max(axis=-1))[1] - 1
+    return np.ldexp(data, -exponent[..., None]), np.ldexp(1.0, exponent)
+
+
+def _samples(x: ArrayLike, largest: float) -> Floats:
+    data = finite_array("signal", x, "(..., n_times)", largest)
+    if data.ndim == 0 or data.shape[-1] == 0:
+        raise InvalidInputError(
+            f"signal has shape {data.shape}, expected (..., n_times) with at least one sample"
+        )
+    return data

@@ -1,0 +1,409 @@
+"""How far a tone has turned whose frequency changes evenly from any instant on."""
+
+from bisect import bisect_left, bisect_right
+from collections.abc import Callable, Iterator
+from decimal import Decimal, localcontext
+from fractions import Fraction
+from itertools import islice, pairwise
+from math import ceil, factorial, pi
+from typing import Literal
+
+import numpy as np
+import scipy
+
+from skinsource.base.arguments import positive_number
+from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.signals.generators import WindowName, window_between
+from skinsource.signals.sampling import turns
+
+#: Digits of the phase at the start of each block; an hour has some ten of whole turns.
+DIGITS = 60
+_BLOCK = 512
+
+
+def bent_turns(
+    start: Decimal,
+    frequency_hz: Decimal,
+    slope_hz_per_s: Decimal,
+    first: Decimal,
+    n: int,
+    sample_rate_hz: float,
+) -> Floats:
+    """Turns of a tone, (n,), less whole ones: start + f t + s t² / 2.
+
+    Computed with 60 digits at the start of each block of samples, and from there by what is left
+    of it, so that the error does not grow with time: below 1e-13 where the frequency stays below
+    half the sample rate.
+
+    Parameters
+    ----------
+    start
+        Turns at t = 0.
+    frequency_hz, slope_hz_per_s
+        f at t = 0, and s.
+    first
+        t of the first sample, in s; may be negative.
+    """
+    starts, steps = np.empty(ceil(n / _BLOCK)), np.empty(ceil(n / _BLOCK))
+    with localcontext(prec=DIGITS):
+        rate = Decimal(sample_rate_hz)
+        bend = _less_whole(slope_hz_per_s / (2 * rate**2))
+        for block in range(starts.size):
+            time = first + block * _BLOCK / rate
+            starts[block] = _less_whole(start + (frequency_hz + slope_hz_per_s / 2 * time) * time)
+            steps[block] = _less_whole((frequency_hz + slope_hz_per_s * time) / rate)
+    within = np.arange(min(n, _BLOCK))
+    found = np.multiply.outer(steps, within)
+    # Whole numbers times whole turns are whole turns.
+    found += bend * np.square(within)
+    found += starts[:, np.newaxis]
+    found -= np.rint(found)
+    return found.ravel()[:n]
+
+
+def _less_whole(turns: Decimal) -> float:
+    """What is left of turns without the nearest whole number of them."""
+    return float(turns - turns.to_integral_value())
+
+
+# Beginning and end of a burst, and what it cannot hold at a sample rate.
+
+
+def burst(samples: Floats, window: WindowName, sample_rate_hz: float, shift_s: float) -> Floats:
+    """Window ``samples`` of a signal that knows no beginning, in place, (n_times,).
+
+    Parameters
+    ----------
+    samples : (n_times,)
+        From the instant -``shift_s`` on; with a shift one more than the burst is long.
+    window
+        ``"none"``, ``"tukey"`` or ``"hanning"``; the burst starts and ends with the window.
+    """
+    if window != "none" or shift_s:
+        shift = shift_s * sample_rate_hz
+        samples *= window_between(window, samples.size - (shift_s > 0.0), shift)
+    return samples
+
+
+def refuse_aliases(name: str, frequency_hz: float, sample_rate_hz: float) -> None:
+    """Refuse a frequency that samples of this rate cannot hold.
+
+    Raises
+    ------
+    InvalidInputError
+        It is at or above half the sample rate.
+    """
+    half_hz = positive_number("sample_rate_hz", sample_rate_hz) / 2
+    if frequency_hz >= half_hz:
+        raise InvalidInputError(
+            f"{name} is {frequency_hz:g}, expected less than {half_hz:g} Hz (half the sample rate "
+            f"of {sample_rate_hz:g} Hz); it would alias"
+        )
+
+
+# Wavelets about the middle of their samples.
+
+
+def about_middle(n: int, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
+    """Times from the middle of ``n`` samples, in s, (n_times,).
+
+    (k - (n - 1) / 2) / rate, less the shift; with one, there is one sample more.
+    """
+    place: Floats = np.arange(n + (shift_s > 0.0)) - np.float64((n - 1) / 2)
+    return place / sample_rate_hz - shift_s
+
+
+def turns_about_middle(
+    frequency_hz: float, n: int, sample_rate_hz: float, shift_s: float = 0.0
+) -> Floats:
+    """Turns of a tone at the times `about_middle`, (n_times,), less whole ones."""
+    found = turns(frequency_hz, n + (shift_s > 0.0), sample_rate_hz, shift_s)
+    # Exact, as the turns themselves.
+    until_middle = Fraction(frequency_hz) * (n - 1) / (2 * Fraction(sample_rate_hz))
+    found -= float(until_middle % 1)
+    return found
+
+
+def begun(samples: Floats, shift_s: float) -> Floats:
+    """Silence what lies before the beginning: of a shifted recipe the first sample, in place."""
+    if shift_s > 0.0:
+        samples[:1] = 0.0
+    return samples
+
+
+# Frequency and amplitude of a glide, each as a curve of its own.
+#
+# A glide keeps both at the same times.  A curve of one of them has only the points at which it
+# bends; put back, it keeps the other one as it is.
+
+Column = Literal["frequency", "amplitude"]
+#: (time, value), times never falling; two at one time are a step.
+Curve = tuple[tuple[float, float], ...]
+#: (time, frequency, amplitude).
+Points = tuple[tuple[float, float, float], ...]
+
+_PLACES: dict[str, int] = {"frequency": 1, "amplitude": 2}
+#: A point this near to the line between its neighbours, in parts of the larger value, is on it.
+_STRAIGHT = 1e-12
+
+
+def curve_of(points: Points, column: Column) -> Curve:
+    """Points at which the frequency, or the amplitude, bends; and both ends.
+
+    >>> curve_of(((0.0, 50.0, 0.0), (0.1, 60.0, 1.0), (0.2, 70.0, 1.0)), "frequency")
+    ((0.0, 50.0), (0.2, 70.0))
+    """
+    place = _PLACES[column]
+    return bends_of(tuple((one[0], one[place]) for one in points))
+
+
+def bends_of(curve: Curve) -> Curve:
+    """The same curve without the points that lie on the line between their neighbours."""
+    kept = list(curve[:1])
+    for here, after in pairwise(curve[1:]):
+        if not _is_between(kept[-1], here, after):
+            kept.append(here)
+    return (*kept, *curve[-1:]) if len(curve) > 1 else curve
+
+
+def with_curve(points: Points, column: Column, curve: Curve) -> Points:
+    """Points of a glide with another curve of frequency, or of amplitude.
+
+    It ends with that curve: the other one is cut there, or held until then.
+
+    Raises
+    ------
+    InvalidInputError
+        The curve has no points.
+    """
+    if not curve:
+        raise InvalidInputError(f"the curve of {column} is empty, expected two points or more")
+    other: Column = "amplitude" if column == "frequency" else "frequency"
+    kept = curve_of(points, other)
+    end_s = curve[-1][0]
+    times = sorted({one[0] for one in (*curve, *kept) if one[0] <= end_s})
+    found = []
+    for time_s in times:
+        own, beside = _around(curve, time_s), _around(kept, time_s)
+        both = zip(own, beside, strict=True)
+        values = [(a, b) if column == "frequency" else (b, a) for a, b in both]
+        found += [(time_s, *one) for one in dict.fromkeys(values)]
+    return tuple(found)
+
+
+def _around(curve: Curve, time_s: float) -> tuple[float, float]:
+    """Values just before a time, and from it on."""
+    first = bisect_left(curve, time_s, key=_time)
+    after = bisect_right(curve, time_s, key=_time)
+    if first < after:
+        return curve[first][1], curve[after - 1][1]
+    if first in (0, len(curve)):
+        held = curve[max(first - 1, 0)][1]
+        return held, held
+    (start_s, low), (end_s, high) = curve[first - 1], curve[first]
+    value = low + (high - low) * ((time_s - start_s) / (end_s - start_s))
+    return value, value
+
+
+def _time(point: tuple[float, float]) -> float:
+    return point[0]
+
+
+def _is_between(
+    before: tuple[float, float], here: tuple[float, float], after: tuple[float, float]
+) -> bool:
+    """Whether the line from one point to another goes through a third."""
+    if not before[0] < here[0] < after[0]:
+        return before == here or here == after
+    part = (here[0] - before[0]) / (after[0] - before[0])
+    line = before[1] + (after[1] - before[1]) * part
+    return abs(here[1] - line) <= _STRAIGHT * max(abs(before[1]), abs(after[1]), abs(here[1]))
+
+
+# Sums of the harmonics of a tone, at any phase.
+#
+# What repeats and has edges is made from its Fourier series up to half the sample rate, so that
+# nothing aliases.  A sum over all harmonics at each sample would take minutes: 25 Hz at 48 kHz have
+# 959 of them.  The sum and its derivatives are therefore computed on a grid over one turn, by
+# transforms, and each sample is the Taylor series about the nearest point of the grid.
+
+# Half a step of the grid is at most an eighth of a radian times pi of the highest harmonic.  What
+# the series leaves out, (pi / 8)^13 / 13! of the sum of all amplitudes, is below 1e-15.
+_POINTS_PER_HARMONIC = 8
+_TERMS = 13
+#: Samples at a time: their terms take less than a megabyte.
+_HARMONICS_BLOCK = 8192
+
+
+def harmonics_below(limit_hz: float, frequency_hz: float) -> int:
+    """How many whole multiples of a frequency lie below a limit.
+
+    >>> harmonics_below(650.0, 50.0)
+    12
+    """
+    return max(0, ceil(Fraction(limit_hz) / Fraction(frequency_hz)) - 1)
+
+
+def sampled_series(
+    series: Callable[[Floats], Complexes],
+    frequency_hz: float,
+    phase_rad: float,
+    n: int,
+    sample_rate_hz: float,
+    shift_s: float = 0.0,
+    *,
+    mean: float = 0.0,
+) -> Floats:
+    """A Fourier series up to half the sample rate, at the first ``n`` instants of a recipe, (n,).
+
+    Parameters
+    ----------
+    series
+        Gives the complex coefficients of the harmonics 1, 2, 3, …, see `sum_of_harmonics`.
+    frequency_hz, phase_rad
+        Of the fundamental; below half the sample rate.
+    mean
+        What the series swings about.
+    """
+    count = harmonics_below(float(sample_rate_hz) / 2, frequency_hz)
+    coefficients = np.concatenate(([mean], series(np.arange(1.0, count + 1.0))))
+    phase = turns(frequency_hz, n, sample_rate_hz, shift_s)
+    phase += phase_rad / (2.0 * pi)
+    return sum_of_harmonics(coefficients, phase)
+
+
+def sum_of_harmonics(coefficients: Complexes, turns: Floats) -> Floats:
+    """Real part of the sum over h of coefficient h times exp(2 pi i h turn).
+
+    Parameters
+    ----------
+    coefficients : (n_harmonics + 1,)
+        Complex; the first, of the mean, has no imaginary part.
+    turns : (n,)
+        Phases, in turns.
+
+    Returns
+    -------
+    sums : (n,)
+        Wrong by no more than 1e-15 of the sum of all amplitudes, and by what the phases are.
+    """
+    table = _taylor_table(coefficients)
+    n_points = table.shape[0]
+    sums = np.empty(turns.shape)
+    for start in range(0, turns.size, _HARMONICS_BLOCK):
+        part = slice(start, start + _HARMONICS_BLOCK)
+        # The points are a power of two: multiplying by it does not round.
+        steps = turns[part] * n_points
+        nearest = np.rint(steps)
+        steps -= nearest
+        terms = table[nearest.astype(np.int64) & (n_points - 1)]
+        found = terms[:, -1].copy()
+        for power in range(_TERMS - 2, -1, -1):
+            found *= steps
+            found += terms[:, power]
+        sums[part] = found
+    return sums
+
+
+def _taylor_table(coefficients: Complexes) -> Floats:
+    """Terms of the Taylor series about each point of the grid, in its steps, (n_points, 13)."""
+    n_harmonics = coefficients.size - 1
+    n_points = 1 << max(_POINTS_PER_HARMONIC * n_harmonics - 1, 1).bit_length()
+    spectrum = np.zeros(n_points // 2 + 1, np.complex128)
+    spectrum[: n_harmonics + 1] = coefficients * (n_points / 2)
+    spectrum[0] *= 2.0
+    derive = np.zeros_like(spectrum)
+    derive[: n_harmonics + 1] = 2j * pi / n_points * np.arange(n_harmonics + 1)
+    table = np.empty((n_points, _TERMS))
+    for power in range(_TERMS):
+        table[:, power] = scipy.fft.irfft(spectrum, n_points) / factorial(power)
+        spectrum *= derive
+    return table
+
+
+# How far a tone that rises or falls has turned.
+
+#: Digits of the phase at the start of each block; an hour has some ten of whole turns.
+_DIGITS = 60
+_SWEEP_BLOCK = 256
+
+
+def linear_sweep_turns(
+    ends_hz: tuple[float, float],
+    duration_s: float,
+    n: int,
+    sample_rate_hz: float,
+    shift_s: float = 0.0,
+) -> Floats:
+    """Turns of a tone that changes by equal steps in equal times, (n,), less whole ones.
+
+    Integral of f0 + (f1 - f0) t / T.  The phase at the start of each block of samples is computed
+    with 60 digits, and from there by what is left of it, so that the error does not grow with
+    time: below 1e-13 turns.
+    """
+    low_hz, high_hz = ends_hz
+    with localcontext(prec=_DIGITS):
+        slope = (Decimal(high_hz) - Decimal(low_hz)) / Decimal(duration_s)
+        bend = float(slope / (2 * Decimal(float(sample_rate_hz)) ** 2))
+
+        def starts() -> Iterator[tuple[float, float]]:
+            first, rate = Decimal(low_hz), Decimal(float(sample_rate_hz))
+            block, shift = 0, Decimal(float(shift_s))
+            while True:
+                time = block / rate - shift
+                yield (
+                    float((first + slope / 2 * time) * time % 1),
+                    float((first + slope * time) / rate),
+                )
+                block += _SWEEP_BLOCK
+
+        start, step = _blocks(starts(), n)
+    within = np.arange(_SWEEP_BLOCK)
+    found = np.multiply.outer(step, within)
+    found += bend * within**2
+    return _less_whole_turns(found, start, n)
+
+
+def logarithmic_sweep_turns(
+    ends_hz: tuple[float, float],
+    duration_s: float,
+    n: int,
+    sample_rate_hz: float,
+    shift_s: float = 0.0,
+) -> Floats:
+    """Turns of a tone that changes by equal factors in equal times, (n,), less whole ones.
+
+    Integral of f0 (f1 / f0)^(t / T), computed as `linear_sweep_turns` is.  The ends differ.
+    """
+    low_hz, high_hz = ends_hz
+    with localcontext(prec=_DIGITS):
+        growth = (Decimal(high_hz) / Decimal(low_hz)).ln() / Decimal(duration_s)
+        per_sample = growth / Decimal(float(sample_rate_hz))
+
+        def starts() -> Iterator[tuple[float, float]]:
+            frequency = Decimal(low_hz) * (-growth * Decimal(float(shift_s))).exp()
+            factor = (per_sample * _SWEEP_BLOCK).exp()
+            while True:
+                turns = (frequency - Decimal(low_hz)) / growth
+                yield float(turns % 1), float(frequency / Decimal(float(sample_rate_hz)))
+                frequency *= factor
+
+        start, step = _blocks(starts(), n)
+    exponent = float(per_sample) * np.arange(_SWEEP_BLOCK)
+    within = np.arange(_SWEEP_BLOCK, dtype=np.float64)
+    within[1:] *= np.expm1(exponent[1:]) / exponent[1:]
+    return _less_whole_turns(np.multiply.outer(step, within), start, n)
+
+
+def _blocks(starts: Iterator[tuple[float, float]], n: int) -> tuple[Floats, Floats]:
+    """Phase at the start of each block in turns, and frequency there in turns per sample."""
+    found = np.array(list(islice(starts, ceil(n / _SWEEP_BLOCK)))).reshape(-1, 2)
+    return found[:, 0], found[:, 1]
+
+
+def _less_whole_turns(within: Floats, start: Floats, n: int) -> Floats:
+    within += start[:, np.newaxis]
+    for block in within:
+        block -= np.rint(block)
+    return within.ravel()[:n]

@@ -1,0 +1,1 @@
+"""Specifications of fields, which drive checks, files and editors, and the codec of files."""

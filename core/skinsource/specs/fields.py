@@ -1,0 +1,110 @@
+"""What a field of a recipe may be: label, unit, limits.
+
+A recipe is a frozen dataclass whose fields are made here::
+
+    frequency_hz: float = fields.number(100.0, NumberSpec(label="Frequency", unit="Hz"))
+    muted: bool = fields.switch(False, SwitchSpec(label="Mute"))
+
+and that calls `check` when it is made.  Checks, files, the clipboard and editors are all driven
+by these specifications, so that a new recipe is one new file.  Whoever treats kinds of fields
+differently asks `made_for` with a table by class.
+"""
+
+from typing import Any
+
+from skinsource.base.json_text import Tree
+from skinsource.specs.breakpoints import (
+    SEGMENTS,
+    Breakpoint,
+    BreakpointsSpec,
+    Segment,
+    SlopedPoint,
+    slope_of,
+)
+from skinsource.specs.models import check, field, specs_of
+from skinsource.specs.numbers import (
+    SMALLEST,
+    CurveSpec,
+    ListSpec,
+    NumberSpec,
+    OptionalSpec,
+    PointsSpec,
+    Range,
+    RangeSpec,
+    RecipeSpec,
+    SamplesSpec,
+)
+from skinsource.specs.spec import (
+    Address,
+    BytesSpec,
+    ChoiceSpec,
+    Misfit,
+    PlainSpec,
+    Spec,
+    SwitchSpec,
+    TextSpec,
+    made_for,
+)
+
+
+def number(default: float, spec: NumberSpec) -> Any:
+    """Make a dataclass field for a number."""
+    return field(spec, default)
+
+
+def choice(default: str, spec: ChoiceSpec) -> Any:
+    """Make a dataclass field for one of several names."""
+    return field(spec, default)
+
+
+def switch(default: bool, spec: SwitchSpec) -> Any:
+    """Make a dataclass field for yes or no."""
+    return field(spec, default)
+
+
+def interval(default: Range | None, spec: RangeSpec) -> Any:
+    """Make a dataclass field for a lower and an upper end."""
+    return field(spec, default)
+
+
+def text(default: str, spec: TextSpec) -> Any:
+    """Make a dataclass field for words."""
+    return field(spec, default)
+
+
+__all__ = [
+    "SEGMENTS",
+    "SMALLEST",
+    "Address",
+    "Breakpoint",
+    "BreakpointsSpec",
+    "BytesSpec",
+    "ChoiceSpec",
+    "CurveSpec",
+    "ListSpec",
+    "Misfit",
+    "NumberSpec",
+    "OptionalSpec",
+    "PlainSpec",
+    "PointsSpec",
+    "Range",
+    "RangeSpec",
+    "RecipeSpec",
+    "SamplesSpec",
+    "Segment",
+    "SlopedPoint",
+    "Spec",
+    "SwitchSpec",
+    "TextSpec",
+    "Tree",
+    "check",
+    "choice",
+    "field",
+    "interval",
+    "made_for",
+    "number",
+    "slope_of",
+    "specs_of",
+    "switch",
+    "text",
+]

@@ -1,0 +1,429 @@
+"""Numbers, and what is made of two of them."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.json_text import Tree
+from skinsource.base.published import BAND_HZ, Band
+from skinsource.specs.models import decode, encode, nesting
+from skinsource.specs.samples import MAX_SAMPLES, Samples
+from skinsource.specs.spec import MAX_DEPTH, Address, Misfit, Spec
+
+#: As the minimum of what has to be above 0 and has no other bound.
+SMALLEST = 5e-324
+
+#: Low and high.
+Range = tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NumberSpec(Spec):
+    """A number: what it is called, its SI unit, and the values it may have.
+
+    Attributes
+    ----------
+    unit
+        ``"s"``, ``"Hz"``, ``"rad"``, ``"m/s²"`` or empty.
+    minimum, maximum
+        Both are allowed values.
+    step
+        What one notch of the wheel, one arrow key or a few pixels of a drag add, made round; with
+        ``logarithmic`` it is a part of the value: 0.02 adds 2 %.
+    whole
+        Whether only whole numbers are allowed.
+    below_half_rate
+        Whether it is a frequency that a limb can only play below half its sample rate.
+    felt_hz
+        Of a frequency of the motion itself: the band in which it was measured, None where it is not
+        known.  None of all else, too.
+    unset
+        What 0 means, where it is no number: said in its place.
+    """
+
+    unit: str = ""
+    minimum: float = -np.inf
+    maximum: float = np.inf
+    step: float = 1.0
+    logarithmic: bool = False
+    whole: bool = False
+    below_half_rate: bool = False
+    felt_hz: Band | None = None
+    unset: str = ""
+
+    def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "NumberSpec":
+        """What is allowed on a limb of this rate: whole hertz below half of it, where that counts.
+
+        What is felt is known in the band of the limb.
+
+        >>> NumberSpec(label="Frequency", unit="Hz", below_half_rate=True).at_rate(1300.0).maximum
+        649.0
+        """
+        felt_hz = None if self.felt_hz is None else band_hz
+        if not self.below_half_rate:
+            return self if felt_hz == self.felt_hz else replace(self, felt_hz=felt_hz)
+        highest = max(float(np.ceil(sample_rate_hz / 2)) - 1.0, self.minimum)
+        return replace(self, maximum=min(self.maximum, highest), felt_hz=felt_hz)
+
+    @property
+    def about(self) -> str:
+        """The hint, and the band of what is felt."""
+        if self.felt_hz is None:
+            return self.hint
+        low_hz, high_hz = self.felt_hz
+        band = f"{low_hz:g} to {high_hz:g} Hz is the measured band"
+        return f"{self.hint}; {band}" if self.hint else band
+
+    def is_known(self, value: float) -> bool:
+        """Whether what is felt was measured there; so is all else, and where nobody says."""
+        return self.felt_hz is None or self.felt_hz[0] <= value <= self.felt_hz[1]
+
+    @property
+    def expected(self) -> str:
+        """What is allowed, in words."""
+        words = f"a {'whole ' if self.whole else ''}number"
+        if np.isfinite([self.minimum, self.maximum]).all():
+            words += f" from {self.minimum:g} to {self.maximum:g}"
+        elif self.minimum == SMALLEST:
+            words += " above 0"
+        elif np.isfinite(self.minimum):
+            words += f" of at least {self.minimum:g}"
+        return f"{words} {self.unit}" if self.unit else words
+
+    def checked(self, value: Any) -> float | int:
+        """Return a plain ``float`` or ``int``, so that files hold what memory holds."""
+        if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
+            raise Misfit(self.expected)
+        # The range first: a whole number beyond all floats cannot be asked whether it is finite.
+        if not self.minimum <= value <= self.maximum or value in (-np.inf, np.inf):
+            raise Misfit(self.expected)
+        if not self.whole:
+            try:
+                return float(value)
+            except OverflowError:
+                raise Misfit(self.expected) from None
+        if value != int(value):
+            raise Misfit(self.expected)
+        return int(value)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RangeSpec(Spec):
+    """A lower and an upper end, or ``None``: everything.
+
+    Attributes
+    ----------
+    unit
+        As of a number.
+    minimum, maximum
+        Ends that are allowed; by default beyond all that can be looked at, and below what a
+        float can hold.
+    """
+
+    unit: str = ""
+    minimum: float = -1e300
+    maximum: float = 1e300
+
+    def checked(self, value: Any) -> Range | None:
+        """Return two plain floats, or ``None``."""
+        if value is None:
+            return None
+        end = NumberSpec(label=self.label, minimum=self.minimum, maximum=self.maximum)
+        expected = f"None or two finite numbers, low < high, each {end.expected}"
+        if not isinstance(value, tuple) or len(value) != 2:
+            raise Misfit(expected)
+        try:
+            low, high = (end.checked(one) for one in value)
+        except Misfit:
+            raise Misfit(expected) from None
+        if not low < high:
+            raise Misfit(expected)
+        return low, high
+
+    def encoded(self, value: Range | None) -> Tree:
+        """Return a list of two numbers, or ``None``."""
+        return None if value is None else list(value)
+
+    def decoded(self, tree: Tree, at: Address) -> Any:
+        """Return a tuple."""
+        del at
+        return tuple(tree) if isinstance(tree, list) else tree
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CurveSpec(Spec):
+    """Breakpoints of a curve: pairs of x and y, x never falling.
+
+    Attributes
+    ----------
+    x, y
+        What the numbers of a point may be.
+    fewest, most
+        How many points there may be.
+    """
+
+    x: NumberSpec
+    y: NumberSpec
+    fewest: int = 2
+    most: int = 10_000
+
+    def checked(self, value: Any) -> tuple[tuple[float, float], ...]:
+        """Return a tuple of points of two plain numbers."""
+        expected = (
+            f"{self.fewest} to {self.most} points (x, y), x {self.x.expected} and never falling, "
+            f"y {self.y.expected}"
+        )
+        if not isinstance(value, tuple) or not self.fewest <= len(value) <= self.most:
+            raise Misfit(expected)
+        if not all(isinstance(point, tuple) and len(point) == 2 for point in value):
+            raise Misfit(expected)
+        points = tuple((self.x.checked(x), self.y.checked(y)) for x, y in value)
+        if any(after[0] < before[0] for before, after in pairwise(points)):
+            raise Misfit(expected)
+        return points
+
+    def encoded(self, value: tuple[tuple[float, float], ...]) -> Tree:
+        """Return a list of lists of two numbers."""
+        return [list(point) for point in value]
+
+    def decoded(self, tree: Tree, at: Address) -> Any:
+        """Return a tuple of tuples."""
+        del at
+        if not isinstance(tree, list):
+            return tree
+        return tuple(tuple(point) if isinstance(point, list) else point for point in tree)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PointsSpec(Spec):
+    """Points of several numbers, the first of which never falls.
+
+    Attributes
+    ----------
+    columns
+        What the numbers of a point may be.
+    fewest, most
+        How many points there may be.
+    """
+
+    columns: tuple[NumberSpec, ...]
+    fewest: int = 2
+    most: int = 10_000
+
+    def checked(self, value: Any) -> tuple[tuple[float, ...], ...]:
+        """Return a tuple of points of plain numbers."""
+        names = ", ".join(f"{one.label.lower()} {one.expected}" for one in self.columns)
+        expected = f"{self.fewest} to {self.most} points ({names}), the first never falling"
+        if not isinstance(value, tuple) or not self.fewest <= len(value) <= self.most:
+            raise Misfit(expected)
+        if not all(isinstance(one, tuple) and len(one) == len(self.columns) for one in value):
+            raise Misfit(expected)
+        try:
+            points = tuple(
+                tuple(
+                    column.checked(number) for column, number in zip(self.columns, one, strict=True)
+                )
+                for one in value
+            )
+        except Misfit:
+            raise Misfit(expected) from None
+        if any(after[0] < before[0] for before, after in pairwise(points)):
+            raise Misfit(expected)
+        return points
+
+    def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "PointsSpec":
+        """What is allowed on a limb of this rate, column by column."""
+        columns = tuple(one.at_rate(sample_rate_hz, band_hz) for one in self.columns)
+        return replace(self, columns=columns)
+
+    def encoded(self, value: tuple[tuple[float, ...], ...]) -> Tree:
+        """Return a list of lists of numbers."""
+        return [list(point) for point in value]
+
+    def decoded(self, tree: Tree, at: Address) -> Any:
+        """Return a tuple of tuples; of too long a list, unread."""
+        del at
+        if not isinstance(tree, list) or len(tree) > self.most:
+            return tree
+        return tuple(tuple(point) if isinstance(point, list) else point for point in tree)
+
+
+# Fields that hold more than one value: lists, recipes, samples, and what may be absent.
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OptionalSpec(Spec):
+    """Something, or ``None``.
+
+    Attributes
+    ----------
+    of
+        What it is where it is not ``None``.
+    """
+
+    of: Spec
+
+    def checked(self, value: Any) -> Any:
+        """Return ``None``, or the value as it is kept."""
+        if value is None:
+            return None
+        try:
+            return self.of.checked(value)
+        except Misfit as misfit:
+            raise Misfit(f"None or {misfit}") from None
+
+    def encoded(self, value: Any) -> Tree:
+        """Return ``None`` for ``None``."""
+        return None if value is None else self.of.encoded(value)
+
+    def decoded(self, tree: Tree, at: Address) -> Any:
+        """Return ``None`` for ``None``."""
+        return None if tree is None else self.of.decoded(tree, at)
+
+    @property
+    def nests(self) -> bool:
+        """Whether the value may."""
+        return self.of.nests
+
+    def depth(self, value: Any) -> int:
+        """That of the value."""
+        return 0 if value is None else self.of.depth(value)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ListSpec(Spec):
+    """A tuple of any length.
+
+    Attributes
+    ----------
+    of
+        What each part is.
+    fewest, most
+        How many there may be.
+    different
+        Whether no two may be equal.
+    """
+
+    of: Spec
+    fewest: int = 0
+    most: int = 10_000
+    different: bool = False
+
+    def checked(self, value: Any) -> tuple[Any, ...]:
+        """Return a tuple of the parts as they are kept."""
+        many = f"{self.fewest} to {self.most}{' different' if self.different else ''} parts"
+        if not isinstance(value, tuple) or not self.fewest <= len(value) <= self.most:
+            raise Misfit(f"a tuple of {many}")
+        try:
+            parts = tuple(self.of.checked(part) for part in value)
+        except Misfit as misfit:
+            raise Misfit(f"a tuple of {many}, each {misfit}") from None
+        if self.different and len(set(parts)) < len(parts):
+            raise Misfit(f"a tuple of {many}")
+        # What is as it was keeps its identity.
+        return value if all(a is b for a, b in zip(parts, value, strict=True)) else parts
+
+    def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "ListSpec":
+        """What is allowed on a limb of this rate, part by part."""
+        return replace(self, of=self.of.at_rate(sample_rate_hz, band_hz))
+
+    def encoded(self, value: tuple[Any, ...]) -> Tree:
+        """Return a list of trees."""
+        return [self.of.encoded(part) for part in value]
+
+    def decoded(self, tree: Tree, at: Address) -> Any:
+        """Return a tuple; of too long a list, unread."""
+        if not isinstance(tree, list) or len(tree) > self.most:
+            return tree
+        return tuple(self.of.decoded(part, at.inside(k)) for k, part in enumerate(tree))
+
+    @property
+    def nests(self) -> bool:
+        """Whether a part may."""
+        return self.of.nests
+
+    def depth(self, value: tuple[Any, ...]) -> int:
+        """That of the deepest part."""
+        return max(map(self.of.depth, value), default=0) if value else 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RecipeSpec(Spec):
+    """A recipe of one of several kinds.
+
+    Attributes
+    ----------
+    kinds
+        Gives the classes that are allowed, and those made from them, which are computed but not
+        written.  Asked anew each time, so that a kind can be added.
+    rate_hz, band_hz
+        Sample rate of the limb on which it is played, None: not said; and the band in which that
+        was measured, None: not known.
+    """
+
+    kinds: Callable[[], tuple[type, ...]]
+    rate_hz: float | None = None
+    band_hz: Band | None = BAND_HZ
+
+    def checked(self, value: Any) -> Any:
+        """Return ``value`` itself."""
+        if not isinstance(value, self.kinds()):
+            raise Misfit(f"one of {', '.join(kind.__name__ for kind in self.kinds())}")
+        if self.depth(value) > MAX_DEPTH:
+            raise Misfit(f"recipes within recipes at most {MAX_DEPTH} deep")
+        return value
+
+    def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "RecipeSpec":
+        """The same, for a limb of this rate: what its fields allow follows from that."""
+        return replace(self, rate_hz=sample_rate_hz, band_hz=band_hz)
+
+    def encoded(self, value: Any) -> Tree:
+        """Return the fields by name, and the kind."""
+        kind = type(value)
+        if kind not in self.kinds():
+            names = ", ".join(one.__name__ for one in self.kinds())
+            raise InvalidInputError(
+                f"a {kind.__name__} cannot be written, nothing could read it: choose {names}."
+            )
+        return encode(value)
+
+    def decoded(self, tree: Tree, at: Address) -> Any:
+        """Return a recipe of the kind that the tree names."""
+        return decode(tree, self.kinds(), at)
+
+    @property
+    def nests(self) -> bool:
+        """It does."""
+        return True
+
+    def depth(self, value: Any) -> int:
+        """One more than that of the fields."""
+        return nesting(value)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SamplesSpec(Spec):
+    """A recorded or drawn signal, `Samples`.
+
+    Attributes
+    ----------
+    unit
+        The unit that they must have; None: any.
+    most
+        How many there may be.
+    """
+
+    unit: str | None = ""
+    most: int = MAX_SAMPLES
+
+    def checked(self, value: Any) -> Samples:
+        """Return ``value`` itself."""
+        if not isinstance(value, Samples) or value.values.size > self.most:
+            raise Misfit(f"Samples, at most {self.most} of them")
+        if self.unit is not None and value.unit != self.unit:
+            raise Misfit(f"Samples in {self.unit or 'no unit'}")
+        return value

@@ -1,0 +1,117 @@
+"""A recorded or drawn signal: samples with their rate and unit, equal by what they hold."""
+
+import hashlib
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from skinsource.base.arguments import positive_number
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.quoting import quoted
+from skinsource.signals.generators import sample_count
+from skinsource.signals.resampling import by_ratio
+from skinsource.signals.sampling import band_limited_delay, shift_of
+
+#: At 1300 Hz more than an hour and a half.
+MAX_SAMPLES = 2**23
+_MAX_UNIT_CHARACTERS = 20
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Samples:
+    """One signal that cannot change; called with a rate, it gives itself at that rate.
+
+    Two are equal when values, rate and unit are, bit by bit.  What they hold is looked at once,
+    when they are made; comparing and hashing them later costs nothing.
+
+    Attributes
+    ----------
+    values : (n_times,)
+        Finite numbers, read-only.
+    sample_rate_hz
+        Above zero.
+    unit
+        ``"m/s²"``, or empty for a plain drive.
+    peak
+        Largest magnitude of a value.
+    digest
+        SHA-256 over all of it, in hexadecimal: the name of these samples in files.
+    """
+
+    values: NDArray[np.float64]
+    sample_rate_hz: float
+    unit: str = ""
+    peak: float = field(init=False)
+    digest: str = field(init=False)
+
+    def __post_init__(self) -> None:
+        rate = self.sample_rate_hz
+        if isinstance(rate, bool) or not isinstance(rate, int | float) or not 0 < rate <= 1e9:
+            raise InvalidInputError(
+                f"sample_rate_hz is {quoted(rate)}, expected a number above 0 and up to 1e9 Hz"
+            )
+        if not isinstance(self.unit, str) or len(self.unit) > _MAX_UNIT_CHARACTERS:
+            raise InvalidInputError(f"unit is {quoted(self.unit)}, expected a short text")
+        object.__setattr__(self, "sample_rate_hz", float(rate))
+        object.__setattr__(self, "values", _read_only(self.values))
+        object.__setattr__(self, "peak", float(np.abs(self.values).max()))
+        object.__setattr__(self, "digest", self._digest())
+
+    def __repr__(self) -> str:
+        return f"<{self.values.size} samples at {self.sample_rate_hz:g} Hz, {self.digest[:12]}>"
+
+    def __str__(self) -> str:
+        unit = f", in {self.unit}" if self.unit else ""
+        return f"{self.values.size} at {self.sample_rate_hz:g} Hz{unit}"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Samples) and self.digest == other.digest
+
+    def __hash__(self) -> int:
+        return hash(self.digest)
+
+    @property
+    def duration_s(self) -> float:
+        """Length."""
+        return self.values.size / self.sample_rate_hz
+
+    def __call__(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
+        """The signal that the samples describe, at any rate and between them, (n_times,).
+
+        At their own rate and without a shift these are the samples themselves, bit by bit, but
+        others to write to.  Other rates are made as by `skinsource.resample`, a shift of less than
+        one sample by a band-limited delay: up to 600 Hz, or 0.92 of half the lower rate, both
+        keep the signal within 0.001 dB.
+        """
+        rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
+        shift = shift_of(shift_s, rate_hz) * rate_hz
+        if rate_hz == self.sample_rate_hz:
+            return band_limited_delay(self.values, shift) if shift else self.values.copy()
+        ratio = Fraction(rate_hz) / Fraction(self.sample_rate_hz)
+        found = by_ratio(self.values, ratio, min(rate_hz, self.sample_rate_hz))
+        return band_limited_delay(found[: sample_count(self.duration_s, rate_hz)], shift)
+
+    def _digest(self) -> str:
+        words = f"{self.sample_rate_hz.hex()} {self.unit}\n"
+        found = hashlib.sha256(words.encode("utf-8", "surrogatepass"))
+        found.update(self.values.astype("<f8", copy=False).data)
+        return found.hexdigest()
+
+
+def _read_only(values: ArrayLike) -> NDArray[np.float64]:
+    found = np.asarray(values)
+    masked = isinstance(values, np.ma.MaskedArray)
+    if masked or found.dtype.kind not in "iuf" or found.ndim != 1:
+        raise InvalidInputError(
+            f"values are {'masked ' if masked else ''}{found.dtype} of shape {found.shape}, "
+            "expected real numbers, (n_times,)"
+        )
+    if not 1 <= found.size <= MAX_SAMPLES:
+        raise InvalidInputError(f"{found.size} samples, expected 1 to {MAX_SAMPLES}")
+    own = np.array(found, np.float64)
+    if not np.isfinite(own).all():
+        raise InvalidInputError("samples that are not finite numbers cannot be played")
+    own.flags.writeable = False
+    return own

@@ -1,0 +1,258 @@
+"""What every specification can do: check a value, and turn it into a tree and back.
+
+A tree is what files and the clipboard carry: texts, numbers, True, False, None, `Samples`, lists
+of trees, and dictionaries of trees with texts as keys.
+"""
+
+import base64
+import binascii
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from math import isfinite
+from typing import Any, TypeVar
+
+import numpy as np
+
+from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.base.json_text import Tree
+from skinsource.base.published import BAND_HZ, Band
+from skinsource.base.quoting import quoted
+
+#: Recipes within recipes; whoever nests deeper has made a mistake, or means harm.
+MAX_DEPTH = 32
+
+Thing = TypeVar("Thing")
+
+
+@dataclass(frozen=True, slots=True)
+class Address:
+    """Where in a tree something stands, for messages: ``inputs/3/waveform``."""
+
+    names: tuple[str, ...] = ()
+
+    def inside(self, name: object) -> "Address":
+        """Address of a part."""
+        if len(self.names) > 3 * MAX_DEPTH:
+            raise FileFormatError(f"{self} is nested too deep, expected {MAX_DEPTH} levels at most")
+        return Address((*self.names, str(name)))
+
+    def __str__(self) -> str:
+        return "/".join(self.names[-8:]) or "the content"
+
+
+class Misfit(InvalidInputError):
+    """A value does not fit a specification; the text says what was expected."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Spec(ABC):
+    """A field of a recipe.
+
+    Attributes
+    ----------
+    label, hint
+        Words for the user.
+    asked
+        Whether a user can be asked for it; what only tells things apart is for nobody to choose.
+    """
+
+    label: str
+    hint: str = ""
+    asked: bool = True
+
+    @abstractmethod
+    def checked(self, value: Any) -> Any:
+        """Return ``value`` as it is kept; raise `Misfit` with what was expected instead."""
+
+    def encoded(self, value: Any) -> Tree:
+        """Return a value that was checked as a tree."""
+        return value
+
+    def decoded(self, tree: Tree, at: Address) -> Any:
+        """Return the value of a tree; whether it fits is checked by the recipe that takes it."""
+        del at
+        return tree
+
+    def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "Spec":
+        """What is allowed on a limb of this sample rate, known in its band: for most, the same."""
+        del sample_rate_hz, band_hz
+        return self
+
+    @property
+    def about(self) -> str:
+        """What is said of it where it is edited."""
+        return self.hint
+
+    @property
+    def nests(self) -> bool:
+        """Whether a value may hold recipes."""
+        return False
+
+    def depth(self, value: Any) -> int:
+        """How many recipes within recipes a value holds."""
+        del value
+        return 0
+
+
+def made_for(spec: Spec, table: Mapping[type[Spec], Thing]) -> Thing:
+    """Return the entry of ``table`` for the kind of ``spec``.
+
+    For whatever has to tell numbers from choices, texts, …: a kind that is missing in the table
+    is never taken for another one.
+
+    Raises
+    ------
+    TypeError
+        The table knows nothing of this kind.
+    """
+    for kind in type(spec).__mro__:
+        if kind in table:
+            return table[kind]
+    raise TypeError(f"{type(spec).__name__} of {quoted(spec.label)} is not in the table")
+
+
+# Plain data whose meaning others know.
+
+_MAX_PARTS, _MAX_DEPTH, _MAX_CHARACTERS = 10_000, 8, 10_000
+_EXPECTED = "None, True, False, finite numbers, texts, and tuples of them"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlainSpec(Spec):
+    """None, True, False, numbers, texts, and tuples of these: what a panel keeps."""
+
+    def checked(self, value: Any) -> Any:
+        """Return ``value`` itself."""
+        if _parts(value, _MAX_DEPTH) > _MAX_PARTS:
+            raise Misfit(f"at most {_MAX_PARTS} parts")
+        return value
+
+    def encoded(self, value: Any) -> Tree:
+        """Return lists in place of tuples."""
+        return [self.encoded(part) for part in value] if isinstance(value, tuple) else value
+
+    def decoded(self, tree: Tree, at: Address) -> Any:
+        """Return tuples in place of lists."""
+        if isinstance(tree, list):
+            return tuple(self.decoded(part, at.inside(k)) for k, part in enumerate(tree))
+        return tree
+
+
+def _parts(value: Any, depth: int) -> int:
+    if isinstance(value, tuple):
+        if depth == 0:
+            raise Misfit(f"tuples in tuples at most {_MAX_DEPTH} deep")
+        return 1 + sum(_parts(part, depth - 1) for part in value)
+    sound = value is None or isinstance(value, bool)
+    sound = sound or (isinstance(value, int) and abs(value) < 2**63)
+    sound = sound or (isinstance(value, float) and isfinite(value))
+    if not sound and not (isinstance(value, str) and _can_be_written(value)):
+        raise Misfit(_EXPECTED)
+    return 1
+
+
+def _can_be_written(text: str) -> bool:
+    # Half of a pair of surrogates is no text that a file can hold.
+    return len(text) <= _MAX_CHARACTERS and not any("\ud800" <= one <= "\udfff" for one in text)
+
+
+# Choices, yes or no, texts, and bytes.
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ChoiceSpec(Spec):
+    """One of several names.
+
+    Attributes
+    ----------
+    options
+        The allowed values, and what each is called.
+    """
+
+    options: tuple[tuple[str, str], ...]
+
+    def checked(self, value: Any) -> str:
+        """Return the name."""
+        if not isinstance(value, str) or value not in dict(self.options):
+            raise Misfit(f"one of {', '.join(option for option, _ in self.options)}")
+        return value
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SwitchSpec(Spec):
+    """Yes or no."""
+
+    def checked(self, value: Any) -> bool:
+        """Return a plain ``bool``."""
+        if not isinstance(value, bool | np.bool_):
+            raise Misfit("True or False")
+        return bool(value)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TextSpec(Spec):
+    """Words of the user.
+
+    Attributes
+    ----------
+    longest
+        How many characters there may be.
+    one_line
+        Whether they must stand in one line.
+    reader
+        Understands a text that is more than words, or raises `InvalidInputError`, whose ``column``,
+        if it has one, is where it stopped.  Such a text is edited live.
+    """
+
+    longest: int
+    one_line: bool = False
+    reader: Callable[[str], object] | None = None
+
+    def checked(self, value: Any) -> str:
+        """Return a plain ``str``."""
+        expected = (
+            f"{'one line' if self.one_line else 'a text'} of at most {self.longest} characters"
+        )
+        if not isinstance(value, str) or len(value) > self.longest:
+            raise Misfit(expected)
+        if self.one_line and "".join(value.splitlines()) != value:
+            raise Misfit(expected)
+        try:
+            value.encode()
+        except UnicodeEncodeError:  # half of a pair: no file can hold it
+            raise Misfit(expected) from None
+        if self.reader is not None:
+            self.reader(value)
+        return str(value)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BytesSpec(Spec):
+    """Bytes whose meaning others know.
+
+    Attributes
+    ----------
+    longest
+        How many there may be.
+    """
+
+    longest: int
+
+    def checked(self, value: Any) -> bytes:
+        """Return ``value`` itself."""
+        if not isinstance(value, bytes) or len(value) > self.longest:
+            raise Misfit(f"at most {self.longest} bytes")
+        return value
+
+    def encoded(self, value: bytes) -> Tree:
+        """Return them in base 64."""
+        return base64.b64encode(value).decode()
+
+    def decoded(self, tree: Tree, at: Address) -> Any:
+        """Return the bytes."""
+        del at
+        try:
+            return base64.b64decode(tree, validate=True)
+        except (TypeError, ValueError, binascii.Error):
+            return tree

@@ -1,0 +1,2 @@
+from . import scenes as scenes
+from . import sweeps as sweeps

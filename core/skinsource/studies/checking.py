@@ -1,0 +1,740 @@
+"""A report on agreement and checks as one HTML page, with box plots drawn in it."""
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from html import escape
+from itertools import pairwise
+from math import ceil, floor, log10
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+import scipy
+
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import InvalidInputError, RecordingError
+from skinsource.base.files import named
+from skinsource.base.job import Progress, Stop, never, silent
+from skinsource.base.published import N_AXES, N_OUTPUTS, Axes, Band
+from skinsource.base.quoting import printable, quoted
+from skinsource.design.comparing import alike, louder
+from skinsource.design.design import Design, Input, audible_inputs
+from skinsource.design.labels import AXES, limb_word, word_of
+from skinsource.design.view import View
+from skinsource.engine.analysis_rules import place_noise
+from skinsource.engine.quantities import new_graph, sources
+from skinsource.export.exported_design import describe_played, output_file
+from skinsource.limbs.limb import Limb
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.perception.validity import Findings, words_of
+from skinsource.readers.reading_process import ReadingProcess
+from skinsource.signals.analysis.noise import QUIET_SHARE, quiet_rms
+from skinsource.signals.analysis.statistics import band_rms, dominant_frequency
+from skinsource.studies.validation import (
+    Agreement,
+    agreement,
+    aligned,
+    linear_fit,
+    open_recorded,
+    straight_lines,
+    superposition_correlation,
+)
+from skinsource.version import __version__
+
+_STYLE = (
+    "body{font:15px/1.5 sans-serif;max-width:60em;margin:2em auto;color:#1b1f24}"
+    "table{border-collapse:collapse}td,th{padding:.2em .8em;text-align:right;"
+    "border-bottom:1px solid #d2d6dc}td:first-child,th:first-child{text-align:left}"
+    "svg{display:block;margin:1em 0}.note{color:#57606a}"
+)
+_WIDTH, _HEIGHT, _LEFT, _FOOT = 620.0, 220.0, 64.0, 40.0
+# An axis has so many steps at least; what is so much of a step beyond a tick is on it.
+_LEAST_STEPS, _ROUNDING = 3.0, 1e-9
+#: Titles of the figures, their units, and what the paper reports.
+FIGURES = (
+    ("Normalised mean absolute error", "", "near the noise"),
+    ("Difference in amplitude", "%", "below 30 %"),
+    ("Pearson's r over time", "", "above 0.5"),
+)
+
+
+#: Whose noise tells which channels count.
+NoiseOf = Literal["recording", "limb", "nothing"]
+_NOISE_WORDS: dict[NoiseOf, str] = {
+    "recording": "noise from before the response in the recording",
+    "limb": "noise of the sensors of the limb, as the recording has none before its response",
+    "nothing": "noise not known, so every channel counts",
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Condition:
+    """One design.
+
+    Attributes
+    ----------
+    name, frequency_hz
+        Its file, and its main frequency; NaN: silent.
+    linear, superposed
+        Smallest adjusted R² over levels of the prediction, and smallest Pearson's r between the
+        sum of its inputs and all together; NaN where there is nothing to check.
+    agreement, shift_samples
+        With its measurement, and by how much that was shifted; None: nothing was measured.
+    noise_of
+        What told the noise that channels are held against.
+    details
+        Lines on what was checked: recording, limb, scaling, inputs, cautions.
+    """
+
+    name: str
+    frequency_hz: float
+    linear: float
+    superposed: float
+    agreement: Agreement | None = None
+    shift_samples: int = 0
+    noise_of: NoiseOf = "nothing"
+    details: tuple[str, ...] = ()
+
+    @property
+    def noise_words(self) -> str:
+        """What told the noise, in words."""
+        return _NOISE_WORDS[self.noise_of]
+
+
+def html_of(conditions: Sequence[Condition], limbs: Iterable[str]) -> str:
+    """Return the report on some designs on these limbs, as one HTML page.
+
+    Parameters
+    ----------
+    conditions
+        In the order of the table.
+    limbs
+        Names of the limbs that the designs are on.
+    """
+    titles = ", ".join(limb_word(limb).title for limb in sorted(set(limbs)))
+    written = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC"
+    about = f"skinsource {__version__}; limb: {titles}; written on {written}"
+    measured = [one for one in conditions if one.agreement is not None]
+    parts = [
+        "<!doctype html><html lang='en'><head><meta charset='utf-8'>",
+        f"<title>SkinSource: check</title><style>{_STYLE}</style></head><body>",
+        "<h1>Predictions, checked</h1>",
+        f"<p class='note'>{escape(about)}</p>",
+        _table(conditions),
+        *([f"<p class='note'>{escape(_DEFINED)}</p>"] if measured else []),
+        *(_plots(measured) if measured else ["<p>No measurement was given.</p>"]),
+        *_details(conditions),
+        "</body></html>",
+    ]
+    return "\n".join(parts) + "\n"
+
+
+def write_report(path: Path, conditions: Sequence[Condition], limbs: Iterable[str]) -> None:
+    """Write the report; a file that is there is replaced once all of it is written.
+
+    Raises
+    ------
+    StorageError
+        It cannot be written.
+    """
+    with output_file(path, never) as file:
+        file.write(html_of(conditions, limbs).encode())
+
+
+def summary_lines(conditions: Sequence[Condition]) -> list[str]:
+    """Return a line for each condition, for a terminal."""
+    lines = []
+    for one in conditions:
+        said = f"{one.name}: {_hertz(one.frequency_hz)}; linear: adjusted R² {_text(one.linear)}; "
+        said += f"superposition: r {_text(one.superposed)}"
+        if one.agreement is not None:
+            error, amplitude, correlation = one.agreement.medians
+            counted = f"{int(one.agreement.counted.sum())} of {one.agreement.counted.size}"
+            said += (
+                f"; measured: {counted} channels above twice the noise, error {_text(error)}, "
+                f"amplitude {_text(amplitude)} %, r {_text(correlation)} ({one.noise_words})"
+            )
+        lines.append(said)
+    return lines
+
+
+def quartiles(values: Floats) -> tuple[float, float, float, float, float]:
+    """Return whisker, quartile, median, quartile, whisker; these end at data within 1.5 boxes."""
+    low, middle, high = (float(one) for one in np.percentile(values, (25, 50, 75)))
+    reach = 1.5 * (high - low)
+    inside = values[(values >= low - reach) & (values <= high + reach)]
+    return float(inside.min()), low, middle, high, float(inside.max())
+
+
+def round_ticks(low: float, high: float) -> Floats:
+    """Return round numbers at equal steps from ``low`` or just below to ``high`` or just above.
+
+    Steps are 1, 2 or 5 times a power of 10; there are three to nine of them.
+    """
+    step = 10.0 ** floor(log10((high - low) / _LEAST_STEPS))
+    step *= max(
+        factor for factor in (1.0, 2.0, 5.0) if (high - low) / (factor * step) >= _LEAST_STEPS
+    )
+    first, last = floor(low / step + _ROUNDING), ceil(high / step - _ROUNDING)
+    # Of whole numbers of steps the digits that rounding adds are taken off again.
+    digits = max(-floor(log10(step)), 0)
+    return np.round(np.arange(first, last + 1) * step, digits)
+
+
+_DEFINED = (
+    "Error: mean over time of |p/P - m/M|, the normalised mean absolute error. Amplitude %: "
+    "100 |RMS(p/P) - RMS(m/M)| / RMS(m/M). p: predicted, m: measured; P and M: their RMS, mean "
+    "over all channels. Both are medians over the channels that count."
+)
+
+
+def _table(conditions: Sequence[Condition]) -> str:
+    head = "<tr><th>Design</th><th>Hz</th><th>Linear, adj. R²</th><th>Superposition, r</th>"
+    head += "<th>Channels</th><th>Error</th><th>Amplitude %</th><th>r</th><th>Shift</th></tr>"
+    rows = []
+    for one in conditions:
+        cells = [_hertz(one.frequency_hz).removesuffix(" Hz"), _text(one.linear)]
+        cells.append(_text(one.superposed))
+        if one.agreement is None:
+            cells += ["–"] * 5
+        else:
+            cells.append(f"{int(one.agreement.counted.sum())} of {one.agreement.counted.size}")
+            cells += [_text(value) for value in one.agreement.medians]
+            cells.append(str(one.shift_samples))
+        inner = "".join(f"<td>{cell}</td>" for cell in cells)
+        rows.append(f"<tr><td>{escape(one.name)}</td>{inner}</tr>")
+    notes = ["Medians over the channels above twice the noise; shift in samples."]
+    measured = [one for one in conditions if one.agreement is not None]
+    for words in dict.fromkeys(one.noise_words for one in measured):
+        names = ", ".join(one.name for one in measured if one.noise_words == words)
+        notes.append(f"{names}: {words}.")
+    said = "".join(f"<p class='note'>{escape(one)}</p>" for one in notes)
+    return f"<table>{head}{''.join(rows)}</table>{said}"
+
+
+def _details(conditions: Sequence[Condition]) -> list[str]:
+    """What was checked, so that a report can be told from one on something else."""
+    parts = []
+    for one in conditions:
+        if one.details:
+            lines = "<br>".join(escape(line) for line in one.details)
+            parts.append(f"<h2>{escape(one.name)}</h2><p class='note'>{lines}</p>")
+    return parts
+
+
+def by_frequency(conditions: Sequence[Condition], figure: int) -> list[tuple[str, Floats]]:
+    """Return a figure of all channels that count, by the main frequency of their designs.
+
+    Parameters
+    ----------
+    conditions
+        Those without a measurement are left out.
+    figure
+        Number of the figure in `FIGURES`.
+
+    Returns
+    -------
+    Frequency in Hz as text, and the values, (n,), for each frequency, ascending.
+    """
+    measured = [one for one in conditions if one.agreement is not None]
+    groups = []
+    for frequency in sorted({round(one.frequency_hz, 1) for one in measured}):
+        values = [
+            _figure(one.agreement, figure)
+            for one in measured
+            if round(one.frequency_hz, 1) == frequency
+        ]
+        together = np.concatenate(values)
+        groups.append((f"{frequency:g}", together[np.isfinite(together)]))
+    return groups
+
+
+def _plots(measured: Sequence[Condition]) -> list[str]:
+    """A box plot of each figure, a box for each frequency."""
+    parts = []
+    for k, (title, unit, reported) in enumerate(FIGURES):
+        of_unit = f" ({unit})" if unit else ""
+        parts.append(f"<h2>{title}{of_unit}</h2><p class='note'>The paper reports: {reported}.</p>")
+        parts.append(_boxes(by_frequency(measured, k)))
+    return parts
+
+
+def _figure(found: Agreement | None, k: int) -> Floats:
+    if found is None:
+        return np.zeros(0)
+    chosen = (found.error, found.amplitude_percent, found.correlation)[k]
+    return chosen[found.counted]
+
+
+def _boxes(groups: Sequence[tuple[str, Floats]]) -> str:
+    """Box plots over frequency as SVG."""
+    known = [values for _, values in groups if values.size]
+    if not known:
+        return "<p>No channel is above twice the noise.</p>"
+    drawn = np.array([quartiles(values) for values in known])
+    ticks = round_ticks(min(float(drawn.min()), 0.0), max(float(drawn.max()), 1e-9))
+    low, high = float(ticks[0]), float(ticks[-1])
+
+    def y(value: float) -> float:
+        return _HEIGHT - _FOOT - (value - low) / (high - low) * (_HEIGHT - _FOOT - 10.0)
+
+    step = (_WIDTH - _LEFT - 10.0) / len(groups)
+    shapes = [
+        f"<text x='{_LEFT - 6}' y='{y(value) + 4:.1f}' text-anchor='end'>{value:g}</text>"
+        f"<line x1='{_LEFT}' x2='{_WIDTH}' y1='{y(value):.1f}' y2='{y(value):.1f}' "
+        "stroke='#e4e7eb'/>"
+        for value in ticks.tolist()
+    ]
+    for rank, (label, values) in enumerate(groups):
+        x = _LEFT + (rank + 0.5) * step
+        wide = min(0.5 * step, 40.0)
+        shapes.append(f"<text x='{x:.1f}' y='{_HEIGHT - 20}' text-anchor='middle'>{label}</text>")
+        if not values.size:
+            continue
+        ends = quartiles(values)
+        first, bottom, middle, top, last = (y(one) for one in ends)
+        shapes.append(
+            f"<line x1='{x:.1f}' x2='{x:.1f}' y1='{first:.1f}' y2='{last:.1f}' stroke='#57606a'/>"
+            f"<rect x='{x - wide / 2:.1f}' y='{top:.1f}' width='{wide:.1f}' "
+            f"height='{max(bottom - top, 0.5):.1f}' fill='#cfe3f7' stroke='#0a66c2'/>"
+            f"<line x1='{x - wide / 2:.1f}' x2='{x + wide / 2:.1f}' y1='{middle:.1f}' "
+            f"y2='{middle:.1f}' stroke='#0a66c2' stroke-width='2'/>"
+        )
+    shapes.append(
+        f"<text x='{(_LEFT + _WIDTH) / 2}' y='{_HEIGHT - 3}' text-anchor='middle'>"
+        "Main frequency (Hz)</text>"
+    )
+    return (
+        f"<svg width='{_WIDTH:g}' height='{_HEIGHT:g}' font-size='12' font-family='sans-serif' "
+        f"fill='#1b1f24'>{''.join(shapes)}</svg>{_beyond(known, drawn)}"
+    )
+
+
+def _beyond(known: Sequence[Floats], drawn: Floats) -> str:
+    """What is not drawn: values beyond the whiskers, which would flatten the boxes."""
+    everything = np.concatenate(known)
+    count = sum(
+        int(((values < ends[0]) | (values > ends[-1])).sum())
+        for values, ends in zip(known, drawn, strict=True)
+    )
+    if not count:
+        return ""
+    return (
+        f"<p class='note'>{count} of {everything.size} channels lie beyond the whiskers and are "
+        f"not drawn; all lie from {everything.min():.3g} to {everything.max():.3g}.</p>"
+    )
+
+
+def _text(value: float) -> str:
+    return f"{value:.3g}" if np.isfinite(value) else "–"
+
+
+def _hertz(value: float) -> str:
+    return f"{value:.1f} Hz" if np.isfinite(value) else "silent"
+
+
+# One design, checked: whether it is linear, and how well it agrees with its recording.
+
+_LEVELS = (0.25, 0.5, 1.0, 2.0)
+# A recording may start this much earlier or later than the prediction.
+_MOST_SHIFT_S = 0.2
+# More, 20 000 samples of a published limb, would take gigabytes: all channels are held, at several
+# levels.
+_MOST_VALUES = 20_000 * N_OUTPUTS * N_AXES
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Recorded:
+    """Where a recording is.
+
+    Attributes
+    ----------
+    path
+        A file of responses, see `skinsource.studies.validation.open_recorded`.
+    rate_hz
+        Its rate, where the file says none; None: that of the limb.
+    """
+
+    path: Path
+    rate_hz: float | None = None
+
+
+def condition_of(
+    design: Design,
+    name: str,
+    recorded: Recorded | None = None,
+    *,
+    axes: Axes | Literal[""] = "",
+    process: ReadingProcess | None = None,
+    progress: Progress = silent,
+    stop: Stop = never,
+) -> Condition:
+    """Check a design, alone and against a recording.
+
+    Parameters
+    ----------
+    design, name
+        The design, and what the report calls it.
+    recorded
+        What was measured of it; None: nothing was.
+    axes
+        Axes that are looked at, and recorded; empty: all of the limb.
+    process
+        Reads the recording; one of its own unless given.
+    progress, stop
+        As for all long work.
+
+    Raises
+    ------
+    InvalidInputError
+        The limb has no such axes, or the design is too long for all channels to be compared.
+    RecordingError, StorageError
+        The recording does not fit, is silent, or cannot be read.
+    Stopped
+        ``stop`` said so.
+    """
+    chosen = axes or facts_of(design.limb).axes
+    seen = View(axes=chosen)
+    progress(0, 3, f"Predicting {name}")
+    # What is compared is the prediction through the graph of the studio, not one made for it.
+    basis = _values(design, seen, stop, "limb_data", "response_samples", "stimulus_start_s")
+    limb = basis["limb_data"]
+    _refuse_too_much(name, limb, len(chosen), basis["response_samples"])
+    every = replace(seen, outputs=tuple(range(1, limb.n_outputs + 1)))
+    predicted = _values(design, every, stop, "axis_traces", "validity")
+    field = predicted["axis_traces"]
+    progress(1, 3, f"Checking {name}")
+    linear, superposed = _checks(design, every, field, limb.sample_rate_hz, stop)
+    main_hz = _main_frequency(field, limb.sample_rate_hz)
+    details = _condition_details(design, limb, chosen, recorded, predicted["validity"])
+    found = Condition(
+        name=name, frequency_hz=main_hz, linear=linear, superposed=superposed, details=details
+    )
+    if recorded is None:
+        return found
+    _refuse_silence(name, field)
+    measured = _read(recorded, limb, len(chosen), process, progress, stop)
+    shifted, shift = aligned(measured, field, round(_MOST_SHIFT_S * limb.sample_rate_hz))
+    quiet = _quiet(measured, shift, basis["stimulus_start_s"], limb)
+    noise, noise_of = _noise(quiet, design, limb, chosen)
+    agrees = agreement(field, shifted, noise)
+    return replace(found, agreement=agrees, shift_samples=shift, noise_of=noise_of)
+
+
+def _refuse_silence(name: str, field: Floats) -> None:
+    if not field.any():
+        raise InvalidInputError(
+            f"{name}: what is predicted of it is silent throughout, so there is nothing to compare "
+            "a recording with. Let it play something, or check it without a recording."
+        )
+
+
+def _condition_details(
+    design: Design, limb: Limb, axes: str, recorded: Recorded | None, findings: Findings
+) -> tuple[str, ...]:
+    """What files say of a design, and which recording it was held against."""
+    played = design.limb, limb.note, design.scaling, design.inputs, design.actuated
+    return (
+        f"recording: {'none' if recorded is None else printable(recorded.path.name)}",
+        *describe_played(*played),
+        f"axes: {word_of(AXES, axes).both}",
+        *words_of(findings),
+    )
+
+
+def _read(
+    recorded: Recorded,
+    limb: Limb,
+    n_axes: int,
+    process: ReadingProcess | None,
+    progress: Progress,
+    stop: Stop,
+) -> Floats:
+    progress(2, 3, f"Reading {recorded.path.name}")
+    size = limb.n_outputs, n_axes, limb.sample_rate_hz
+    how: dict[str, Any] = {"rate_hz": recorded.rate_hz, "process": process, "stop": stop}
+    measured = open_recorded(recorded.path, *size, **how)
+    if not measured.any():
+        # Here it is known which file of many it is.
+        raise RecordingError(
+            f"{named(Path(recorded.path.name))}: it is silent throughout, so there is nothing to "
+            "compare. Choose another recording."
+        )
+    return measured
+
+
+def _quiet(measured: Floats, shift: int, start_s: float, limb: Limb) -> Floats:
+    """What a recording, brought onto the prediction by ``shift``, holds before its response."""
+    until_s = start_s + QUIET_SHARE * limb.pre_trigger_delay_s
+    return measured[..., : max(round(until_s * limb.sample_rate_hz) - shift, 0)]
+
+
+def _noise(quiet: Floats, design: Design, limb: Limb, axes: str) -> tuple[Floats | float, NoiseOf]:
+    """RMS of the noise of a recording, (n_outputs, n_axes), and what tells it; 0: nothing does.
+
+    Where there is too little that is ``quiet`` in it, that with which the limb was measured.
+    """
+    rms = quiet_rms(quiet)
+    if rms is not None:
+        return rms, "recording"
+    places = sorted({one.location for one in audible_inputs(design.inputs)})
+    found = [one for one in (place_noise(limb, place) for place in places) if one is not None]
+    if not found:
+        return 0.0, "nothing"
+    numbers = [limb.axes.index(axis) for axis in axes]
+    noise: Floats = np.sqrt(np.mean(np.square(found), axis=0))[:, numbers]
+    return noise, "limb"
+
+
+def _refuse_too_much(name: str, limb: Limb, n_axes: int, n_times: int) -> None:
+    most = _MOST_VALUES // (limb.n_outputs * n_axes)
+    if n_times > most:
+        raise InvalidInputError(
+            f"{quoted(name)} is {n_times / limb.sample_rate_hz:.1f} s long, expected at most "
+            f"{most / limb.sample_rate_hz:.1f} s: all channels are compared"
+        )
+
+
+def _checks(
+    design: Design, view: View, field: Floats, rate: float, stop: Stop
+) -> tuple[float, float]:
+    """Smallest adjusted R² over levels, and smallest r between the sum of inputs and all."""
+    if not field.any():
+        return math.nan, math.nan
+    at_levels = [
+        _values(louder(design, k), view, stop, "axis_traces")["axis_traces"] for k in _LEVELS
+    ]
+    channels = np.stack(at_levels).reshape(len(_LEVELS), -1, field.shape[-1])
+    fit = linear_fit(_LEVELS, channels, rate, facts_of(design.limb).band_hz)[1]
+    heard = audible_inputs(design.inputs)
+    if len(heard) < 2:
+        return _least(fit), math.nan
+    parts = []
+    for one in heard:
+        alone = tuple(replace(each, muted=each.id != one.id, solo=False) for each in design.inputs)
+        trace = _values(replace(design, inputs=alone), view, stop, "axis_traces")["axis_traces"]
+        whole = np.zeros(field.shape)
+        whole[..., : trace.shape[-1]] = trace[..., : field.shape[-1]]
+        parts.append(whole.reshape(-1, field.shape[-1]))
+    r = superposition_correlation(np.stack(parts), field.reshape(-1, field.shape[-1]))
+    return _least(fit), _least(r)
+
+
+def _least(values: Floats) -> float:
+    """The smallest of those that are known; NaN where none is, as of a response without a bin."""
+    known = values[np.isfinite(values)]
+    return float(known.min()) if known.size else math.nan
+
+
+def _main_frequency(field: Floats, rate: float) -> float:
+    """Frequency with the most power over all channels; NaN for silence."""
+    power = np.sum(np.square(np.abs(np.fft.rfft(field, axis=-1))), axis=(0, 1))
+    return float(dominant_frequency(power, rate / field.shape[-1]))
+
+
+def _values(design: Design, view: View, stop: Stop, *names: str) -> dict[str, Any]:
+    return new_graph().evaluate(names, sources(design, view), stop)
+
+
+# What a linear model rests on, seen in designs that are kept: proportion, and sums.
+
+#: Fewer strengths make no line that could be bent.
+LEAST_STRENGTHS = 3
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Proportion:
+    """The same stimulus at several strengths.
+
+    Attributes
+    ----------
+    strengths : (n_strengths,)
+        Amplitudes of the first input, rising.
+    divided : (n_strengths, n_channels, n_times)
+        Responses divided by them.
+    apart
+        How far these are from each other at most, as a part of their peak; NaN: all are silent.
+    rms, line : (n_strengths, n_channels)
+        Of the responses, and the straight line through them by least squares.
+    frequency_hz : (n_bins,)
+        Middles of bands of 2 Hz.
+    band_rms, band_line : (n_strengths, n_channels, n_bins)
+        Of what the responses hold there, and the straight line through them.
+    adjusted_r2 : (n_channels, n_bins)
+        Of these lines; NaN: nothing is heard.
+    """
+
+    strengths: Floats
+    divided: Floats
+    apart: float
+    rms: Floats
+    line: Floats
+    frequency_hz: Floats
+    band_rms: Floats
+    band_line: Floats
+    adjusted_r2: Floats
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Straightness:
+    """How straight outputs are over the strengths of an input, those that nobody selected too.
+
+    Attributes
+    ----------
+    frequency_hz : (n_bins,)
+        Middles of bands of 2 Hz.
+    adjusted_r2 : (n_outputs, n_axes, n_bins)
+        Of straight lines by least squares; NaN: nothing is heard.
+    """
+
+    frequency_hz: Floats
+    adjusted_r2: Floats
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Superposition:
+    """Inputs alone, and all of them together.
+
+    Attributes
+    ----------
+    separate, joint : (n_channels, n_times)
+        Sum of the responses to each, and the response to all.
+    apart
+        How far these are from each other at most, as a part of the peak; NaN: all are silent.
+    correlation : (n_channels,)
+        Pearson's r of the two; NaN where a channel is silent.
+    """
+
+    separate: Floats
+    joint: Floats
+    apart: float
+    correlation: Floats
+
+
+def strengths_of(designs: Sequence[Design]) -> tuple[float, ...]:
+    """Amplitudes of the first input of designs that differ in strength alone; none: they do not.
+
+    Three different ones or more; words about them, markers and loops do not matter.
+    """
+    plain = [_plain(one) for one in designs]
+    if not plain or not all(one.inputs and one.inputs[0].amplitude > 0.0 for one in plain):
+        return ()
+    found = tuple(one.inputs[0].amplitude for one in plain)
+    try:
+        scaled = [louder(plain[0], one / found[0]) for one in found]
+    except InvalidInputError:
+        return ()
+    if not all(alike(one, other) for one, other in zip(scaled, plain, strict=True)):
+        return ()
+    ordered = sorted(found)
+    different = 1 + sum(
+        not math.isclose(low, high, rel_tol=1e-9) for low, high in pairwise(ordered)
+    )
+    return found if different >= LEAST_STRENGTHS else ()
+
+
+def joint_of(designs: Sequence[Design]) -> int | None:
+    """Which of the designs plays what all the others play, each once; None: none does."""
+    if len(designs) < 3:
+        return None
+    plain = [_plain(one) for one in designs]
+    # Ids that a design gave tell the same inputs apart.
+    played = [[_bare(one) for one in each.inputs] for each in plain]
+    if not all(played) or len({replace(one, inputs=()) for one in plain}) > 1:
+        return None
+    for k, whole in enumerate(played):
+        others = [one for n, each in enumerate(played) if n != k for one in each]
+        if _are_the_same(others, whole):
+            return k
+    return None
+
+
+def proportion(
+    strengths: Sequence[float], responses: Floats, sample_rate_hz: float, band_hz: Band | None
+) -> Proportion:
+    """Hold responses, (n_strengths, n_channels, n_times), against the strengths of the input."""
+    order = np.argsort(strengths, kind="stable")
+    x, y = np.asarray(strengths, float)[order], responses[order]
+    divided = y / x[:, None, None]
+    rms = np.sqrt(np.mean(np.square(y), axis=-1))
+    slope, offset, _ = straight_lines(x[:, None], rms)
+    transforms = scipy.fft.rfft(y)
+    frequency_hz, in_bands = band_rms(transforms, y.shape[-1], sample_rate_hz, band_hz)
+    levels = x[:, None, None]
+    of_band, above, adjusted_r2 = straight_lines(levels, in_bands)
+    return Proportion(
+        strengths=x,
+        divided=divided,
+        apart=_apart(divided),
+        rms=rms,
+        line=offset + slope * x[:, None],
+        frequency_hz=frequency_hz,
+        band_rms=in_bands,
+        band_line=above + of_band * levels,
+        adjusted_r2=adjusted_r2,
+    )
+
+
+def straightness(
+    strengths: Sequence[float], in_bands: Sequence[tuple[Floats, Floats]]
+) -> Straightness:
+    """Fit lines over strengths to the quantity ``output_band_rms`` of each of them."""
+    frequency_hz = in_bands[0][0]
+    y = np.stack([rms for _, rms in in_bands])
+    x = np.asarray(strengths, float).reshape(-1, 1, 1, 1)
+    return Straightness(frequency_hz=frequency_hz, adjusted_r2=straight_lines(x, y)[2])
+
+
+def superposition(parts: Sequence[Floats], joint: Floats) -> Superposition:
+    """Hold the sum of responses, (n_channels, n_times) each, against the one to all together.
+
+    None is longer than that one.
+    """
+    found = np.zeros((len(parts), *joint.shape))
+    for whole, part in zip(found, parts, strict=True):
+        # A part may end sooner: it is silent after that.
+        whole[:, : part.shape[-1]] = part
+    separate = found.sum(axis=0)
+    return Superposition(
+        separate=separate,
+        joint=joint,
+        apart=_apart(np.stack((separate, joint))),
+        correlation=superposition_correlation(found, joint),
+    )
+
+
+def _plain(design: Design) -> Design:
+    """What is played and where, whatever it is called and however it looks."""
+    inputs = tuple(_bare(one) for one in audible_inputs(design.inputs))
+    return replace(
+        design,
+        title="",
+        author="",
+        notes="",
+        licence="",
+        markers=(),
+        loop_s=None,
+        inputs=inputs,
+    )
+
+
+def _bare(one: Input) -> Input:
+    clips = tuple(replace(each, id=0) for each in one.clips)
+    return replace(one, id=0, colour=0, solo=False, clips=clips)
+
+
+def _are_the_same(some: Sequence[Input], others: Sequence[Input]) -> bool:
+    """Whether both are the same inputs, in any order, each as often."""
+    left = list(others)
+    for one in some:
+        if one not in left:
+            return False
+        left.remove(one)
+    return not left
+
+
+def _apart(curves: Floats) -> float:
+    peak = float(np.abs(curves).max())
+    return float(np.ptp(curves, axis=0).max()) / peak if peak > 0.0 else math.nan

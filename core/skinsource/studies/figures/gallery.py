@@ -1,0 +1,100 @@
+"""The gallery of scenes: a picture of each, and a page of the documents that shows them.
+
+    python -m skinsource.studies.figures.gallery resources/scenes docs/scenes.md
+
+Pictures are computed on the synthetic limbs, whatever is installed: they may be passed on.
+"""
+
+import hashlib
+import os
+import sys
+from dataclasses import MISSING, Field, fields, is_dataclass
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+from skinsource.base.assets import data_folder
+from skinsource.base.files import write_bytes
+from skinsource.export.plot import module
+from skinsource.studies.figures.writing import draw_figure
+from skinsource.studies.scenes import OpenedScene, Scene, all_scenes, open_scene
+
+#: Of a picture, px.
+WIDTH_PX = 900
+#: What a picture says of the scene that it shows.
+MARK = "Scene"
+
+_HEADING = """\
+# Scenes
+
+Panels of the figures of the SkinSource paper as designs: `ss.scenes.open_scene("2F")`, the command
+`skinsource scenes 2F --out 2F.skinsource` and File > Scenes… open them. `skinsource figures --out
+FOLDER` draws them on the measured limbs where those are installed. The pictures below are computed
+on the **synthetic** limbs, which need not do what the sentences say of the measured ones. Made
+by `python -m skinsource.studies.figures.gallery`; do not edit.
+"""
+
+
+def synthetic_scene(name: str) -> OpenedScene:
+    """A scene on synthetic limbs, whatever is installed."""
+    return open_scene(name, available=())
+
+
+def mark_of(opened: OpenedScene) -> str:
+    """What is drawn, in a few digits: other designs, views or synthetic limbs have others."""
+    said = [_said(one) for one in (opened.design, opened.view, *opened.conditions)]
+    limbs = (data_folder() / "synthetic-limbs.json").read_bytes()
+    return hashlib.sha256(repr(said).encode() + limbs).hexdigest()[:16]
+
+
+def _said(value: Any) -> Any:
+    """What a value says beside the defaults: a field that is added to all changes nothing."""
+    if isinstance(value, tuple):
+        return tuple(_said(one) for one in value)
+    if not is_dataclass(value):
+        return value
+    held = ((one, getattr(value, one.name)) for one in fields(value))
+    return (
+        type(value).__name__,
+        *((one.name, _said(held)) for one, held in held if held != _default_of(one)),
+    )
+
+
+def _default_of(one: Field[Any]) -> Any:
+    return one.default if one.default_factory is MISSING else one.default_factory()
+
+
+def picture_of(opened: OpenedScene) -> bytes:
+    """PNG of the figure of a scene, without its words; it holds `mark_of`."""
+    drawn = draw_figure(opened)
+    box = module("matplotlib.transforms").Bbox.from_extents(*drawn.sheet.picture_inches())
+    content = BytesIO()
+    metadata = {"Software": None, MARK: mark_of(opened)}
+    drawn.figure.savefig(
+        content, format="png", dpi=WIDTH_PX / box.width, bbox_inches=box, metadata=metadata
+    )
+    return content.getvalue()
+
+
+def page_of(scenes: tuple[Scene, ...], pictures: str) -> str:
+    """The page of the documents; ``pictures`` is the folder of the pictures as seen from it."""
+    parts = [_HEADING]
+    for one in scenes:
+        words = [f"## {one.heading}", f"![{one.title}]({pictures}/{one.name}.png)", one.sentence]
+        words.append(f"Source: {one.source}.")
+        if one.inferred:
+            words.append(f"Inferred: {'; '.join(one.inferred)}.")
+        parts.append("\n\n".join(words) + "\n")
+    return "\n".join(parts)
+
+
+def write_gallery(folder: Path, page: Path) -> None:
+    """Write all pictures to a folder, and the page that shows them."""
+    for one in all_scenes():
+        write_bytes(folder / f"{one.name}.png", picture_of(synthetic_scene(one.name)))
+    pictures = Path(os.path.relpath(folder, page.parent)).as_posix()
+    write_bytes(page, page_of(all_scenes(), pictures).encode())
+
+
+if __name__ == "__main__":
+    write_gallery(Path(sys.argv[1]), Path(sys.argv[2]))

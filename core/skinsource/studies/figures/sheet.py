@@ -1,0 +1,257 @@
+"""What a figure is computed on, and which conditions of the measurement it does not keep."""
+
+import textwrap
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from skinsource.base.arrays import Floats
+from skinsource.base.published import AXES, Axes, axis_numbers
+from skinsource.base.quoting import sentence
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design
+from skinsource.design.labels import SCALINGS, limb_word, word_of
+from skinsource.design.view import View
+from skinsource.design.waveforms import Tone
+from skinsource.engine.evaluation import evaluate
+from skinsource.export.plot import (
+    DIM,
+    INK,
+    MM_PER_INCH,
+    SYNTHETIC,
+    Levels,
+    levels_of,
+    new_figure,
+    style,
+)
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.perception.validity import Judged, in_full
+from skinsource.signals.projection import magnitude
+from skinsource.studies.scenes import OpenedScene
+
+
+def setup_words(opened: OpenedScene) -> str:
+    """Limbs and scaling, as a sentence or two."""
+    scaling = word_of(SCALINGS, opened.design.scaling).title
+    return (
+        f"Limb: {', '.join(limb_word(one).title for one in limbs_of(opened))}. Scaling: {scaling}."
+    )
+
+
+def left_words(opened: OpenedScene, *, maps: bool) -> str:
+    """Which conditions of the measurement are not kept; "" where all are.
+
+    ``maps``: whether the figure shows some.  What lies between outputs matters to nothing else.
+    """
+    found = [one for judged in _judged(opened, maps=maps) for one in judged.findings or ()]
+    # That a limb is synthetic is said by itself, and larger.
+    left = dict.fromkeys(one.name for one in found if one.state == "left" and one.name != "limb")
+    words = "Conditions of the measurement that are not kept (see the table)"
+    return f"{words}: {', '.join(left)}." if left else ""
+
+
+def condition_lines(opened: OpenedScene, *, maps: bool) -> tuple[str, ...]:
+    """A line for each condition that a design does not keep, with the designs that do not."""
+    return in_full(_judged(opened, maps=maps))
+
+
+def limbs_of(opened: OpenedScene) -> tuple[str, ...]:
+    """Names of the limbs of a scene, each once."""
+    return tuple(dict.fromkeys(one.design.limb for one in opened.conditions))
+
+
+def _judged(opened: OpenedScene, *, maps: bool) -> list[Judged]:
+    found = [
+        Judged(
+            label=one.label,
+            findings=evaluate(one.design, "validity", view=opened.view)["validity"],
+        )
+        for one in opened.conditions
+    ]
+    return found if maps else [one.without_maps() for one in found]
+
+
+# What figures show of a design.
+
+
+def field_of(design: Design) -> tuple[Floats, Floats]:
+    """Times, (n_times,), in s, and acceleration, (n_outputs, n_axes, n_times), in m/s²."""
+    limb = evaluate(design, "limb_data")["limb_data"]
+    view = View(axes="xyz", outputs=tuple(range(1, limb.n_outputs + 1)))
+    found = evaluate(design, "response_time_s", "axis_traces", view=view)
+    return found["response_time_s"], found["axis_traces"]
+
+
+def axes_of_sensors(design: Design) -> tuple[Axes, ...]:
+    """Those along which the limb of a design was measured, one by one."""
+    measured = facts_of(design.limb).axes
+    return tuple(axis for axis in AXES if len(axis) == 1 and axis in measured)
+
+
+def normal_of(design: Design, field: Floats) -> Floats:
+    """Of the field of a design, what is normal to the skin, z, (n_outputs, n_times)."""
+    (normal,) = axis_numbers("z", facts_of(design.limb).axes)
+    return field[:, normal]
+
+
+def frequency_of(clip: Clip) -> float:
+    """Frequency of the tone that a clip plays, Hz."""
+    if not isinstance(clip.waveform, Tone):
+        raise TypeError(f"{clip.waveform} is no tone")
+    return clip.waveform.frequency_hz
+
+
+def frames(design: Design, instants: list[int]) -> Floats:
+    """Length of the acceleration at some samples, (n_instants, n_outputs), in m/s²."""
+    _, field = field_of(design)
+    return magnitude(field)[:, instants].T
+
+
+def loudest_of(levels: Sequence[Levels], *, together: bool) -> list[float]:
+    """Level of the loudest output of each, or of all of them together, in dB."""
+    loudest = [float(one.values.max()) for one in levels]
+    return [max(loudest)] * len(levels) if together else loudest
+
+
+def with_values(design: Design, values: Floats) -> Levels:
+    """A map of any values at the outputs, with the places that the design drives.
+
+    Nothing is hatched: what noise the whole record has says little of an instant.
+    """
+    return replace(levels_of(design, None, None), values=np.asarray(values), noisy=())
+
+
+# The page of a figure: heading, drawing, and what must be said below it.
+
+#: Two columns of a journal.
+WIDTH_MM = 180.0
+_EDGE_MM, _HEAD_MM, _LINE_MM, _FOOT_EDGE_MM = 4.0, 9.0, 3.2, 3.0
+_CHARACTERS = 128
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Table:
+    """Numbers of a drawing.
+
+    Attributes
+    ----------
+    header
+        Names of the columns, with units.
+    rows : (n_rows, n_columns)
+        The numbers.
+    """
+
+    header: Sequence[str]
+    rows: Floats
+
+
+class Sheet:
+    """A page for a drawing.
+
+    Parameters
+    ----------
+    opened
+        The scene: its heading stands above, its sentence, source and what is inferred below.
+    height_mm
+        Of the drawing alone.
+    note
+        What more is to be said of the drawing; "": nothing.
+    maps
+        Whether it shows some: conditions of the measurement that are about maps are told.
+
+    Attributes
+    ----------
+    figure
+        Of matplotlib.
+    maps
+        As given.
+    """
+
+    def __init__(
+        self, opened: OpenedScene, height_mm: float, note: str = "", *, maps: bool = False
+    ) -> None:
+        self.maps = maps
+        lines = _foot(opened, note, left_words(opened, maps=maps))
+        self._foot_mm = _LINE_MM * len(lines) + 2 * _FOOT_EDGE_MM
+        self._height_mm = height_mm + _HEAD_MM + self._foot_mm
+        self.figure = new_figure(WIDTH_MM, self._height_mm)
+        with style():
+            self._say(_EDGE_MM, self._height_mm - 6.0, opened.scene.heading, INK, 9.0, "bold")
+            for k, (words, colour) in enumerate(lines):
+                y_mm = self._foot_mm - _FOOT_EDGE_MM - _LINE_MM * (k + 1)
+                self._say(_EDGE_MM, y_mm, words, colour, 6.5)
+
+    def axes(self, x_mm: float, y_mm: float, width_mm: float, height_mm: float) -> Any:
+        """Axes at a place of the drawing, measured from its lower left corner."""
+        height = self._height_mm
+        return self.figure.add_axes(
+            (
+                x_mm / WIDTH_MM,
+                (y_mm + self._foot_mm) / height,
+                width_mm / WIDTH_MM,
+                height_mm / height,
+            )
+        )
+
+    def picture_inches(self) -> tuple[float, float, float, float]:
+        """Corners of the drawing without heading and words, as `savefig` takes them: inches."""
+        low, high = self._foot_mm, self._height_mm - _HEAD_MM + 1.0
+        return 0.0, low / MM_PER_INCH, WIDTH_MM / MM_PER_INCH, high / MM_PER_INCH
+
+    def row_of_axes(
+        self, n: int, x_mm: float, y_mm: float, width_mm: float, height_mm: float
+    ) -> list[Any]:
+        """``n`` axes beside each other that fill an area."""
+        each = width_mm / n
+        return [self.axes(x_mm + k * each, y_mm, each - 1.0, height_mm) for k in range(n)]
+
+    def colour_bar(self, image: Any, x_mm: float, y_mm: float, height_mm: float, words: str) -> Any:
+        """A colour bar 2.5 mm wide."""
+        bar = self.figure.colorbar(image, cax=self.axes(x_mm, y_mm, 2.5, height_mm))
+        bar.set_label(words)
+        bar.outline.set_linewidth(0.4)
+        return bar
+
+    def _say(
+        self, x_mm: float, y_mm: float, words: str, colour: str, size: float, weight: str = "normal"
+    ) -> None:
+        at = x_mm / WIDTH_MM, y_mm / self._height_mm
+        self.figure.text(*at, words, color=colour, fontsize=size, fontweight=weight)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Drawn:
+    """A figure and its numbers.
+
+    Attributes
+    ----------
+    sheet
+        What it is drawn on.
+    tables
+        By what is added to the name of their file; the first one adds nothing.
+    """
+
+    sheet: Sheet
+    tables: dict[str, Table]
+
+    @property
+    def figure(self) -> Any:
+        """The figure of matplotlib."""
+        return self.sheet.figure
+
+
+def _foot(opened: OpenedScene, note: str, left: str) -> list[tuple[str, str]]:
+    """Lines below a drawing, each with its colour; ``left``: what is not kept."""
+    known = opened.scene
+    said = [(known.sentence, INK), (f"After {known.source}.", DIM)]
+    if known.inferred:
+        said.append((sentence(f"Inferred: {'; '.join(known.inferred)}"), DIM))
+    said += [(words, DIM) for words in (setup_words(opened), left, note) if words]
+    if opened.chosen:
+        said.append((opened.chosen, INK))
+    if opened.synthetic:
+        words = f"{SYNTHETIC}; they need not do what the sentence says."
+        said.append((words, "#B00020"))
+    return [(line, colour) for words, colour in said for line in textwrap.wrap(words, _CHARACTERS)]

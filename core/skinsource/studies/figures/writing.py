@@ -1,0 +1,118 @@
+"""Figures as files: PNG, SVG, PDF, and their numbers as CSV."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from skinsource.base.errors import StorageError
+from skinsource.base.files import named, write_bytes
+from skinsource.base.job import Progress, Stop, never, silent, stop_if
+from skinsource.design.labels import SCALINGS, limb_word, word_of
+from skinsource.export.exported_design import output_file
+from skinsource.export.plot import METADATA, SYNTHETIC, figure_content, module
+from skinsource.export.tables import CsvTable
+from skinsource.studies.figures.figures import FIGURES
+from skinsource.studies.figures.sheet import Drawn, condition_lines, limbs_of
+from skinsource.studies.scenes import OpenedScene, names, open_scene, scene, why_not_on
+from skinsource.version import __version__
+
+
+def write_figures(
+    folder: Path,
+    only: Sequence[str] = (),
+    *,
+    limb: str = "",
+    progress: Progress = silent,
+    stop: Stop = never,
+) -> tuple[Path, ...]:
+    """Draw figures of scenes and write each as ``2F.png``, ``.svg``, ``.pdf`` and ``.csv``.
+
+    They show the limbs of the paper where the measured dataset is installed, else synthetic ones;
+    figure and table then say so.  The same data give the same files.
+
+    Parameters
+    ----------
+    folder
+        An existing folder.
+    only
+        Names of scenes; all where none is given.
+    limb
+        A limb that they shall be drawn on, those that apply there; empty: those of the paper.
+    progress
+        Called with (done, total, what is being done).
+    stop
+        Asked between files; once true, `Stopped` is raised.
+
+    Returns
+    -------
+    The files, in the order in which they were written.
+
+    Raises
+    ------
+    InvalidInputError
+        There is no such scene, or one of ``only`` does not apply on ``limb``.
+    StorageError
+        There is no such folder, or it cannot be written.
+    MissingExtraError
+        matplotlib is not installed.
+    """
+    wanted = [scene(name).name for name in only]
+    wanted = wanted or [name for name in names() if not limb or not why_not_on(name, limb)]
+    module("matplotlib")
+    if not folder.is_dir():
+        raise StorageError(f"{named(folder)} is no folder. Make it, or name another one.")
+    written: list[Path] = []
+    for k, name in enumerate(wanted):
+        stop_if(stop)
+        progress(k, len(wanted), name)
+        opened = open_scene(name, limb=limb)
+        written += _write(folder, opened, draw_figure(opened), stop)
+    progress(len(wanted), len(wanted), "")
+    return tuple(written)
+
+
+def draw_figure(opened: OpenedScene) -> Drawn:
+    """Draw the figure of a scene.
+
+    Raises
+    ------
+    MissingExtraError
+        matplotlib is not installed.
+    """
+    return FIGURES[opened.scene.name](opened)
+
+
+def about(opened: OpenedScene, *, maps: bool) -> list[str]:
+    """Comment lines of a table: what it is, where it is from, what it was computed on.
+
+    ``maps``: whether its figure shows some.
+    """
+    known = opened.scene
+    lines = [f"SkinSource studio: {known.heading}", known.sentence, f"after {known.source}"]
+    lines += [f"inferred: {words}" for words in known.inferred]
+    if opened.synthetic:
+        lines.append(SYNTHETIC)
+    if opened.note:
+        lines.append(opened.note)
+    limbs = (f"{limb_word(one).title} ({one})" for one in limbs_of(opened))
+    lines.append(f"limb: {', '.join(limbs)}")
+    lines.append(f"scaling: {word_of(SCALINGS, opened.design.scaling).both}")
+    lines += condition_lines(opened, maps=maps)
+    lines.append(f"computed by: skinsource {__version__}, numpy {np.__version__}")
+    return lines
+
+
+def _write(folder: Path, opened: OpenedScene, drawn: Drawn, stop: Stop) -> list[Path]:
+    name, written = opened.scene.name, []
+    for kind in METADATA:
+        path = folder / f"{name}.{kind}"
+        write_bytes(path, figure_content(drawn.figure, kind))
+        written.append(path)
+    for suffix, table in drawn.tables.items():
+        path = folder / f"{name}{suffix}.csv"
+        with output_file(path, stop) as file:
+            lines = about(opened, maps=drawn.sheet.maps)
+            CsvTable(file, lines, table.header, stop).add(table.rows)
+        written.append(path)
+    return written

@@ -1,0 +1,38 @@
+"""The scenes of the paper: panels of its figures as designs that can be opened, heard and changed.
+
+Each is a design file in the data folder, with the view that shows it; they are made by ``python -m
+skinsource.studies.scenes``.
+
+>>> import skinsource as ss
+>>> ss.scenes.names()[:3]
+('1C', '1D', '1E')
+>>> opened = ss.scenes.open_scene("2F", available=("synthetic-3",))
+>>> [condition.label for condition in opened.conditions]
+['Input 8', 'Input 13', 'Both']
+>>> opened.synthetic
+True
+"""
+
+from skinsource.studies.scenes.catalog import (
+    all_scenes,
+    names,
+    open_scene,
+    scene,
+    scenes_folder,
+    title_of,
+    why_not_on,
+)
+from skinsource.studies.scenes.scene import Condition, OpenedScene, Scene
+
+__all__ = [
+    "Condition",
+    "OpenedScene",
+    "Scene",
+    "all_scenes",
+    "names",
+    "open_scene",
+    "scene",
+    "scenes_folder",
+    "title_of",
+    "why_not_on",
+]

@@ -1,0 +1,404 @@
+"""Runs a sweep: what is left of it, in processes, into a folder."""
+
+import os
+import tomllib
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import nullcontext
+from dataclasses import dataclass
+from math import isfinite
+from pathlib import Path
+from typing import Any, Protocol
+
+from skinsource.actuators.prediction import Limits
+from skinsource.base.arguments import one_of, real_number, whole_number
+from skinsource.base.errors import FileFormatError, InvalidInputError
+from skinsource.base.files import named, read_bytes
+from skinsource.base.job import Progress, Stop, never, silent
+from skinsource.base.published import AXES, Axes
+from skinsource.base.quoting import printable, quoted, sentence
+from skinsource.design.design import Design
+from skinsource.design.design_file import open_design
+from skinsource.lab.matching import Strengths, read_matches
+from skinsource.signals.projection import METHODS, Method
+from skinsource.signals.resampling import MAX_RATE_HZ
+from skinsource.specs.fields import specs_of
+from skinsource.studies.sweeps.measuring import Metrics, measured_here
+from skinsource.studies.sweeps.plan import (
+    HIGHEST_DB,
+    KINDS,
+    LEVELS,
+    LOWEST_DB,
+    Level,
+    Order,
+    Plan,
+    Value,
+    trials,
+)
+from skinsource.studies.sweeps.table import Folder, StimulusFiles, SweepTable, table_of
+from skinsource.studies.sweeps.workers import Row, measured
+
+_MOST_PROCESSES = 256
+#: Fewer stimuli are measured before a second process has started.
+_WORTH_PROCESSES = 50
+
+
+class Measuring(Protocol):
+    """Gives what is found of some stimuli of a plan, each once, in any order."""
+
+    def __call__(self, plan: Plan, numbers: Iterable[int], stop: Stop) -> Iterator[Row]:
+        """Measure; raise `skinsource.base.errors.Stopped` once ``stop`` says so."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sweep:
+    """All that a sweep is to do.
+
+    Attributes
+    ----------
+    plan
+        Its stimuli.
+    order
+        How they are presented; None: no table of trials is written.
+    files
+        In which form the stimuli are exported; None: they are not.
+    parquet
+        Whether the table is written as Parquet too.
+    """
+
+    plan: Plan
+    order: Order | None = None
+    files: StimulusFiles | None = None
+    parquet: bool = False
+
+
+def sweep(
+    designs: Design | str | os.PathLike[str] | Sequence[Design | str | os.PathLike[str]],
+    vary: Mapping[str, Iterable[Any]] | None = None,
+    *,
+    out: str | os.PathLike[str] | None = None,
+    outputs: Iterable[int] = (),
+    axes: Axes = "xyz",
+    method: Method = "pca",
+    level: Level | str | os.PathLike[str] | None = None,
+    level_db: float | None = None,
+    limits: Limits | None = None,
+    order: Order | None = None,
+    files: StimulusFiles | None = None,
+    parquet: bool = False,
+    processes: int | None = None,
+    progress: Progress = silent,
+    stop: Stop = never,
+) -> SweepTable:
+    """Measure all combinations of designs and of values, on all cores.
+
+    Parameters
+    ----------
+    designs
+        A design or the path of a design file, or several.
+    vary
+        Values by the name of what they are of, see `skinsource.studies.sweeps.varied`:
+        ``{"frequency_hz": [50, 100], "location": [1, 2]}``.  The last one varies first.
+    out
+        Folder for all that is written, where a sweep that was stopped or killed goes on; or None.
+    outputs, axes, method, level, level_db, limits
+        What is measured, and how strong: see `skinsource.studies.sweeps.Plan`.  A level may be the
+        path of a table of matches, too.
+    order, files, parquet
+        What is written beside ``stimuli.csv``: see `skinsource.studies.sweeps.Sweep`.
+    processes
+        How many measure at the same time; None: as many as cores, or this one for a few stimuli.
+
+    Returns
+    -------
+    One row of metrics for each stimulus; see `skinsource.studies.sweeps.Measurer.measure`.
+
+    Raises
+    ------
+    InvalidInputError
+        The sweep cannot be.  A single stimulus that cannot be measured has it in its row.
+    StorageError
+        The folder cannot be written.
+
+    >>> import skinsource as ss
+    >>> one = ss.Design(limb="synthetic-1", inputs=(ss.track(7),))
+    >>> ss.sweep(one, {"frequency_hz": [50.0, 200.0]}).column("frequency_hz")
+    array([ 50., 200.])
+    """
+    settings: dict[str, Any] = {"outputs": tuple(outputs), "axes": axes, "method": method}
+    settings |= {**level_of(level), "level_db": level_db, "limits": limits or Limits()}
+    plan = Plan(designs=named_designs(designs), variables=variables_of(vary), **settings)
+    wanted = Sweep(plan=plan, order=order, files=files, parquet=parquet)
+    return run(wanted, out, processes=processes, progress=progress, stop=stop)
+
+
+def run(
+    wanted: Sweep,
+    out: str | os.PathLike[str] | None,
+    *,
+    processes: int | None = None,
+    measuring: Measuring | None = None,
+    progress: Progress = silent,
+    stop: Stop = never,
+) -> SweepTable:
+    """Do what is left of a sweep; see `sweep`.
+
+    Parameters
+    ----------
+    measuring
+        What measures instead of processes of this computer.
+    """
+    plan = wanted.plan
+    if out is None and (wanted.order or wanted.files or wanted.parquet):
+        raise InvalidInputError(
+            "order, files and parquet are written to a folder; say which one with out"
+        )
+    if wanted.order is not None:
+        trials(wanted.order, range(1, len(plan) + 1))
+    with nullcontext() if out is None else Folder(Path(out), plan.digest) as folder:
+        found: dict[int, Metrics | str] = {} if folder is None else dict(folder.journal.rows)
+        left = [number for number in range(1, len(plan) + 1) if number not in found]
+        measure = measuring or _measuring(len(left), processes)
+        progress(len(found), len(plan), "Measuring")
+        for number, row in measure(plan, left, stop):
+            found[number] = row
+            if folder is not None:
+                folder.journal.add(number, row)
+            progress(len(found), len(plan), f"Measured stimulus {number} of {len(plan)}")
+        table = table_of(plan, found)
+        if folder is not None:
+            folder.finish(wanted.plan, table, wanted.order, parquet=wanted.parquet)
+            if wanted.files is not None:
+                wanted.files.write(plan, table, folder.path, progress=progress, stop=stop)
+    return table
+
+
+def _measuring(n_left: int, processes: int | None) -> Measuring:
+    if processes is None:
+        processes = (os.cpu_count() or 1) if n_left >= _WORTH_PROCESSES else 1
+    count = whole_number("processes", processes, 1, _MOST_PROCESSES)
+    if count == 1:
+        return measured_here
+
+    def beside_each_other(plan: Plan, numbers: Iterable[int], stop: Stop) -> Iterator[Row]:
+        return measured(plan, numbers, count, stop)
+
+    return beside_each_other
+
+
+def named_designs(
+    designs: Design | str | os.PathLike[str] | Sequence[Design | str | os.PathLike[str]],
+) -> tuple[tuple[str, Design], ...]:
+    """Return each design with a name of its own: of its file, its title, or a number."""
+    several = [designs] if isinstance(designs, Design | str | os.PathLike) else list(designs)
+    found: list[tuple[str, Design]] = []
+    for number, one in enumerate(several, start=1):
+        if isinstance(one, Design):
+            found.append((one.title or f"design {number}", one))
+        elif isinstance(one, str | os.PathLike):
+            found.append((Path(one).stem, open_design(one).design))
+        else:
+            raise InvalidInputError(
+                f"designs holds {quoted(one)}, expected designs or paths of design files"
+            )
+    names = [name for name, _ in found]
+    return tuple(
+        (name if names.count(name) == 1 else f"{name} ({number})", design)
+        for number, (name, design) in enumerate(found, start=1)
+    )
+
+
+def variables_of(
+    vary: Mapping[str, Iterable[Any]] | None,
+) -> tuple[tuple[str, tuple[Value, ...]], ...]:
+    """Return variables and their values as a plan has them."""
+    return tuple((name, values_of(name, values)) for name, values in (vary or {}).items())
+
+
+def level_of(level: str | os.PathLike[str] | None) -> dict[str, Any]:
+    """Return what a plan has of a level: its name, or what a table of matches says.
+
+    Raises
+    ------
+    FileFormatError, StorageError
+        It is the path of a file that is no table of matches, or cannot be read.
+    """
+    if level is None or level in LEVELS:
+        return {"level": level}
+    if isinstance(level, str | os.PathLike):
+        path = Path(level)
+        if isinstance(level, os.PathLike) or path.suffix.lower() == ".csv":
+            return {"strengths": Strengths.of(read_matches(path))}
+    raise InvalidInputError(
+        f"level is {quoted(level)}, expected one of {', '.join(LEVELS[:-1])}, or the path of a "
+        "table of matches, *.csv"
+    )
+
+
+def values_of(name: str, values: Iterable[Any]) -> tuple[Value, ...]:
+    """Return the values of a variable as plain ones."""
+    if isinstance(values, str | bytes) or not isinstance(values, Iterable):
+        raise InvalidInputError(f"{quoted(name)} is {quoted(values)}, expected a list of values")
+    return tuple(_value(name, one) for one in values)
+
+
+def _value(name: str, value: Any) -> Value:
+    """A plain value: of numpy, too, so that the same sweep has the same digest."""
+    if hasattr(value, "item") and not isinstance(value, str | bytes):
+        value = value.tolist()
+    if isinstance(value, list | tuple):
+        return tuple(whole_number(f"{name}[{k}]", one, 1, 2**31) for k, one in enumerate(value))
+    # What a report cannot hold is no value, and would be found out at the end.
+    if isinstance(value, bool | int | str) or (isinstance(value, float) and isfinite(value)):
+        return value
+    raise InvalidInputError(
+        f"{quoted(name)} holds {quoted(value)}, expected finite numbers or texts"
+    )
+
+
+# Sweeps written down in TOML, as docs/sweeps.md says.
+
+_MOST_BYTES = 16 * 2**20
+_MOST = 2**31 - 1
+_KNOWN = {
+    "": (
+        "designs",
+        "outputs",
+        "axes",
+        "method",
+        "level",
+        "level_db",
+        "parquet",
+        "vary",
+        "limits",
+        "trials",
+        "stimuli",
+    ),
+    "limits": tuple(specs_of(Limits)),
+    "trials": ("order", "participants", "blocks", "seed"),
+    "stimuli": ("format", "rate_hz"),
+}
+
+
+def read_sweep(path: Path) -> Sweep:
+    """Read a sweep and the designs that it names.
+
+    Raises
+    ------
+    FileFormatError
+        The file is no TOML, names what there is not, or holds a value that cannot be.
+    StorageError
+        It, or a design, cannot be read.
+    """
+    try:
+        found = tomllib.loads(read_bytes(path, most=_MOST_BYTES).decode())
+    except (ValueError, RecursionError) as error:
+        raise FileFormatError(
+            f"{named(path)}: is no TOML text ({printable(error)}). Correct that place, and try "
+            "again."
+        ) from error
+    try:
+        return _sweep(found, path.parent)
+    except InvalidInputError as error:
+        raise FileFormatError(f"{named(path)}: {sentence(str(error))}") from error
+
+
+def _sweep(found: dict[str, Any], folder: Path) -> Sweep:
+    _refuse_unknown("", found)
+    names = found.get("designs")
+    if not isinstance(names, list) or not names or not all(isinstance(one, str) for one in names):
+        raise InvalidInputError(
+            f"designs is {quoted(names)}, expected a list of names of design files"
+        )
+    files = [folder / one for one in names]
+    for one in files:
+        open_design(one)
+    level_db = found.get("level_db")
+    parquet = found.get("parquet", False)
+    if not isinstance(parquet, bool):
+        raise InvalidInputError(f"parquet is {quoted(parquet)}, expected true or false")
+    plan = Plan(
+        designs=named_designs(files),
+        variables=variables_of(_table(found, "vary")),
+        outputs=tuple(whole_number("an output", one, 1, _MOST) for one in _list(found, "outputs")),
+        axes=one_of("axes", found.get("axes", "xyz"), AXES),
+        method=one_of("method", found.get("method", "pca"), METHODS),
+        **level_of(_level(found, folder)),
+        limits=_limits(found),
+        level_db=None
+        if level_db is None
+        else real_number("level_db", level_db, least=LOWEST_DB, most=HIGHEST_DB),
+    )
+    return Sweep(plan=plan, order=_order(found), files=_files(found), parquet=parquet)
+
+
+def _level(found: dict[str, Any], folder: Path) -> str | Path | None:
+    """Name of a level, or where its table is: beside the sweep."""
+    level = found.get("level")
+    if level is not None and not isinstance(level, str):
+        raise InvalidInputError(f"level is {quoted(level)}, expected a text")
+    return folder / level if level is not None and level.lower().endswith(".csv") else level
+
+
+def _limits(found: dict[str, Any]) -> Limits:
+    table = _table(found, "limits")
+    _refuse_unknown("limits", table)
+    return Limits(**table)
+
+
+def _order(found: dict[str, Any]) -> Order | None:
+    if "trials" not in found:
+        return None
+    table = _table(found, "trials")
+    _refuse_unknown("trials", table)
+    return Order(
+        kind=one_of("order", table.get("order", "random"), KINDS),
+        seed=table.get("seed", 0),
+        participants=table.get("participants", 1),
+        blocks=table.get("blocks", 1),
+    )
+
+
+def _files(found: dict[str, Any]) -> StimulusFiles | None:
+    if "stimuli" not in found:
+        return None
+    table = _table(found, "stimuli")
+    _refuse_unknown("stimuli", table)
+    rate_hz = table.get("rate_hz")
+    return StimulusFiles(
+        format=table.get("format", "wav"),
+        rate_hz=None if rate_hz is None else whole_number("rate_hz", rate_hz, 1, MAX_RATE_HZ),
+    )
+
+
+def _table(found: dict[str, Any], name: str) -> dict[str, Any]:
+    table = found.get(name, {})
+    if not isinstance(table, dict):
+        raise InvalidInputError(f"{name} is {quoted(table)}, expected a table, [{name}]")
+    return _flat(table)
+
+
+def _flat(table: dict[str, Any]) -> dict[str, Any]:
+    """TOML reads ``2.frequency_hz = […]`` as a table within the table."""
+    flat: dict[str, Any] = {}
+    for name, value in table.items():
+        if isinstance(value, dict):
+            flat |= {f"{name}.{inner}": one for inner, one in value.items()}
+        else:
+            flat[name] = value
+    return flat
+
+
+def _list(found: dict[str, Any], name: str) -> list[Any]:
+    values = found.get(name, [])
+    if not isinstance(values, list):
+        raise InvalidInputError(f"{name} is {quoted(values)}, expected a list")
+    return values
+
+
+def _refuse_unknown(where: str, table: dict[str, Any]) -> None:
+    unknown = [name for name in table if name not in _KNOWN[where]]
+    if unknown:
+        raise InvalidInputError(
+            f"{quoted(unknown[0])} is not known{f' in [{where}]' if where else ''}; there are "
+            f"{', '.join(_KNOWN[where])}"
+        )

@@ -1,0 +1,486 @@
+"""What a sweep found: one row of metrics for each stimulus."""
+
+import csv
+import io
+import json
+import math
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from hashlib import sha256
+from itertools import count
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from skinsource.base.arguments import whole_number
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import InvalidInputError, StorageError
+from skinsource.base.extras import package_of_extra
+from skinsource.base.files import (
+    advice_on_writing,
+    is_there,
+    make_folder,
+    named,
+    read_bytes,
+    reason_of,
+    replacing,
+    write_bytes,
+)
+from skinsource.base.job import Progress, Stop, never, silent, stop_if
+from skinsource.base.lock import Lock
+from skinsource.base.quoting import quoted
+from skinsource.design.design import Design
+from skinsource.export.formats.formats import format_named
+from skinsource.export.stimulus_export.export import export_stimulus
+from skinsource.export.stimulus_export.options import StimulusOptions, sidecar_path
+from skinsource.export.stimulus_export.preparing import prepared
+from skinsource.signals.resampling import MAX_RATE_HZ
+from skinsource.studies.sweeps.measuring import Metrics, columns_of
+from skinsource.studies.sweeps.plan import Order, Plan, trials
+from skinsource.version import __version__
+
+Cell = bool | int | float | str
+#: Name of the column that says why a stimulus has no metrics.
+ERROR = "error"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SweepTable:
+    """One row for each stimulus, in their order.
+
+    Attributes
+    ----------
+    columns
+        ``"stimulus"`` (a number from 1), the variables, the metrics and ``"error"``.
+    rows
+        As many values each.  Where a stimulus could not be measured its metrics are NaN and the
+        error says why; else that is empty.
+    """
+
+    columns: tuple[str, ...]
+    rows: tuple[tuple[Cell, ...], ...]
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def column(self, name: str) -> Floats | np.ndarray:
+        """Values of one column, (n_stimuli,).
+
+        Raises
+        ------
+        InvalidInputError
+            There is no such column.
+        """
+        if name not in self.columns:
+            raise InvalidInputError(
+                f"there is no column {quoted(name)}; choose from {', '.join(self.columns)}"
+            )
+        which = self.columns.index(name)
+        return np.array([row[which] for row in self.rows])
+
+    @property
+    def failed(self) -> dict[int, str]:
+        """Why stimuli have no metrics, by number."""
+        return {int(row[0]): str(row[-1]) for row in self.rows if row[-1]}
+
+
+def table_of(plan: Plan, found: dict[int, Metrics | str]) -> SweepTable:
+    """The table of the stimuli of ``plan`` that were ``found`` so far."""
+    metrics = columns_of(plan)
+    rows = [
+        (
+            number,
+            *(_cell(value) for value in plan.values_of(number).values()),
+            *_measured(found[number], metrics),
+        )
+        for number in sorted(found)
+    ]
+    return SweepTable(("stimulus", *plan.names, *metrics, ERROR), tuple(rows))
+
+
+def write_csv(table: SweepTable, path: Path) -> None:
+    """Write the table as CSV: one header line; floats read back exactly, no value is empty."""
+    text = io.StringIO(newline="")
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(table.columns)
+    writer.writerows(map(_as_text, row) for row in table.rows)
+    write_bytes(path, text.getvalue().encode())
+
+
+def write_parquet(table: SweepTable, path: Path) -> None:
+    """Write the table as Parquet.
+
+    Raises
+    ------
+    MissingExtraError
+        The package for it is not installed.
+    """
+    arrow: Any = package_of_extra("pyarrow", "parquet")
+    parquet: Any = package_of_extra("pyarrow.parquet", "parquet")
+    columns = {name: _uniform(table.column(name)) for name in table.columns}
+    with replacing(path) as temporary:
+        parquet.write_table(arrow.table(columns), temporary)
+
+
+def _measured(found: Metrics | str, names: tuple[str, ...]) -> Iterator[Cell]:
+    if isinstance(found, str):
+        yield from (math.nan for _ in names)
+        yield found
+        return
+    yield from (found[name] for name in names)
+    yield ""
+
+
+def _cell(value: Any) -> Cell:
+    return " ".join(map(str, value)) if isinstance(value, tuple) else value
+
+
+def _as_text(value: Cell) -> str:
+    if not isinstance(value, float):
+        return str(value)
+    # The shortest digits that read back as the same number.
+    return str(int(value)) if value.is_integer() and abs(value) < 2**53 else repr(value)
+
+
+def _uniform(values: np.ndarray) -> list[Any]:
+    found: list[Any] = values.tolist()
+    return found
+
+
+# What a sweep has measured so far, on disk: a kill loses nothing, and doubles nothing.
+#
+# One line for each stimulus, with a checksum; a line that was cut or damaged does not count, and
+# its stimulus is measured again.  The first line names the plan.
+
+_MOST_BYTES = 2**32
+_CHECKED = 16
+# First lines of two plans differ in nearly all of their 80 digits.
+_MOST_DAMAGED = 8
+
+
+class Journal:
+    """Lines of a file, appended and flushed one by one.
+
+    Parameters
+    ----------
+    path
+        The file; it is made where it does not exist.  What is no journal is renamed.
+    digest
+        Of the plan.  A file of another plan is refused.
+
+    Attributes
+    ----------
+    rows
+        What was measured: metrics by number of the stimulus; the sentence that says why where it
+        could not be.
+
+    Raises
+    ------
+    InvalidInputError
+        The file belongs to another sweep.
+    StorageError
+        It cannot be read or written.
+    """
+
+    def __init__(self, path: Path, digest: str) -> None:
+        self.path = path
+        self.rows: dict[int, Metrics | str] = {}
+        first = _line({"sweep": digest})
+        content = read_bytes(path, most=_MOST_BYTES) if is_there(path) else b""
+        try:
+            if first.startswith(content):
+                content = b""
+            elif not _is_nearly(content[: len(first)], first):
+                _refuse_another_sweep(path, content)
+                _set_aside(path)
+                content = b""
+            # What was cut short goes, so that the next line begins a line.
+            sound = max(len(first), content.rfind(b"\n") + 1) if content else 0
+            self._read(content[len(first) : sound])
+            self._file = path.open("r+b" if is_there(path) else "w+b")
+            self._file.truncate(sound)
+            self._file.seek(sound)
+        except OSError as error:
+            raise _unwritable(path, error) from error
+        if not content:
+            self._write(first)
+
+    def __enter__(self) -> "Journal":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def add(self, number: int, found: Metrics | str) -> None:
+        """Keep what was found of a stimulus, from 1, on disk; a second time changes nothing."""
+        if number in self.rows:
+            return
+        self.rows[number] = found
+        if isinstance(found, str):
+            self._write(_line({"stimulus": number, "error": found}))
+        else:
+            self._write(_line({"stimulus": number, "metrics": _finite(found)}))
+
+    def close(self) -> None:
+        """Close the file; it stays."""
+        self._file.close()
+
+    def _read(self, content: bytes) -> None:
+        for line in content.split(b"\n"):
+            tree = _checked(line)
+            if tree is not None:
+                self.rows[int(tree["stimulus"])] = _found_in(tree)
+
+    def _write(self, line: bytes) -> None:
+        try:
+            self._file.write(line)
+            self._file.flush()
+            os.fsync(self._file.fileno())
+        except OSError as error:
+            raise _unwritable(self.path, error) from error
+
+
+def _line(tree: dict[str, Any]) -> bytes:
+    text = json.dumps(tree, allow_nan=False, separators=(",", ":")).encode()
+    return _sum(text) + b" " + text + b"\n"
+
+
+def _sum(text: bytes) -> bytes:
+    return sha256(text).hexdigest()[:_CHECKED].encode()
+
+
+def _checked(line: bytes) -> dict[str, Any] | None:
+    """What a line holds; None where it is damaged."""
+    text = line[_CHECKED + 1 :]
+    if line[:_CHECKED] != _sum(text):
+        return None
+    tree: dict[str, Any] = json.loads(text)
+    return tree
+
+
+def _is_nearly(line: bytes, expected: bytes) -> bool:
+    """Whether ``line`` is ``expected``, perhaps with a few damaged bytes."""
+    damaged = sum(a != b for a, b in zip(line, expected, strict=False))
+    return len(line) == len(expected) and damaged <= _MOST_DAMAGED
+
+
+def _refuse_another_sweep(path: Path, content: bytes) -> None:
+    if _checked(content.partition(b"\n")[0]) is not None:
+        raise InvalidInputError(
+            f"{named(path)} belongs to another sweep. Choose another folder, or delete the file to "
+            "begin anew."
+        )
+
+
+def _set_aside(path: Path) -> None:
+    """Rename ``path`` to a name that is free."""
+    names = (path.with_stem(f"{path.stem} set aside {number}") for number in count(1))
+    path.rename(next(name for name in names if not is_there(name)))
+
+
+def _finite(metrics: Metrics) -> dict[str, float | None]:
+    return {name: value if math.isfinite(value) else None for name, value in metrics.items()}
+
+
+def _found_in(tree: dict[str, Any]) -> Metrics | str:
+    if "error" in tree:
+        return str(tree["error"])
+    return {
+        name: math.nan if value is None else float(value) for name, value in tree["metrics"].items()
+    }
+
+
+def _unwritable(path: Path, error: OSError) -> StorageError:
+    return StorageError(
+        f"{named(path)}: cannot be written ({reason_of(error)}). {advice_on_writing(error)}"
+    )
+
+
+# The folder of a sweep.
+
+#: What was measured so far; it stays, so that a sweep that is run again has nothing to do.
+JOURNAL = "measured.jsonl"
+TABLE, PARQUET, TRIALS, ABOUT = "stimuli.csv", "stimuli.parquet", "trials.csv", "sweep.json"
+
+
+class Folder:
+    """Where a sweep writes; one process at a time.
+
+    Parameters
+    ----------
+    path
+        It is made where it does not exist.
+    digest
+        Of the plan: a folder of another one is refused.
+
+    Raises
+    ------
+    StorageError
+        Another process runs a sweep there, or it cannot be written.
+    InvalidInputError
+        It holds another sweep.
+    """
+
+    def __init__(self, path: Path, digest: str) -> None:
+        make_folder(path)
+        self.path = path
+        self._lock = Lock(path / JOURNAL)
+        owner = self._lock.take()
+        if owner is not None:
+            raise StorageError(
+                f"{named(path)}: another process ({owner.pid} on {owner.host}) runs a sweep "
+                "there. Wait for its end, or choose another folder."
+            )
+        try:
+            self.journal = Journal(path / JOURNAL, digest)
+        except BaseException:
+            self._lock.release()
+            raise
+
+    def __enter__(self) -> "Folder":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.journal.close()
+        self._lock.release()
+
+    def finish(self, plan: Plan, table: SweepTable, order: Order | None, *, parquet: bool) -> None:
+        """Write the tables, each whole or not at all."""
+        write_csv(table, self.path / TABLE)
+        if parquet:
+            write_parquet(table, self.path / PARQUET)
+        if order is not None:
+            write_bytes(self.path / TRIALS, _trials_csv(order, table))
+        about = {
+            "stimuli": len(plan),
+            "digest": plan.digest,
+            "variables": {name: list(values) for name, values in plan.variables},
+            "designs": [name for name, _ in plan.designs],
+            "outputs": list(plan.outputs),
+            "axes": plan.axes,
+            "method": plan.method,
+            "level": plan.level,
+            "level_db": plan.level_db,
+            "skinsource": __version__,
+        }
+        text = json.dumps(about, indent=2, ensure_ascii=False, allow_nan=False)
+        write_bytes(self.path / ABOUT, text.encode() + b"\n")
+
+
+def _trials_csv(order: Order, table: SweepTable) -> bytes:
+    """Trials of the stimuli that there are: those that could not be measured are left out."""
+    failed = table.failed
+    stimuli = [number for row in table.rows if (number := int(row[0])) not in failed]
+    text = io.StringIO(newline="")
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(("participant", "block", "trial", "stimulus"))
+    writer.writerows(
+        (one.participant, one.block, one.trial, one.stimulus) for one in trials(order, stimuli)
+    )
+    return text.getvalue().encode()
+
+
+# The stimuli of a sweep as files that actuators play.
+
+FOLDER = "stimuli"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StimulusFiles:
+    """In which form stimuli are exported.
+
+    Attributes
+    ----------
+    format
+        One of `skinsource.export_formats`.
+    rate_hz
+        Sample rate; None: what the format usually has.
+    """
+
+    format: str = "wav"
+    rate_hz: int | None = None
+
+    def __post_init__(self) -> None:
+        format_named(self.format, Path())
+        if self.rate_hz is not None:
+            whole_number("rate_hz", self.rate_hz, 1, MAX_RATE_HZ)
+
+    def write(
+        self,
+        plan: Plan,
+        table: SweepTable,
+        out: Path,
+        *,
+        progress: Progress = silent,
+        stop: Stop = never,
+    ) -> None:
+        """Export each stimulus that was measured; those that are there already are left alone.
+
+        A file of another rate than is asked for is written anew.  The largest drive of all of
+        them is full scale in every file, so that their differences stay.
+
+        Raises
+        ------
+        StorageError
+            The folder cannot be written.
+        Stopped
+            ``stop`` said so; what was written stays, and is not written again.
+        """
+        waiting = [
+            (path, design)
+            for path, design in self._files(plan, table, out / FOLDER)
+            if not self._there(path)
+        ]
+        if not waiting:
+            return
+        make_folder(out / FOLDER)
+        full_scale = self._full_scale(plan, table, out, progress=progress, stop=stop)
+        options = StimulusOptions(full_scale=full_scale)
+        for done, (path, design) in enumerate(waiting):
+            stop_if(stop)
+            progress(done, len(waiting), f"Exporting {path.name}")
+            export_stimulus(design, path, self.format, self.rate_hz, options=options, stop=stop)
+
+    def _there(self, path: Path) -> bool:
+        """Whether a stimulus is exported in this form."""
+        beside, kind = sidecar_path(path), format_named(self.format, Path())
+        if not (is_there(path) and is_there(beside)):
+            return False
+        own_rate = kind.fixed_rate or self.rate_hz is None
+        try:
+            about = json.loads(beside.read_text(encoding="utf-8"))
+            return bool(about["rate_hz"] == (kind.rate_hz if own_rate else self.rate_hz))
+        except (OSError, ValueError, KeyError, TypeError):
+            return False
+
+    def _files(self, plan: Plan, table: SweepTable, folder: Path) -> Iterator[tuple[Path, Design]]:
+        """Where each stimulus that was measured goes, and its design."""
+        suffix = format_named(self.format, Path()).suffix
+        failed, width = table.failed, len(str(len(plan)))
+        for number, factor in zip(table.column("stimulus"), table.column("factor"), strict=True):
+            if int(number) not in failed:
+                path = folder / f"{int(number):0{width}}{suffix}"
+                yield path, louder(plan.design_of(int(number)), float(factor))
+
+    def _full_scale(
+        self, plan: Plan, table: SweepTable, out: Path, *, progress: Progress, stop: Stop
+    ) -> float:
+        """The largest drive of any stimulus, at the rate of the files; 1 where all are silent."""
+        kind, largest = format_named(self.format, Path()), 0.0
+        for done, (path, design) in enumerate(self._files(plan, table, out / FOLDER)):
+            stop_if(stop)
+            progress(done, len(table), "Looking for the largest drive")
+            found = prepared(design, path, kind, self.rate_hz, StimulusOptions(), stop=stop)
+            largest = max(largest, float(np.abs(found.drives.samples).max(initial=0.0)))
+        # A little more, so that rounding takes no sample beyond it.
+        return largest * (1.0 + 2.0**-50) or 1.0
+
+
+def louder(design: Design, factor: float) -> Design:
+    """The design with all amplitudes times ``factor``."""
+    if factor == 1.0 or math.isnan(factor):
+        return design
+    inputs = (replace(one, amplitude=one.amplitude * factor) for one in design.inputs)
+    return replace(design, inputs=tuple(inputs))

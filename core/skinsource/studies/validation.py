@@ -1,0 +1,454 @@
+"""How well a prediction agrees with a measurement: the figures of the SkinSource paper's Fig. 4."""
+
+import os
+from collections.abc import Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass
+from itertools import permutations
+from math import prod
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import scipy
+from numpy.typing import ArrayLike
+
+from skinsource.base.arguments import finite_array, positive_number
+from skinsource.base.arrays import Booleans, Floats
+from skinsource.base.errors import InvalidInputError, RecordingError
+from skinsource.base.files import named
+from skinsource.base.job import Stop, never
+from skinsource.base.published import BAND_HZ, Band
+from skinsource.base.work import counted
+from skinsource.readers import limits
+from skinsource.readers.reader import Found, Series
+from skinsource.readers.reading_process import ReadingProcess
+from skinsource.readers.timestamps import pace_of
+from skinsource.signals.analysis.statistics import band_rms
+from skinsource.signals.resampling import resample
+
+#: Channels count whose measured RMS is this many times that of the noise, or more.
+LEAST_OVER_NOISE = 2.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Agreement:
+    """Figures of each channel; NaN where it does not count.
+
+    Attributes
+    ----------
+    counted : (n_outputs, n_axes) of bool
+        Channels whose measured RMS is twice the noise or more.
+    error : (n_outputs, n_axes)
+        Mean over time of the magnitude of the difference, both divided by their own mean RMS.
+    amplitude_percent : (n_outputs, n_axes)
+        100 |RMS predicted - RMS measured| / RMS measured, of those same divided signals.
+    correlation : (n_outputs, n_axes)
+        Pearson's r over time.
+    """
+
+    counted: Booleans
+    error: Floats
+    amplitude_percent: Floats
+    correlation: Floats
+
+    @property
+    def medians(self) -> tuple[float, float, float]:
+        """Of error, amplitude and correlation over the channels that count; NaN: there is none.
+
+        A channel of which silence is predicted counts, but has no correlation.
+        """
+        parts = (self.error, self.amplitude_percent, self.correlation)
+        error, amplitude, correlation = (_median(one[self.counted]) for one in parts)
+        return error, amplitude, correlation
+
+
+def agreement(predicted: ArrayLike, measured: ArrayLike, noise_rms: ArrayLike) -> Agreement:
+    """Return how well two fields agree, channel by channel.
+
+    Each field is divided by the mean RMS of its channels first, as in the paper: what is compared
+    is shape and distribution, not the strength of the actuator.
+
+    Parameters
+    ----------
+    predicted, measured : (n_outputs, n_axes, n_times)
+        At the same rate and from the same instant, see `aligned`.
+    noise_rms : (n_outputs, n_axes) or a number
+        Of the measurement, in its unit.
+
+    Raises
+    ------
+    InvalidInputError
+        Shapes differ, samples are not finite, or a field is silent.
+    """
+    ours = finite_array("predicted", predicted, "(n_outputs, n_axes, n_times)")
+    theirs = finite_array("measured", measured, "(n_outputs, n_axes, n_times)")
+    if ours.shape != theirs.shape or ours.ndim != 3 or not ours.size:
+        raise InvalidInputError(
+            f"predicted has shape {ours.shape}, measured {theirs.shape}; expected the same, "
+            "(n_outputs, n_axes, n_times)"
+        )
+    noise = np.broadcast_to(finite_array("noise_rms", noise_rms), ours.shape[:2])
+    measured_rms = _rms(theirs)
+    counted = (measured_rms >= LEAST_OVER_NOISE * noise) & (measured_rms > 0.0)
+    ours, theirs = (
+        _divided(name, one) for name, one in (("predicted", ours), ("measured", theirs))
+    )
+    ours_rms, theirs_rms = _rms(ours), _rms(theirs)
+    amplitude = np.full(counted.shape, np.nan)
+    np.divide(100.0 * np.abs(ours_rms - theirs_rms), theirs_rms, out=amplitude, where=counted)
+    error = np.where(counted, np.abs(ours - theirs).mean(axis=-1), np.nan)
+    return Agreement(
+        counted=counted,
+        error=error,
+        amplitude_percent=amplitude,
+        correlation=np.where(counted, pearson(ours, theirs), np.nan),
+    )
+
+
+def _median(values: Floats) -> float:
+    known = values[np.isfinite(values)]
+    return float(np.median(known)) if known.size else np.nan
+
+
+def pearson(one: Floats, other: Floats) -> Floats:
+    """Pearson's r over the last axis; NaN where a signal does not change."""
+    a, b = (x - x.mean(axis=-1, keepdims=True) for x in (one, other))
+    size = np.sqrt(np.sum(a * a, axis=-1) * np.sum(b * b, axis=-1))
+    whole = np.full(size.shape, np.nan)
+    found: Floats = np.divide(np.sum(a * b, axis=-1), size, out=whole, where=size > 0.0)
+    return found
+
+
+def aligned(measured: ArrayLike, predicted: ArrayLike, most: int) -> tuple[Floats, int]:
+    """Return the measured field shifted onto the predicted one, and by how many samples.
+
+    By the lag at which the sum of the cross-correlations of all channels is largest; silence comes
+    in at the end that opens, and what is left over is cut off.
+
+    Parameters
+    ----------
+    measured, predicted : (n_outputs, n_axes, n_times)
+        Lengths in time may differ.
+    most
+        Samples that it may be shifted by, to either side.
+
+    Returns
+    -------
+    (n_outputs, n_axes, n_times of the predicted), and the shift; positive: it came too early.
+    """
+    theirs = finite_array("measured", measured, "(n_outputs, n_axes, n_times)")
+    ours = finite_array("predicted", predicted, "(n_outputs, n_axes, n_times)")
+    if theirs.ndim != 3 or ours.ndim != 3 or theirs.shape[:2] != ours.shape[:2]:
+        raise InvalidInputError(
+            f"measured has shape {theirs.shape}, predicted {ours.shape}; expected the same outputs "
+            "and axes"
+        )
+    n_times = ours.shape[-1]
+    n_fft = scipy.fft.next_fast_len(n_times + theirs.shape[-1], real=True)
+    cross = scipy.fft.rfft(ours, n_fft) * np.conj(scipy.fft.rfft(theirs, n_fft))
+    sums = scipy.fft.irfft(cross.sum(axis=(0, 1)), n_fft)
+    # At others the two do not meet: a short response, a long search.
+    lags = np.arange(-min(most, theirs.shape[-1] - 1), min(most, n_times - 1) + 1)
+    shift = int(lags[np.argmax(sums[lags])])
+    found = np.zeros(ours.shape)
+    first = max(-shift, 0)
+    piece = theirs[..., first : first + n_times - max(shift, 0)]
+    found[..., max(shift, 0) : max(shift, 0) + piece.shape[-1]] = piece
+    return found, shift
+
+
+def _rms(field: Floats) -> Floats:
+    rms: Floats = np.sqrt(np.mean(np.square(field), axis=-1))
+    return rms
+
+
+def _divided(name: str, field: Floats) -> Floats:
+    mean = float(_rms(field).mean())
+    if mean == 0.0:
+        raise InvalidInputError(f"{name} is silent throughout, so there is nothing to compare")
+    return field / mean
+
+
+# Checks that a linear model rests on: output in proportion to input, and sums of inputs.
+
+
+def linear_fit(
+    levels: ArrayLike,
+    responses: ArrayLike,
+    sample_rate_hz: float,
+    band_hz: Band | None = BAND_HZ,
+) -> tuple[Floats, Floats]:
+    """Return how well output is in proportion to input, by frequency.
+
+    In each bin of 2 Hz within the measured band the RMS of the output, see `band_rms`, is fitted
+    with a straight line over the level of the input.
+
+    Parameters
+    ----------
+    levels : (n_levels,)
+        Of the input, three or more different ones.
+    responses : (n_levels, n_channels, n_times)
+        To the same stimulus at these levels.
+    sample_rate_hz
+        Their rate.
+    band_hz
+        The measured band; None: it is not known, and all frequencies count.
+
+    Returns
+    -------
+    frequency_hz : (n_bins,)
+        Middles of the bins that hold a frequency.
+    adjusted_r2 : (n_channels, n_bins)
+        1 for a straight line; NaN where nothing is heard.
+
+    Raises
+    ------
+    InvalidInputError
+        Shapes that do not fit, or too few levels.
+    """
+    x = finite_array("levels", levels, "(n_levels,)")
+    data = finite_array("responses", responses, "(n_levels, n_channels, n_times)")
+    rate = positive_number("sample_rate_hz", sample_rate_hz)
+    if x.ndim != 1 or data.ndim != 3 or len(x) != len(data) or np.unique(x).size < 3:
+        raise InvalidInputError(
+            f"levels has shape {x.shape}, responses {data.shape}; expected three or more different "
+            "levels and (n_levels, n_channels, n_times)"
+        )
+    middles, y = band_rms(scipy.fft.rfft(data), data.shape[-1], rate, band_hz)
+    return middles, straight_lines(x[:, None, None], y)[2]
+
+
+def superposition_correlation(separate: ArrayLike, joint: ArrayLike) -> Floats:
+    """Return Pearson's r between the sum of separate responses and the joint one, (n_channels,).
+
+    Parameters
+    ----------
+    separate : (n_inputs, n_channels, n_times)
+        Responses to each input alone.
+    joint : (n_channels, n_times)
+        To all together.
+    """
+    parts = finite_array("separate", separate, "(n_inputs, n_channels, n_times)")
+    whole = finite_array("joint", joint, "(n_channels, n_times)")
+    if parts.ndim != 3 or parts.shape[1:] != whole.shape:
+        raise InvalidInputError(
+            f"separate has shape {parts.shape}, joint {whole.shape}; expected (n_inputs, "
+            "n_channels, n_times) and (n_channels, n_times)"
+        )
+    return pearson(parts.sum(axis=0), whole)
+
+
+def straight_lines(x: Floats, y: Floats) -> tuple[Floats, Floats, Floats]:
+    """Slopes, offsets and adjusted R² of straight lines over the first axis, by least squares.
+
+    Parameters
+    ----------
+    x, y : (n, ...)
+        Shapes that broadcast, with three levels or more; ``y`` has the whole one.
+
+    Returns
+    -------
+    (...,) each; R² is NaN where ``y`` does not change.
+    """
+    n = len(x)
+    away, rest = x - x.mean(axis=0), y - y.mean(axis=0)
+    slope = np.sum(away * rest, axis=0) / np.sum(away**2, axis=0)
+    left = np.sum(np.square(rest - slope * away), axis=0)
+    total = np.sum(np.square(rest), axis=0)
+    # The mean of equal levels may be rounded: what is left of them then is no change.
+    rounding = n * np.square(np.finfo(np.float64).eps * np.abs(y).max(axis=0))
+    share = np.divide(left, total, out=np.full(total.shape, np.nan), where=total > rounding)
+    return slope, y.mean(axis=0) - slope * x.mean(axis=0), 1.0 - share * (n - 1) / (n - 2)
+
+
+# Recorded responses from files of others.
+
+# Rates that differ by less are the same.
+_SAME_HZ = 1e-3
+# Time, outputs and axes of an array of three dimensions, the usual order first.
+_ORDERS = ("toa", *(order for order in map("".join, permutations("toa")) if order != "toa"))
+
+
+def open_recorded(
+    path: str | os.PathLike[str],
+    n_outputs: int,
+    n_axes: int,
+    sample_rate_hz: float,
+    *,
+    rate_hz: float | None = None,
+    process: ReadingProcess | None = None,
+    stop: Stop = never,
+) -> Floats:
+    """Return the responses of a CSV, NPZ, MATLAB or HDF5 file, (n_outputs, n_axes, n_times).
+
+    They are an array of times, outputs and axes, in whichever order; or columns: output 1 along
+    each axis, then output 2, and so on, beside a column of times or without one.  Of an array of
+    times and channels, in either order, those are the channels of which there are as many as
+    outputs and axes.  Those at another rate are resampled.  The file is read in a process of its
+    own.
+
+    Parameters
+    ----------
+    path
+        The file.
+    n_outputs, n_axes
+        What it has to hold; with a single column for each output ``n_axes`` is 1.
+    sample_rate_hz
+        Rate of what is returned.
+    rate_hz
+        Rate of the file, where it says none itself; ``sample_rate_hz`` unless given.
+    process
+        Reads it; one of its own unless given.
+    stop
+        Asked now and then whether to give up.
+
+    Raises
+    ------
+    RecordingError
+        It holds another number of signals, numbers that are not finite, or a rate that cannot be
+        resampled.
+    StorageError
+        It cannot be read.
+    Stopped
+        ``stop`` said so.
+    """
+    file = Path(path)
+    with ExitStack() as stack:
+        reader = process or stack.enter_context(ReadingProcess())
+        field, stated_hz = _read(reader, file, n_outputs, n_axes, stop)
+    if not np.isfinite(field).all():
+        raise _refusal(file, "it holds values that are no finite numbers, expected m/s²")
+    return _at_rate(file, field, stated_hz or rate_hz or sample_rate_hz, sample_rate_hz)
+
+
+def _read(
+    reader: ReadingProcess, file: Path, n_outputs: int, n_axes: int, stop: Stop
+) -> tuple[Floats, float | None]:
+    """The responses, and their rate as far as the file says it."""
+    offered = reader.ask(file, {"do": "arrays"}, stop=stop)
+    for array in offered["arrays"]:
+        order = _order_of([int(n) for n in array["shape"]], n_outputs, n_axes)
+        if order:
+            rate_hz = array["rate_hz"] or offered["rate_hz"]
+            field = _from_array(reader, file, array, order, stop)
+            return field, None if rate_hz is None else float(rate_hz)
+    shapes = ", ".join(" × ".join(map(str, one["shape"])) for one in offered["arrays"][:5])
+    try:
+        found = reader.look(file, stop=stop)
+    except RecordingError:
+        if not shapes:
+            raise
+        raise _refusal(
+            file,
+            f"its arrays are {shapes}, expected times × {counted(n_outputs, 'output')} × "
+            f"{counted(n_axes, 'axis', 'axes')}",
+        ) from None
+    return _from_columns(reader, file, found, (n_outputs, n_axes), stop)
+
+
+def _order_of(shape: Sequence[int], n_outputs: int, n_axes: int) -> str:
+    """Which dimension is time, outputs and axes; empty where none fits."""
+    for order in _ORDERS:
+        if shape[order.index("o")] == n_outputs and shape[order.index("a")] == n_axes:
+            return order
+    return ""
+
+
+def _from_array(
+    reader: ReadingProcess, file: Path, array: dict[str, Any], order: str, stop: Stop
+) -> Floats:
+    shape = [int(n) for n in array["shape"]]
+    if prod(shape) * 8 > limits.MOST_BYTES:
+        raise _refusal(
+            file, f"{prod(shape)} samples are too many, expected at most {limits.MOST_BYTES // 8}"
+        )
+    # One axis after another, as the responses of a limb come: input by input.
+    request = {"do": "responses", "array": array["name"], "order": order.replace("a", "i")}
+    along_each = list(reader.stream(file, request, stop=stop))
+    if len(along_each) != shape[order.index("a")]:
+        raise _refusal(file, "it ends too early, expected all axes")
+    return np.stack(along_each, axis=1)
+
+
+def _from_columns(
+    reader: ReadingProcess, file: Path, found: Found, size: tuple[int, int], stop: Stop
+) -> tuple[Floats, float | None]:
+    n_outputs, n_axes = size
+    signals = [one for one in found.series if not one.is_time]
+    expected = n_outputs * n_axes
+    if _are_instants(signals, expected):
+        return _from_instants(reader, file, found, (signals, size), stop)
+    if len(signals) != expected or len({one.n_samples for one in signals}) != 1:
+        one_axis = f", or choose one axis (x, y or z), which takes {counted(n_outputs, 'signal')}"
+        advice = one_axis if n_axes > 1 else ""
+        raise _refusal(
+            file,
+            f"{counted(len(signals), 'signal')}, expected {expected} of one length: "
+            f"{counted(n_outputs, 'output')} along {counted(n_axes, 'axis', 'axes')}, output "
+            f"by output. Save the responses as an array of times by outputs by axes{advice}",
+        )
+    keys, n_times = [one.key for one in signals], signals[0].n_samples
+    values = reader.read(file, keys, 0, n_times, stop=stop).astype(np.float64)
+    rate_hz = found.rate_of(signals[0])
+    times = found.time_of(signals[0])
+    if rate_hz is None and times is not None:
+        rate_hz = _rate_of_times(reader, file, times, stop)
+    return values.reshape(n_outputs, n_axes, -1), rate_hz
+
+
+def _are_instants(signals: Sequence[Series], expected: int) -> bool:
+    """Whether what was taken for signals are instants: there are fewer of them than channels."""
+    shapes = {one.shape for one in signals}
+    return len(signals) != expected and shapes in (
+        {(len(signals), expected)},
+        {(expected, len(signals))},
+    )
+
+
+def _from_instants(
+    reader: ReadingProcess,
+    file: Path,
+    found: Found,
+    what: tuple[Sequence[Series], tuple[int, int]],
+    stop: Stop,
+) -> tuple[Floats, float | None]:
+    instants, (n_outputs, n_axes) = what
+    keys = [one.key for one in instants]
+    rows = reader.read(file, keys, 0, n_outputs * n_axes, stop=stop).astype(np.float64)
+    rate_hz = found.rate_of(instants[0])
+    stamps = (one for one in found.series if one.is_time and one.n_samples == len(instants))
+    times = next(stamps, None)
+    if rate_hz is None and times is not None:
+        rate_hz = _rate_of_times(reader, file, times, stop)
+    return rows.T.reshape(n_outputs, n_axes, -1), rate_hz
+
+
+def _rate_of_times(reader: ReadingProcess, file: Path, times: Series, stop: Stop) -> float:
+    stamps = reader.read(file, [times.key], 0, times.n_samples, stop=stop).astype(np.float64)[0]
+    try:
+        pace = pace_of(stamps * times.time_unit_s)
+    except InvalidInputError as error:
+        raise _refusal(file, str(error)) from error
+    if not pace.steady:
+        raise _refusal(
+            file, "its time stamps are not steady, expected steps of one length. Resample it before"
+        )
+    return float(pace.rate_hz)
+
+
+def _at_rate(file: Path, field: Floats, from_hz: float, to_hz: float) -> Floats:
+    if abs(from_hz - to_hz) <= _SAME_HZ:
+        return field
+    rates = [round(from_hz), round(to_hz)]
+    if max(abs(rates[0] - from_hz), abs(rates[1] - to_hz)) > _SAME_HZ:
+        raise _refusal(
+            file,
+            f"{from_hz:g} Hz, expected a whole number of hertz, or the rate of the limb, "
+            f"{to_hz:g} Hz. Resample it before",
+        )
+    return resample(field, *rates)
+
+
+def _refusal(file: Path, reason: str) -> RecordingError:
+    return RecordingError(f"{named(Path(file.name))}: {reason.rstrip('.')}.")

@@ -1,1 +1,0 @@
-"""How recipes are computed: sums of harmonics, phases of sweeps."""

@@ -1,5 +1,0 @@
-"""Trees that JSON can hold."""
-
-from typing import Any
-
-Tree = Any
