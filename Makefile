@@ -17,7 +17,7 @@ test: .venv/ready-to-test  ## lint, types, contracts, all tests, offscreen
 	@$(MAKE) --no-print-directory checks
 
 checks:  # the same in an environment that is there already: make checks BIN=...
-	@$(BIN)/python -m skinsource_gui.system_libraries
+	@$(BIN)/python -m skinsource_gui.qt.system_libraries
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/lint-imports

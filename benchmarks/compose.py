@@ -30,11 +30,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from skinsource.limbs.catalogue import available_limbs
-from skinsource_gui.shell.app import make_application
-from skinsource_gui.shell.garbage import take_over_collection
+from skinsource_gui.app.app import make_application, take_over_collection
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.state.start_design import start_design
+from skinsource_gui.state.preferences import Preferences, start_design
 
 SCENES = {
     "mouse": (*compose_by_mouse.SCENES, compose_export.by_mouse),

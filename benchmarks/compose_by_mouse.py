@@ -16,8 +16,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource_gui.panels.clip_editor.editor_view import EditorView
-from skinsource_gui.panels.timeline.lanes_view import LanesView
+from skinsource_gui.panels.clip_editor.view import EditorView
+from skinsource_gui.panels.timeline.lanes import LanesView
 
 _FILES = QRegularExpression("listView|treeView")
 #: A pixel of the editor is about a millisecond, and a hundredth of the level.

@@ -7,9 +7,11 @@ import soundfile
 from composer import Composer
 
 import skinsource as ss
-from skinsource.design.effects import Envelope
+from skinsource.design.effects.level import Envelope
 from skinsource.design.motions import Sweep
-from skinsource.design.waveforms import Recording, Tone, WaveletTrain
+from skinsource.design.waveforms.samples import Recording
+from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
 
 #: Of the tip of digit II, pushed into the skin, as in Fig. 2H of the paper.
 TRAIN_PLACE, TRAIN_HZ = 7, (50.0, 84.090, 141.421, 237.841, 400.0)

@@ -23,7 +23,8 @@ from skinsource.base.allocation import keep_freed_memory
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.limbs.catalogue import default_limb, load_limb

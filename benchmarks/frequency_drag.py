@@ -33,15 +33,13 @@ from yardstick import Beside, computing_and_painting, judge
 
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.catalogue import available_limbs, default_limb
-from skinsource_gui.shell.app import make_application
-from skinsource_gui.shell.garbage import take_over_collection
+from skinsource_gui.app.app import make_application, take_over_collection
+from skinsource_gui.fields.number_field import PIXELS_PER_STEP, NumberField
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.engine import Outcome
 from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.widgets.fields.number_field import NumberField
-from skinsource_gui.widgets.fields.number_gestures import PIXELS_PER_STEP
 
 OUTPUTS = (29, 30, 33, 35, 38, 52)
 #: Median and 95th percentile that are promised, in times the fixed piece of work beside them, for

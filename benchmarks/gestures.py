@@ -29,15 +29,15 @@ from yardstick import Beside, computing_and_painting
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
-from skinsource.design.effects import Envelope
+from skinsource.design.effects.level import Envelope
 from skinsource.design.view import View
-from skinsource.design.waveforms import Drawn, Tone
+from skinsource.design.waveforms.samples import Drawn
+from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.catalogue import available_limbs, default_limb
 from skinsource.specs.samples import Samples
-from skinsource_gui.panels.clip_editor.editor_view import EditorView
-from skinsource_gui.panels.timeline.lanes_view import LanesView
-from skinsource_gui.shell.app import make_application
-from skinsource_gui.shell.garbage import take_over_collection
+from skinsource_gui.app.app import make_application, take_over_collection
+from skinsource_gui.panels.clip_editor.view import EditorView
+from skinsource_gui.panels.timeline.lanes import LanesView
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
 

@@ -33,7 +33,8 @@ from growth_plot import EDITS, Point, write
 from skinsource.base.allocation import keep_freed_memory
 from skinsource.design.design import Design, Input, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.graph import Graph
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.limbs.catalogue import default_limb, load_limb

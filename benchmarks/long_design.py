@@ -30,7 +30,8 @@ from skinsource.base.allocation import keep_freed_memory
 from skinsource.base.errors import Stopped
 from skinsource.design.design import Design, Input, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.graph import Graph
 from skinsource.engine.memory import TOTAL_BYTES
 from skinsource.engine.quantities import new_graph, sources

@@ -30,14 +30,13 @@ from resident import held_mb, resident_mb
 
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.limbs.catalogue import available_limbs, default_limb
-from skinsource_gui.shell.app import make_application
+from skinsource_gui.app.app import make_application
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.state.start_design import start_design
+from skinsource_gui.state.preferences import Preferences, start_design
 
 #: What the panels of the window show, and the check of it.
 SHOWN = frozenset(

@@ -18,13 +18,13 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.catalogue import available_limbs, default_limb
-from skinsource_gui.import_page.overview_strip import OverviewStrip
-from skinsource_gui.shell.app import make_application
+from skinsource_gui.app.app import make_application
+from skinsource_gui.pages.importing.form import OverviewStrip
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.state.start_design import start_design
+from skinsource_gui.state.preferences import Preferences, start_design
 
 SIZES = ((1366, 768), (1920, 1080))
 FOLDER = Path("build/pictures")

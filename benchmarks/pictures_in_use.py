@@ -18,11 +18,14 @@ from PySide6.QtWidgets import QApplication, QListView, QPushButton
 
 from skinsource.design.clips import Clip, Marker
 from skinsource.design.design import Design, Input
-from skinsource.design.effects import Envelope, Fade
+from skinsource.design.effects.level import Envelope, Fade
 from skinsource.design.view import View
-from skinsource.design.waveforms import Gabor, Noise, Tap, Tone, WaveletTrain
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
+from skinsource.design.waveforms.wavelets import Gabor
 from skinsource.limbs.catalogue import available_limbs, default_limb
-from skinsource_gui.shell.app import make_application
+from skinsource_gui.app.app import make_application
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
 

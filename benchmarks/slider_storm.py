@@ -18,7 +18,7 @@ from PySide6.QtCore import QEventLoop, Qt, QTimer
 from yardstick import judge
 
 from skinsource.engine.graph import Graph
-from skinsource_gui.shell.app import make_application
+from skinsource_gui.app.app import make_application
 from skinsource_gui.state.conductor import WAIT_FOR_RESULTS_S
 from skinsource_gui.state.engine import Engine, Outcome, Request
 

@@ -19,8 +19,8 @@ from scipy.signal import fftconvolve
 
 import skinsource as ss
 from skinsource.base.allocation import keep_freed_memory
-from skinsource.studies.sweeps import Measurer, Plan
-from skinsource.studies.sweeps.plan import TOGETHER
+from skinsource.studies.sweeps.measuring import Measurer
+from skinsource.studies.sweeps.plan import TOGETHER, Plan
 from skinsource.studies.sweeps.workers import measured
 
 RATE_HZ = 1300

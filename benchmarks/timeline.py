@@ -21,10 +21,12 @@ from PySide6.QtWidgets import QApplication
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
 from skinsource.design.view import View
-from skinsource.design.waveforms import Gabor, Tap, Tone
+from skinsource.design.waveforms.pulses import Tap
+from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms.wavelets import Gabor
 from skinsource.limbs.catalogue import available_limbs, default_limb
-from skinsource_gui.panels.timeline.lanes_view import LanesView
-from skinsource_gui.shell.app import make_application
+from skinsource_gui.app.app import make_application
+from skinsource_gui.panels.timeline.lanes import LanesView
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
 

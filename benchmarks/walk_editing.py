@@ -6,7 +6,7 @@ from pathlib import Path
 from driver import CONTROL, SHIFT, Driver
 from PySide6.QtCore import QPoint, Qt
 
-from skinsource_gui.state.start_design import start_design
+from skinsource_gui.state.preferences import start_design
 
 KEY = Qt.Key
 

@@ -9,8 +9,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDialog, QMessageBox
 
 from skinsource.design.design import track
-from skinsource.design.waveforms import Tone
-from skinsource_gui.shell.palette import Palette
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.shell.menus import Palette
 
 KEY = Qt.Key
 

@@ -10,7 +10,7 @@ from PySide6.QtCore import QPoint, Qt
 from skinsource.design.panel_settings import settings_of
 from skinsource.limbs.catalogue import available_limbs
 from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.panels.spectra.settings import SpectraSettings
+from skinsource_gui.panels.spectra.panel import SpectraSettings
 
 KEY = Qt.Key
 of_skin = partial(settings_of, panel="skin", kind=SkinSettings)

@@ -23,10 +23,9 @@ from walk_keyboard import go_by_keyboard
 from walk_looking import change_setup, colour_the_map, read_plots, select_outputs
 
 from skinsource.limbs.catalogue import available_limbs, default_limb
-from skinsource_gui.shell.app import make_application
+from skinsource_gui.app.app import make_application
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.state.start_design import start_design
+from skinsource_gui.state.preferences import Preferences, start_design
 
 CHAPTERS = (
     place_inputs,

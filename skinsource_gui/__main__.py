@@ -16,9 +16,8 @@ from pathlib import Path
 from skinsource.base.extras import extra_line
 from skinsource.base.quoting import escaped
 from skinsource.version import __version__
-from skinsource_gui.late_modules import leave_for_use
-from skinsource_gui.system_libraries import has_display, install_line, missing_packages
-from skinsource_gui.unread_sources import leave_sources_unread
+from skinsource_gui.qt.late_modules import leave_for_use, leave_sources_unread
+from skinsource_gui.qt.system_libraries import has_display, install_line, missing_packages
 
 _FIRST_RUN = Path("build/first-run")
 
@@ -43,13 +42,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     leave_sources_unread()
     leave_for_use()
     if on_a_screen:
-        return int(importlib.import_module("skinsource_gui.shell.app").run(options.design))
+        return int(importlib.import_module("skinsource_gui.app.app").run(options.design))
     folder = options.render or _FIRST_RUN
     if options.render is None:
         shown = "the start design" if options.design is None else escaped(str(options.design))
         sys.stdout.write(f"There is no display here. Rendering {shown} to {folder} instead.\n")
     os.environ["QT_QPA_PLATFORM"] = "offscreen"
-    return int(importlib.import_module("skinsource_gui.headless").run(folder, options.design))
+    return int(importlib.import_module("skinsource_gui.app.headless").run(folder, options.design))
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -1,11 +1,18 @@
 """Colours and size of words, in the whole studio."""
 
-from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QApplication
+from collections.abc import Sequence
 
+from PySide6.QtCore import QObject, QRect, Qt, QTimer, Signal
+from PySide6.QtGui import QGuiApplication, QScreen
+from PySide6.QtWidgets import QApplication, QWidget
+
+from skinsource.base.quoting import printable
+from skinsource.design.design import Design
+from skinsource.limbs.own_limbs import missing_limb
+from skinsource.studies import scenes
+from skinsource_gui.qt.theme import THEMES, apply_theme
+from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.theme import THEMES, apply_theme
 
 #: One step of "Larger text", and how far it goes.
 TEXT_STEP, SMALLEST_TEXT, LARGEST_TEXT = 1.1, 0.8, 3.0
@@ -81,3 +88,125 @@ class Appearance(QObject):
     def _follow_desktop(self) -> None:
         if self._preferences.theme_name == "system":
             self.apply()
+
+
+# Windows that stood on a screen that is gone come back to one that is there.
+
+# Some desktops move windows themselves, a moment after they have told, and leave an edge in sight.
+_DESKTOP_MS = 400
+# Of which at least so much is seen stays where it is.
+_SEEN_SHARE = 0.5
+# What lies over a whole screen, desktops lay over another one.
+_WHOLE = Qt.WindowState.WindowFullScreen | Qt.WindowState.WindowMaximized
+
+
+class WindowsInSight(QObject):
+    """Looks after the window, its dialogs, its notes and its floating panels.
+
+    Parameters
+    ----------
+    window
+        That of the studio; also the parent.
+    """
+
+    def __init__(self, window: QWidget) -> None:
+        super().__init__(window)
+        self._window = window
+        self._timer = QTimer(self, interval=_DESKTOP_MS, singleShot=True)
+        self._timer.timeout.connect(self.bring)
+        application = QApplication.instance()
+        if isinstance(application, QGuiApplication):
+            application.screenRemoved.connect(self._follow)
+
+    def bring(self) -> None:
+        """Move what is out of sight onto the screen that is nearest."""
+        rooms = [screen.availableGeometry() for screen in QGuiApplication.screens()]
+        for window in (self._window, *self._window.findChildren(QWidget)):
+            whole = window.windowState() & _WHOLE
+            if window.isWindow() and window.isVisible() and not whole:
+                _bring(window, rooms)
+
+    def _follow(self, _gone: QScreen) -> None:
+        self._timer.start()
+
+
+def place_in_sight(frame: QRect, rooms: Sequence[QRect]) -> QRect:
+    """Where a window with this frame stands: the same place where most of it is seen there.
+
+    Else it is the nearest place on the nearest of the screens, whose ``rooms`` these are, no larger
+    than that.
+    """
+    shared = [_area(room.intersected(frame)) for room in rooms]
+    if not rooms or max(shared) >= _SEEN_SHARE * _area(frame):
+        return frame
+    room = min(rooms, key=lambda one: (one.center() - frame.center()).manhattanLength())
+    width, height = min(frame.width(), room.width()), min(frame.height(), room.height())
+    left = min(max(frame.left(), room.left()), room.right() + 1 - width)
+    top = min(max(frame.top(), room.top()), room.bottom() + 1 - height)
+    return QRect(left, top, width, height)
+
+
+def _bring(window: QWidget, rooms: Sequence[QRect]) -> None:
+    frame = window.frameGeometry()
+    place = place_in_sight(frame, rooms)
+    if place == frame:
+        return
+    edges = frame.size() - window.size()
+    window.resize(place.size() - edges)
+    window.move(place.topLeft())
+
+
+def _area(of: QRect) -> int:
+    return max(of.width(), 0) * max(of.height(), 0)
+
+
+# What is done with the window as a whole, and what its title says.
+
+
+class WindowFrame(QObject):
+    """Closes ``window``, lays it over the whole screen, and names ``document`` in its title."""
+
+    def __init__(self, window: QWidget, document: Document) -> None:
+        super().__init__(window)
+        self._window, self._document = window, document
+        WindowsInSight(window)
+        document.title_changed.connect(self._show_title)
+        document.changed.connect(self._follow_title)
+        self._said = ""
+        self._show_title()
+
+    def close(self) -> None:
+        """Close it, as its button does."""
+        self._window.close()
+
+    def toggle_full_screen(self) -> None:
+        """Lay it over the whole screen, or back."""
+        # Not showNormal: a maximised window shall be one afterwards.
+        self._window.setWindowState(self._window.windowState() ^ Qt.WindowState.WindowFullScreen)
+
+    def _follow_title(self) -> None:
+        if _title_of(self._document.design) != self._said:
+            self._show_title()
+
+    def _show_title(self) -> None:
+        path, design = self._document.path, self._document.design
+        self._said = title = _title_of(design)
+        # A scene has a title, or a name among others, and no file.
+        name = printable(title or self._document.scene).strip() or "Untitled"
+        recovered = self._document.recovered_from
+        if path:
+            name = path.stem
+        elif recovered:
+            name = f"{printable(recovered.stem)} (recovered)"
+        # Qt puts its mark of unsaved work at one that stands alone.
+        name = name.replace("[*]", "[*][*]")
+        missing = missing_limb(design.limb, design.limb_digest)
+        read_only = self._document.read_only or missing
+        locked = " (read-only)" if read_only else ""
+        self._window.setWindowTitle(f"{name}[*]{locked} – SkinSource studio")
+        self._window.setWindowModified(self._document.modified)
+
+
+def _title_of(design: Design) -> str:
+    # What knows the scenes is not read before one is open.
+    return scenes.title_of(design) if design.title else ""

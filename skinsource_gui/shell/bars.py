@@ -1,21 +1,199 @@
-"""The bar above the panels."""
+"""The row above the panels: limb, scaling, axes, method, levels."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QResizeEvent
 from PySide6.QtWidgets import (
+    QComboBox,
     QFrame,
     QHBoxLayout,
+    QLabel,
     QMainWindow,
     QMenu,
+    QSizePolicy,
     QToolBar,
     QToolButton,
     QWidget,
 )
 
-from skinsource_gui.shell.setup_bar import SetupBar
-from skinsource_gui.widgets.tooltips import show_tooltip
+from skinsource.design import edits
+from skinsource.design.design import Design
+from skinsource.design.edits.edit import Edit, Refusal
+from skinsource.design.labels import CHOICES, LIMBS, Word, limb_word, scalings_on
+from skinsource.design.view import View
+from skinsource.limbs.dataset.store import NOT_INSTALLED
+from skinsource.limbs.own_limbs import drive_unit_known, facts_of, own_limb_names
+from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.pages.dataset import TITLE
+from skinsource_gui.qt.tooltips import show_tooltip, tooltip
+
+_LEAST_PX = 260
+#: Where the list keeps what can be done with an entry; None: all that is usual.
+_FLAGS = Qt.ItemDataRole.UserRole - 1
+_ENABLED = Qt.ItemFlag.ItemIsEnabled
+
+
+class SetupBar(QWidget):
+    """Choices for what the whole window shows."""
+
+    #: `Edit` or `Refusal`, number of the gesture or None.
+    edited = Signal(object, object)
+
+    def __init__(self, parent: QWidget | None = None):
+        super().__init__(parent)
+        self._design: Design | None = None
+        self._view: View | None = None
+        self._words: tuple[Word, ...] = LIMBS
+        self._measured, self._drive_unit_known = "xyz", True
+        self._row = QHBoxLayout(self)
+        self._row.setContentsMargins(0, 0, 0, 0)
+        self._row.setSpacing(6)
+        self._limb, self._scaling, self._axes, self._method, self._span = (
+            self._choice(label, sentence, words) for _, label, sentence, words in CHOICES
+        )
+        self._method_hint = self._method.toolTip()
+        self._row.addStretch(1)
+        self._titles = self.findChildren(QLabel)
+        for field, edit in (
+            (self._limb, edits.change_limb),
+            (self._scaling, edits.change_scaling),
+            (self._axes, edits.look_along),
+            (self._method, edits.look_by_method),
+            (self._span, edits.level_over),
+        ):
+            field.chosen.connect(partial(self._choose, edit))
+
+    def show_state(self, design: Design, view: View) -> None:
+        """Take over the present design and view."""
+        self._design, self._view = design, view
+        for field, value in (
+            (self._limb, design.limb),
+            (self._scaling, design.scaling),
+            (self._axes, view.axes),
+            (self._method, view.method),
+            (self._span, view.span),
+        ):
+            field.set_value(value)
+        self._offer_axes(design.limb)
+        self._explain_scalings(drive_unit_known(design.limb, design.limb_digest))
+        single = len(view.axes) == 1
+        self._method.setEnabled(not single)
+        hint = "A single axis needs no method" if single else self._method_hint
+        show_tooltip(self._method, hint)
+
+    def show_playhead(self, view: View) -> None:
+        """Take over a view in which the playhead alone has moved."""
+        self._view = view
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        # Where there is too little room for all, what is chosen says more than what it is called.
+        named = sum(title.sizeHint().width() + self._row.spacing() for title in self._titles)
+        chosen = self._row.sizeHint().width()
+        needed = chosen if self._titles[0].isVisibleTo(self) else chosen + named
+        for title in self._titles:
+            title.setVisible(self.width() >= needed)
+
+    @property
+    def wanted_px(self) -> int:
+        """Width in which each choice is read whole, without what it is called."""
+        fields = self.findChildren(ChoiceField)
+        return sum(one.sizeHint().width() + 2 * self._row.spacing() for one in fields)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(_LEAST_PX, super().minimumSizeHint().height())
+
+    def show_available(self, limbs: tuple[str, ...]) -> None:
+        """Offer these limbs, and no others."""
+        words = (*LIMBS, *(limb_word(name) for name in own_limb_names()))
+        names = tuple(word.name for word in words)
+        if words != self._words:
+            self._words = words
+            self._limb.offer(_spec("Limb", "", words))
+            _explain(self._limb, words)
+        for index, name in enumerate(names):
+            there = name in limbs
+            _offer(self._limb, index, there=there)
+            if name.startswith("measured-"):
+                hint = "" if there else f"{NOT_INSTALLED} Help > {TITLE}… installs them."
+                self._limb.setItemData(index, hint, Qt.ItemDataRole.ToolTipRole)
+
+    def _offer_axes(self, limb: str) -> None:
+        """Let those axes be chosen along which the limb measures."""
+        measured = facts_of(limb).axes
+        if measured == self._measured:
+            return
+        self._measured = measured
+        for index in range(self._axes.count()):
+            _offer(self._axes, index, there=set(self._axes.itemData(index)) <= set(measured))
+
+    def _explain_scalings(self, unit_known: bool) -> None:
+        """Say what amplitudes mean on the limb."""
+        if unit_known == self._drive_unit_known:
+            return
+        self._drive_unit_known = unit_known
+        _explain(self._scaling, scalings_on(drive_unit_known=unit_known))
+
+    def choices(self, parent: QObject | None) -> list[QAction]:
+        """One action for each choice that can be made, owned by ``parent``."""
+        actions = []
+        for field in (self._limb, self._scaling, self._axes, self._method, self._span):
+            model = field.model()
+            for index in range(field.count()):
+                action = QAction(f"{field.accessibleName()}: {field.itemText(index)}", parent)
+                action.setToolTip(field.itemData(index, Qt.ItemDataRole.ToolTipRole) or "")
+                action.setEnabled(
+                    field.isEnabled() and bool(model.flags(model.index(index, 0)) & _ENABLED)
+                )
+                action.triggered.connect(partial(field.choose, field.itemData(index)))
+                actions.append(action)
+        return actions
+
+    def _choice(self, label: str, sentence: str, words: tuple[Word, ...]) -> ChoiceField:
+        field = ChoiceField(_spec(label, sentence, words))
+        field.setObjectName(label.lower())
+        field.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        field.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
+        _explain(field, words)
+        title = QLabel(label)
+        title.setBuddy(field)
+        self._row.addWidget(title)
+        self._row.addWidget(field)
+        self._row.addSpacing(2)
+        return field
+
+    def _choose(self, edit: Callable[..., Edit | Refusal], value: str, gesture: int | None) -> None:
+        if self._design and self._view:
+            outcome = edit(self._design, self._view, value)
+            self.edited.emit(outcome, gesture)
+            if isinstance(outcome, Refusal):
+                self.show_state(self._design, self._view)
+
+
+def _spec(label: str, sentence: str, words: tuple[Word, ...]) -> ChoiceSpec:
+    options = tuple((word.name, word.title) for word in words)
+    return ChoiceSpec(label=label, options=options, hint=sentence)
+
+
+def _explain(field: QComboBox, words: tuple[Word, ...]) -> None:
+    """Say of each entry what it means."""
+    for index, word in enumerate(words):
+        field.setItemData(index, tooltip(word.sentence), Qt.ItemDataRole.ToolTipRole)
+
+
+def _offer(field: QComboBox, index: int, *, there: bool) -> None:
+    """Let an entry be chosen, or not.
+
+    Not by the item of the model: what Python knows of an item outlives it, and PySide then takes
+    whatever comes to stand at its address for that item.
+    """
+    field.setItemData(index, None if there else 0, _FLAGS)
+
+
+# The bar above the panels.
 
 #: Of the room that the choices want, so much is theirs before buttons stand beside them.
 _CHOICES_SHARE = 0.8

@@ -1,12 +1,39 @@
 """The menu bar, made from the table of actions."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
+from pathlib import Path
 
-from PySide6.QtGui import QAction, QKeySequence, QShortcut
-from PySide6.QtWidgets import QMenu, QMenuBar
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QAction,
+    QActionGroup,
+    QKeyEvent,
+    QKeySequence,
+    QPainter,
+    QPalette,
+    QShortcut,
+    QUndoStack,
+)
+from PySide6.QtWidgets import (
+    QDialog,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QMenu,
+    QMenuBar,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QVBoxLayout,
+    QWidget,
+)
 
-from skinsource_gui.shell.action_spec import ActionSpec
+from skinsource_gui.pages.files.file_actions import RecentFiles
+from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.shell.actions import MENUS
+from skinsource_gui.shell.actions.spec import ActionSpec
+from skinsource_gui.state.document import Document
 
 #: Opens the first menu.
 MENU_KEY = "F10"
@@ -52,3 +79,332 @@ def fill_menu_bar(
         shown.addAction(action)
     first = QShortcut(QKeySequence(MENU_KEY), bar)
     first.activated.connect(lambda: bar.setActiveAction(menus[MENUS[0]].menuAction()))
+
+
+# The menu of files that were opened or saved lately.
+
+
+class RecentMenu(QMenu):
+    """Lists the recent files, newest first, each time it is shown."""
+
+    #: The path of the file that was chosen.
+    chosen = Signal(object)
+
+    def __init__(self, recent: RecentFiles, parent: QWidget) -> None:
+        super().__init__("Open recent", parent)
+        self.setObjectName("open_recent")
+        self.setToolTipsVisible(True)
+        self._recent = recent
+        self.aboutToShow.connect(self._fill)
+        self.triggered.connect(self._choose)
+
+    def _fill(self) -> None:
+        self.clear()
+        for path in self._recent.paths:
+            entry = self.addAction(path.name)
+            entry.setToolTip(str(path))
+            entry.setData(str(path))
+        if self.isEmpty():
+            self.addAction("Nothing opened or saved yet").setEnabled(False)
+
+    def _choose(self, entry: QAction) -> None:
+        if entry.data():
+            self.chosen.emit(Path(entry.data()))
+
+
+# Finds any action by a few letters of its name.
+
+# Right of the keys, and at least so much between them and the name.
+_EDGE_PX, _GAP_PX = 8, 16
+_NOTHING_FOUND = "Nothing found"
+_HINT = "Try another word, such as export, limb, mute or theme"
+#: Property of an action: other words by which it is found.
+KEYWORDS = "keywords"
+#: Property of an action that only explains: it is found after all others.
+BESIDES = "besides"
+
+
+class Palette(QDialog):
+    """A list of actions that narrows while one types; Enter runs the marked one.
+
+    Parameters
+    ----------
+    actions
+        What can be found; those without a parent are kept as long as the palette.
+    """
+
+    def __init__(
+        self,
+        actions: Sequence[QAction],
+        parent: QWidget | None = None,
+    ):
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setWindowTitle("Search actions")
+        self.setObjectName("palette")
+        self.resize(640, 400)
+        self._actions = actions
+        for action in actions:
+            if action.parent() is None:
+                action.setParent(self)
+        self.line = QLineEdit()
+        self.line.setPlaceholderText("Type a few letters…")
+        self.line.setAccessibleName("Search actions")
+        self.list = QListWidget()
+        self.list.setAccessibleName("Matching actions")
+        self.list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.list.setItemDelegate(_KeysAtTheRight(self.list))
+        # A long name is elided; keys never are.
+        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.line)
+        layout.addWidget(self.list)
+        self.line.textChanged.connect(self._narrow)
+        self.line.returnPressed.connect(self._run)
+        self.line.installEventFilter(self)
+        self.list.itemActivated.connect(self._run)
+        self.list.itemClicked.connect(self._run)
+        self._narrow("")
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        # Up and Down move in the list while the line keeps the keyboard.
+        if event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):
+            step = {Qt.Key.Key_Down: 1, Qt.Key.Key_Up: -1}.get(Qt.Key(event.key()))
+            if step:
+                row = self.list.currentRow() + step
+                self.list.setCurrentRow(max(0, min(self.list.count() - 1, row)))
+                return True
+        return super().eventFilter(watched, event)
+
+    def _narrow(self, letters: str) -> None:
+        self.list.clear()
+        for action in matching([one for one in self._actions if one.isEnabled()], letters):
+            item = QListWidgetItem(_words(action))
+            item.setToolTip(action.toolTip())
+            item.setData(Qt.ItemDataRole.UserRole, action)
+            self.list.addItem(item)
+        if self.list.count():
+            self.list.setCurrentRow(0)
+        else:
+            self._say_nothing_found()
+
+    def _say_nothing_found(self) -> None:
+        for words in (_NOTHING_FOUND, _HINT, f"{shortcut_text('show_keys')} shows all keys"):
+            item = QListWidgetItem(words)
+            item.setFlags(Qt.ItemFlag.NoItemFlags)
+            self.list.addItem(item)
+
+    def _run(self) -> None:
+        item = self.list.currentItem()
+        action = None if item is None else item.data(Qt.ItemDataRole.UserRole)
+        if action is not None:
+            # What is done may handle events: the line whose key this is stays until it returns.
+            self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose, False)
+            self.accept()
+            action.trigger()
+            self.deleteLater()
+
+
+class _KeysAtTheRight(QStyledItemDelegate):
+    """Draws an action with its shortcut at the right, and whether it is on."""
+
+    def sizeHint(
+        self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+    ) -> QSize:
+        return QSize(0, super().sizeHint(option, index).height() + 10)
+
+    def initStyleOption(
+        self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+    ) -> None:
+        super().initStyleOption(option, index)
+        # Asked for its size it has no width yet.
+        if option.rect.width() > 0:
+            keys = option.fontMetrics.horizontalAdvance(_state_and_keys(index))
+            room = option.rect.width() - keys - (_GAP_PX if keys else 0) - _EDGE_PX
+            option.text = option.fontMetrics.elidedText(
+                option.text, Qt.TextElideMode.ElideRight, room
+            )
+
+    def paint(
+        self,
+        painter: QPainter,
+        option: QStyleOptionViewItem,
+        index: QModelIndex | QPersistentModelIndex,
+    ) -> None:
+        super().paint(painter, option, index)
+        words = _state_and_keys(index)
+        chosen = option.state & QStyle.StateFlag.State_Selected
+        role = QPalette.ColorRole.HighlightedText if chosen else QPalette.ColorRole.PlaceholderText
+        painter.save()
+        painter.setPen(option.palette.color(role))
+        place = option.rect.adjusted(0, 0, -_EDGE_PX, 0)
+        flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        painter.drawText(place, flags, words)
+        painter.restore()
+
+
+def _state_and_keys(index: QModelIndex | QPersistentModelIndex) -> str:
+    """What stands at the right of an action; empty beside what is none."""
+    action = index.data(Qt.ItemDataRole.UserRole)
+    if action is None:
+        return ""
+    state = "on   " if action.isCheckable() and action.isChecked() else ""
+    keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+    # That of a panel, which its menu has after its name.
+    return state + str(keys or action.text().partition("\t")[2])
+
+
+def matching(actions: Sequence[QAction], letters: str) -> list[QAction]:
+    """Return the actions that are meant by ``letters``, the likeliest first.
+
+    First come those that say the letters in one piece: as their whole name, at its beginning, at
+    the beginning of a word, elsewhere.  Then come those that have a keyword which begins with them;
+    only where there is neither, those that say them scattered.  What only explains comes last.
+    """
+    typed = letters.strip().lower()
+    besides = [one for one in actions if one.property(BESIDES) and typed in _words(one).lower()]
+    actions = [one for one in actions if not one.property(BESIDES)]
+    said = [one for one in actions if typed in _words(one).lower()]
+    meant = [one for one in actions if one not in said and _is_keyword(one, typed)]
+    if not (said or meant or besides):
+        scores = ((one, score(letters, _words(one))) for one in actions)
+        gaps = {one: gap for one, gap in scores if gap is not None}
+        return sorted(gaps, key=lambda one: gaps[one])
+    return [*sorted(said, key=lambda one: _nearness(one, typed)), *meant, *besides]
+
+
+def _words(action: QAction) -> str:
+    """What an action is called; its menu may have a key after that."""
+    return action.text().partition("\t")[0]
+
+
+def _nearness(action: QAction, typed: str) -> tuple[int, int]:
+    """How near the name of an action is to what is typed; the least is the nearest."""
+    text = _words(action).lower().rstrip("…")
+    # "Show panel: Library" is called "Library" by who looks for it.
+    name = text.rpartition(": ")[2]
+    place = text.find(typed)
+    if typed in (text, name):
+        return 0, place
+    if text.startswith(typed) or name.startswith(typed):
+        return 1, place
+    return (2 if text[place - 1] in " (" else 3), place
+
+
+def _is_keyword(action: QAction, typed: str) -> bool:
+    return any(word.startswith(typed) for word in str(action.property(KEYWORDS) or "").split())
+
+
+def score(letters: str, text: str) -> int | None:
+    """How far apart ``letters`` stand in ``text``, in this order; None where they do not."""
+    place, gaps, lowered = -1, 0, text.lower()
+    for letter in letters.lower().replace(" ", ""):
+        found = lowered.find(letter, place + 1)
+        if found < 0:
+            return None
+        gaps += found - place - 1
+        place = found
+    return gaps
+
+
+# The actions of a window, made from the table of actions.
+
+Capabilities = Mapping[str, QObject]
+
+
+class ActionSet(QObject):
+    """One `QAction` for each entry of the table, enabled while it can be done.
+
+    Parameters
+    ----------
+    specs
+        The table.
+    document
+        What the conditions look at, and what edits change.
+    capabilities
+        Who carries out commands, by name.
+    window
+        Where the shortcuts work; also the parent.
+    """
+
+    #: An edit that an action asks for.
+    edited = Signal(object)
+
+    def __init__(
+        self,
+        specs: Sequence[ActionSpec],
+        document: Document,
+        capabilities: Capabilities,
+        window: QWidget,
+    ) -> None:
+        super().__init__(window)
+        self._specs, self._document = specs, document
+        self.by_name = {spec.name: self._action(spec, capabilities, window) for spec in specs}
+        for name in sorted({spec.group for spec in specs if spec.group}):
+            group = QActionGroup(self)
+            for spec in specs:
+                if spec.group == name:
+                    group.addAction(self.by_name[spec.name])
+        self._follow_steps(document.undo_stack)
+        document.changed.connect(self.show_state)
+        self.show_state()
+
+    def __getitem__(self, name: str) -> QAction:
+        return self.by_name[name]
+
+    def show_state(self) -> None:
+        """Enable what can be done now, and show which switches are on."""
+        design, view = self._document.design, self._document.view
+        for spec in self._specs:
+            if spec.enabled is not None:
+                self.by_name[spec.name].setEnabled(spec.enabled(design, view))
+            if spec.checked is not None:
+                self.by_name[spec.name].setChecked(spec.checked(design, view))
+
+    def _action(self, spec: ActionSpec, capabilities: Capabilities, window: QWidget) -> QAction:
+        # What follows a tab, a menu shows in its column of keys, and nothing is done by it.
+        beside = f"\t{spec.key_elsewhere}" if spec.key_elsewhere else ""
+        action = QAction(f"{spec.text}{beside}", window)
+        action.setObjectName(spec.name)
+        if spec.short:
+            action.setIconText(spec.short)
+        action.setShortcuts([QKeySequence(key) for key in spec.keys])
+        keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+        action.setToolTip(f"{spec.hint} ({keys})" if keys else spec.hint)
+        action.setStatusTip(spec.hint)
+        action.setProperty(KEYWORDS, spec.keywords)
+        action.setCheckable(spec.checked is not None or bool(spec.group))
+        if spec.edit is not None:
+            action.triggered.connect(partial(self._edit, spec))
+        else:
+            capability, _, method = spec.command.partition(".")
+            command = getattr(capabilities[capability], method)
+            words = (spec.argument,) if spec.argument else ()
+            action.triggered.connect(partial(_run, command, words))
+        return action
+
+    def _edit(self, spec: ActionSpec, _checked: bool = False) -> None:
+        document = self._document
+        if spec.edit is not None:
+            self.edited.emit(spec.edit(document.design, document.view))
+        # A switch whose edit was refused is what it was.
+        self.show_state()
+
+    def _follow_steps(self, steps: QUndoStack) -> None:
+        for action, can_change, text_change in (
+            (self.by_name["undo"], steps.canUndoChanged, steps.undoTextChanged),
+            (self.by_name["redo"], steps.canRedoChanged, steps.redoTextChanged),
+        ):
+            action.setEnabled(False)
+            can_change.connect(action.setEnabled)
+            text_change.connect(partial(_name_step, action))
+
+
+def _run(command: Callable[..., object], words: tuple[str, ...], _checked: bool = False) -> None:
+    command(*words)
+
+
+def _name_step(action: QAction, step: str) -> None:
+    word = action.objectName().capitalize()
+    action.setText(f"{word} {step[:1].lower()}{step[1:]}" if step else word)
+    action.setIconText(word)

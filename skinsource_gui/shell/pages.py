@@ -1,22 +1,87 @@
-"""The pages that open in front of the window, or beside it."""
+"""Pages of help: keys and mouse, about."""
 
-import importlib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial
+from html import escape
 from typing import Any
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
 
-from skinsource_gui.shell import help_pages
-from skinsource_gui.shell.action_spec import ActionSpec
-from skinsource_gui.shell.palette import BESIDES, Palette
+from skinsource.version import __version__
+from skinsource_gui import pages
+from skinsource_gui.qt.keys import KEYS, MOUSE, native_text
+from skinsource_gui.shell.actions.spec import ActionSpec
+from skinsource_gui.shell.menus import BESIDES, Palette
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.installed_limbs import InstalledLimbs
 from skinsource_gui.state.job_runner import JobRunner
-from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.widgets.keys import MOUSE
+from skinsource_gui.state.preferences import InstalledLimbs, Preferences
+
+_ABOUT = f"""
+<h3>SkinSource studio {__version__}</h3>
+<p>Design vibrotactile stimuli and see how they travel across hand and arm. BSD-3-Clause.</p>
+<p>Please cite the work it rests on: Tummala, Reardon, Fani, Goetz, Bianchi, Visell, <i>SkinSource:
+A Data-Driven Toolbox for Predicting Touch-Elicited Vibrations in the Upper Limb</i>, IEEE Haptics
+Symposium 2024, <a href="https://doi.org/10.1109/HAPTICS59260.2024.10520852">doi&nbsp;10.1109/HAPTICS59260.2024.10520852</a>,
+and its dataset,
+<a href="https://doi.org/10.5281/zenodo.10547601">doi&nbsp;10.5281/zenodo.10547601</a>.</p>
+"""
+
+
+def keys_page(actions: Iterable[ActionSpec], parent: QWidget, heading: str = "") -> QDialog:
+    """Every shortcut and what the mouse does, on one page; ``heading`` is at its top."""
+    rows: list[tuple[str, str | None]] = []
+    for place in (*MOUSE.values(), *KEYS.values()):
+        rows += [(place.heading, None)]
+        rows += [(gesture.shown, gesture.effect) for gesture in place.gestures.values()]
+    rows += [("Everywhere", None)]
+    rows += [
+        (native_text(action.keys), f"{action.text} – {action.hint}")
+        for action in actions
+        if action.keys
+    ]
+    cells = "".join(
+        f'<tr><td colspan=2><h3><a name="{escape(left)}"></a>{escape(left)}</h3></td></tr>'
+        if right is None
+        else f"<tr><td><b>{escape(left)}</b>&nbsp;&nbsp;</td><td>{escape(right)}</td></tr>"
+        for left, right in rows
+    )
+    page = _page("Keys and mouse", f"<table cellpadding=2>{cells}</table>", parent)
+    # Where a heading lies is known once the page has its size.
+    QTimer.singleShot(0, page, partial(_scroll_to, page, heading))
+    return page
+
+
+def about_page(parent: QWidget) -> QDialog:
+    """Version, licence, and what to cite."""
+    return _page("About SkinSource studio", _ABOUT, parent)
+
+
+def _scroll_to(page: QDialog, heading: str) -> None:
+    if heading:
+        for text in page.findChildren(QTextBrowser, "page_text"):
+            text.scrollToAnchor(heading)
+
+
+def _page(title: str, html: str, parent: QWidget) -> QDialog:
+    dialog = QDialog(parent)
+    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    dialog.setWindowTitle(title)
+    dialog.resize(720, 560)
+    browser = QTextBrowser()
+    browser.setObjectName("page_text")
+    browser.setHtml(html)
+    browser.setOpenExternalLinks(True)
+    buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+    buttons.rejected.connect(dialog.reject)
+    layout = QVBoxLayout(dialog)
+    layout.addWidget(browser)
+    layout.addWidget(buttons)
+    return dialog
+
+
+# The pages that open in front of the window, or beside it.
 
 #: Makes a page in front of a window.
 MakePage = Callable[[QWidget], QDialog]
@@ -70,7 +135,7 @@ class Pages(QObject):
 
     def show_keys(self, heading: str = "") -> None:
         """Open the page of keys and mouse, with a heading at its top."""
-        help_pages.keys_page(self._specs, self._window, heading).open()
+        keys_page(self._specs, self._window, heading).open()
 
     def show_dataset(self) -> None:
         """Open the page on the measured limbs."""
@@ -90,7 +155,7 @@ class Pages(QObject):
 
     def show_about(self) -> None:
         """Open the page on version, licence and citation."""
-        help_pages.about_page(self._window).open()
+        about_page(self._window).open()
 
     def _gestures(self) -> list[QAction]:
         """What the mouse does, to be found; each leads to where the keys page says it."""
@@ -121,22 +186,8 @@ def limb_pages(
     preferences: Preferences,
 ) -> tuple[MakePage, MakePage, MakePage]:
     """What makes the pages on the measured limbs, on one's own, and on recordings of them."""
-    checked = runner, document, preferences
     return (
-        late("skinsource_gui.dataset_page.page", "DatasetPage", runner, limbs),
-        late("skinsource_gui.limb_page.page", "LimbPage", runner, limbs),
-        late("skinsource_gui.checking_page.page", "CheckingPage", *checked),
+        lambda parent: pages.DatasetPage(runner, limbs, parent),
+        lambda parent: pages.LimbPage(runner, limbs, parent),
+        lambda parent: pages.CheckingPage(runner, document, preferences, parent),
     )
-
-
-def late(module: str, name: str, *arguments: object) -> MakePage:
-    """Return what makes the page ``name`` of ``module``; imported when it is first wanted.
-
-    Few open such a page; the start of the studio shall not wait for it.
-    """
-
-    def make(parent: QWidget) -> QDialog:
-        page = getattr(importlib.import_module(module), name)
-        return page(*arguments, parent)
-
-    return make

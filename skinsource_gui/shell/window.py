@@ -8,57 +8,41 @@ from PySide6.QtGui import QAction, QCloseEvent
 from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource.engine.quantities import graphs_that_share
-from skinsource_gui.files.export_actions import ExportActions
-from skinsource_gui.files.file_actions import FileActions
-from skinsource_gui.import_page.file_drops import FileDrops
-from skinsource_gui.import_page.import_actions import ImportActions
-from skinsource_gui.library_page.library_actions import LibraryActions
-from skinsource_gui.made_panels import MadePanels
-from skinsource_gui.panel import Panel
-from skinsource_gui.scenes_page.scene_actions import SceneActions
-from skinsource_gui.shell import docks
-from skinsource_gui.shell.action_set import ActionSet
+from skinsource_gui import pages
+from skinsource_gui.pages.actions import (
+    FileDrops,
+    ImportActions,
+    LibraryActions,
+    SceneActions,
+    StimulusActions,
+)
+from skinsource_gui.pages.files.exports import ExportActions
+from skinsource_gui.pages.files.file_actions import FileActions
+from skinsource_gui.shell import dock_layout, docks
 from skinsource_gui.shell.actions import ACTIONS
-from skinsource_gui.shell.appearance import Appearance
-from skinsource_gui.shell.bars import StudioBar
-from skinsource_gui.shell.clip_drops import ClipDrops
-from skinsource_gui.shell.clips_and_clipboard import ClipsAndClipboard
-from skinsource_gui.shell.first_hints import FirstHints
-from skinsource_gui.shell.focus.capabilities import focus_capabilities
-from skinsource_gui.shell.focus.focus_order import move_focus
-from skinsource_gui.shell.installations import Installations
-from skinsource_gui.shell.keeping.keeping import Keeping
-from skinsource_gui.shell.kind_choices import kind_choices
-from skinsource_gui.shell.menus import fill_menu_bar
-from skinsource_gui.shell.notice import Notice
-from skinsource_gui.shell.pages import Pages, late, limb_pages
+from skinsource_gui.shell.appearance import Appearance, WindowFrame
+from skinsource_gui.shell.bars import SetupBar, StudioBar
+from skinsource_gui.shell.carrying import PanelPictures
+from skinsource_gui.shell.drops import ClipDrops, ClipsAndClipboard, kind_choices
+from skinsource_gui.shell.focus import ShortcutsInFields, focus_capabilities, move_focus
+from skinsource_gui.shell.keeping import Keeping
+from skinsource_gui.shell.limb_note import LimbNote
+from skinsource_gui.shell.menus import ActionSet, RecentMenu, fill_menu_bar
+from skinsource_gui.shell.notices import FirstHints, Installations, Notice, Reports, RunningJobs
+from skinsource_gui.shell.pages import Pages, limb_pages
 from skinsource_gui.shell.panels import PANELS
-from skinsource_gui.shell.pictures import PanelPictures
-from skinsource_gui.shell.playing.playback import Playback
-from skinsource_gui.shell.presenting.presenter import Presenter
-from skinsource_gui.shell.recent_menu import RecentMenu
-from skinsource_gui.shell.reports import Reports
-from skinsource_gui.shell.running_jobs import RunningJobs
-from skinsource_gui.shell.setup_bar import SetupBar
-from skinsource_gui.shell.shortcuts_in_fields import ShortcutsInFields
-from skinsource_gui.shell.validity import Validity
-from skinsource_gui.shell.window_frame import WindowFrame
+from skinsource_gui.shell.playing import Playback
+from skinsource_gui.shell.presenting import Presenter
+from skinsource_gui.shell.status import Accuracy, JobBar, MatchNote, StatusLine
+from skinsource_gui.shell.validity_lamps import Validity
 from skinsource_gui.state.comparison import Comparison
-from skinsource_gui.state.conductor import Conductor
+from skinsource_gui.state.conductor import Conductor, PanelWishes
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.first_paint_engine import FirstPaintEngine
+from skinsource_gui.state.engine import FirstPaintEngine
 from skinsource_gui.state.historian import Historian
-from skinsource_gui.state.installed_limbs import InstalledLimbs
-from skinsource_gui.state.job_runner import JobRunner
-from skinsource_gui.state.panel_wishes import PanelWishes
-from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.state.wavelet_levelling import WaveletLevelling
-from skinsource_gui.status.accuracy import Accuracy
-from skinsource_gui.status.job_bar import JobBar
-from skinsource_gui.status.limb_note import LimbNote
-from skinsource_gui.status.match_note import MatchNote
-from skinsource_gui.status.status_line import StatusLine
-from skinsource_gui.stimulus_page.stimulus_actions import StimulusActions
+from skinsource_gui.state.job_runner import JobRunner, WaveletLevelling
+from skinsource_gui.state.panel import MadePanels, Panel
+from skinsource_gui.state.preferences import InstalledLimbs, Preferences
 
 _LARGEST_AT_FIRST = (1600, 940)
 
@@ -108,7 +92,7 @@ class MainWindow(docks.ListsPanels):
         self._connect()
         self.appearance.apply()
         told = self.reports.report, self.files, preferences
-        self.panels.each(docks.TakingIn(self.docks, self.do, self.reports.complain, *told))
+        self.panels.each(dock_layout.TakingIn(self.docks, self.do, self.reports.complain, *told))
         self.layout_of_docks.restore()
         self._show_limbs()
         self._show_state()
@@ -136,9 +120,9 @@ class MainWindow(docks.ListsPanels):
 
     def _make_capabilities(self) -> None:
         places = {spec.panel.name: spec.places for spec in PANELS}
-        self.arrangements = arranged = docks.Arrangements(self, self.docks, places)
+        self.arrangements = arranged = dock_layout.Arrangements(self, self.docks, places)
         self.dock_tabs = docks.DockTabs(self, self.docks)
-        self.layout_of_docks = docks.DockLayout(self, self.docks, arranged, self.preferences)
+        self.layout_of_docks = dock_layout.DockLayout(self, self.docks, arranged, self.preferences)
         content = self.layout_of_docks.content
         self.files = FileActions(self.document, self.preferences, self, content)
         saving = self.document, self.preferences, self.files
@@ -164,9 +148,9 @@ class MainWindow(docks.ListsPanels):
             self,
             ACTIONS,
             self._findable,
-            late("skinsource_gui.accuracy_page.page", "AccuracyPage", *measured),
+            lambda parent: pages.AccuracyPage(*measured, parent),
             *limb_pages(self.runner, self.limbs, *saving[:2]),
-            late("skinsource_gui.motion_page.page", "MotionPage", self.document),
+            lambda parent: pages.MotionPage(self.document, parent),
         )
 
     def _capabilities(self) -> dict[str, QObject]:

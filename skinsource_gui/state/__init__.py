@@ -1,1 +1,1 @@
-"""What the studio knows: the document, the engine, the preferences."""
+"""What the window shows and works with: document, engine, conductor, jobs, playback."""

@@ -1,10 +1,10 @@
-"""Snapshots of the design: stored, shown in turn, and predicted side by side."""
+"""The present design on several limbs, predicted while somebody looks."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QEventLoop, QObject, Signal
 
 from skinsource.design import edits
 from skinsource.design.comparing import (
@@ -16,25 +16,208 @@ from skinsource.design.comparing import (
     nothing_to_compare,
     other_than,
     reference,
+    shown,
     together,
 )
-from skinsource.design.edits import Edit, Refusal
-from skinsource_gui.compared import Compared
-from skinsource_gui.made_panels import MadePanels
-from skinsource_gui.panel import Panel
+from skinsource.design.design import Design
+from skinsource.design.edits.edit import Edit, Refusal
+from skinsource.design.view import View
+from skinsource.perception.validity import Judged
+from skinsource_gui.fields.editor import new_gesture
+from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.conductor import UNPLAYABLE
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request, Slot
-from skinsource_gui.state.on_limbs import OnLimbs
-from skinsource_gui.state.predicting import (
+from skinsource_gui.state.engine import (
+    FIRST_SLOT,
     OF_OUTPUTS,
+    Engine,
+    Outcome,
+    Purpose,
+    Request,
+    Slot,
     key_of_levels,
+    on_limb,
     reason_of,
     sources_of_levels,
     too_large,
 )
-from skinsource_gui.state.staying_matched import StayingMatched
-from skinsource_gui.widgets.fields.gesture import new_gesture
+from skinsource_gui.state.panel import MadePanels, Panel
+
+
+class OnLimbs(QObject):
+    """Has the engine predict the design on each limb that is wanted, in slots of their own.
+
+    Of the limb in the window its results are taken where they hold what is wanted.
+
+    Parameters
+    ----------
+    document, engine
+        Whose design, and who predicts.
+    panels
+        Those that name limbs are told of them, while they are visible.
+    """
+
+    def __init__(self, document: Document, engine: Engine, panels: MadePanels) -> None:
+        super().__init__(document)
+        self._document, self._engine = document, engine
+        self._panels = panels
+        self._asked: dict[str, Request] = {}
+        self._found: dict[str, Outcome] = {}
+
+    def begin(self) -> None:
+        """Follow the document, after those who show it in the window."""
+        self._document.changed.connect(self._follow)
+        self._engine.finished.connect(self._note)
+        self._engine.rested.connect(self._ask)
+        self._panels.each(lambda panel: panel.visibility_changed.connect(self._follow))
+
+    def forget_problems(self) -> None:
+        """Try again what could not be predicted: limbs came or went."""
+        for limb in [one for one, found in self._found.items() if found.values is None]:
+            del self._found[limb]
+            self._asked.pop(limb, None)
+
+    def _follow(self) -> None:
+        wanted = self._wanted()
+        for limb in self._asked.keys() - wanted.keys():
+            del self._asked[limb]
+            self._engine.release(_slot(limb))
+        for limb in self._found.keys() - wanted.keys():
+            del self._found[limb]
+        if wanted:
+            self._ask()
+            self._tell()
+
+    def _looking(self) -> list[Panel]:
+        return [panel for panel in self._panels if panel.isVisible() and panel.needs_on_limbs]
+
+    def _wanted(self) -> dict[str, frozenset[str]]:
+        """What is wanted on each limb."""
+        wanted: dict[str, frozenset[str]] = {}
+        for panel in self._looking():
+            for limb, needs in panel.needs_on_limbs.items():
+                wanted[limb] = wanted.get(limb, frozenset({UNPLAYABLE})) | needs
+        return wanted
+
+    def _ask(self) -> None:
+        """Ask for what is not known of the present design."""
+        for limb, needs in self._wanted().items():
+            asked = self._asked_of(limb)
+            if isinstance(asked, str):
+                continue
+            given = self._sources(asked)
+            if self._is_known(limb, needs, given):
+                continue
+            if limb == self._document.design.limb and self._engine.busy:
+                continue  # the window is about to show it
+            request = Request(needs, given, slot=_slot(limb))
+            if self._asked.get(limb) != request:
+                self._asked[limb] = request
+                self._engine.request(request)
+
+    def _asked_of(self, limb: str) -> tuple[Design, View] | str:
+        """The design on a limb and how it is looked at there; or why there is no such thing."""
+        asked = on_limb(self._document.design, self._document.view, limb)
+        return asked if isinstance(asked, str) else too_large(limb) or asked
+
+    def _sources(self, asked: tuple[Design, View]) -> dict[str, Any]:
+        """What evaluation starts from; as loud as the design is shown in the window."""
+        document = self._document
+        return sources_of_levels(*asked, match_gain=document.seen.match_gain(document.design))
+
+    def _is_known(self, limb: str, needs: frozenset[str], given: dict[str, Any]) -> bool:
+        found = self._found.get(limb)
+        if found is None or key_of_levels(found.request.given) != key_of_levels(given):
+            return False
+        return found.values is None or needs <= found.values.keys()
+
+    def _note(self, outcome: Outcome) -> None:
+        request = outcome.request
+        limb = request.given["limb"]
+        needs = self._wanted().get(limb)
+        if needs is None:
+            return
+        of_window = request.place == (FIRST_SLOT, Purpose.SHOW)
+        known = set() if outcome.values is None else outcome.values.keys()
+        if request.slot != _slot(limb) and not (of_window and needs <= known):
+            return
+        self._found[limb] = outcome
+        self._tell()
+
+    def _tell(self) -> None:
+        wanted = self._wanted()
+        compared = {limb: self._compared(limb, needs) for limb, needs in wanted.items()}
+        for panel in self._looking():
+            panel.show_on_limbs([compared[limb] for limb in panel.needs_on_limbs])
+
+    def _compared(self, limb: str, needs: frozenset[str]) -> Compared:
+        asked = self._asked_of(limb)
+        if isinstance(asked, str):
+            # It has the name, so that one sees of which limb this is said.
+            named = replace(self._document.design, limb=limb, limb_digest="")
+            return Compared(snapshot=Snapshot(design=named), problem=asked)
+        snapshot = Snapshot(design=asked[0])
+        found = self._found.get(limb)
+        if found is None or not (found.values is None or needs <= found.values.keys()):
+            return Compared(snapshot=snapshot, axes=asked[1].axes)
+        late = not self._is_known(limb, needs, self._sources(asked))
+        problem = "" if found.values is not None or late else reason_of(found.error)
+        return Compared(
+            snapshot=snapshot,
+            values=found.values,
+            problem=problem,
+            axes=asked[1].axes,
+            late=late,
+        )
+
+
+def _slot(limb: str) -> Slot:
+    return Slot(f"limb {limb}")
+
+
+# A snapshot that is shown as loud as another one stays so.
+
+
+class StayingMatched(QObject):
+    """Has the snapshot in the window shown anew where what its gain follows from has changed.
+
+    Parameters
+    ----------
+    document
+        Whose snapshots; also the parent.
+    show
+        Shows a number, as loud as the others.
+    """
+
+    def __init__(self, document: Document, show: Callable[[int], None]) -> None:
+        super().__init__(document)
+        self._document, self._show = document, show
+        self._seen = self._follows_from()
+        document.settled.connect(self._follow)
+        # What is opened is shown with the gain that it was left with.
+        document.jumped.connect(self._look)
+
+    def _follows_from(self) -> tuple[Any, ...]:
+        view = self._document.view
+        kept = {one.number: one.design for one in view.snapshots}
+        return view.levels_matched, view.axes, view.method, view.span, kept
+
+    def _look(self) -> None:
+        self._seen = self._follows_from()
+
+    def _follow(self) -> None:
+        before, self._seen = self._seen, self._follows_from()
+        view = self._document.view
+        if before == self._seen or not view.levels_matched:
+            return
+        held = shown(view.snapshots, self._document.design)
+        just_switched_on = not before[0]
+        # What was stored and not shown since is as it was edited.
+        if held is not None and (just_switched_on or held.gain != 1.0):
+            self._show(held.number)
+
+
+# Snapshots of the design: stored, shown in turn, and predicted side by side.
 
 _LEVELS = frozenset({"output_levels_db", UNPLAYABLE})
 _AS_STORED = "Edit > Match levels of snapshots, switched off, shows it as stored"
@@ -169,7 +352,7 @@ class Comparison(QObject):
         wanted = numbers if self._visible() or self._then else set()
         for gone in self._asked.keys() - wanted:
             del self._asked[gone]
-            self._engine.release(_slot(gone))
+            self._engine.release(_comparison_slot(gone))
         if wanted:
             self._ask()
             self._tell()
@@ -195,7 +378,7 @@ class Comparison(QObject):
             complete = False
             if one.design is self._document.design and self._engine.busy:
                 continue  # the window is about to show it
-            request = Request(wanted, given, slot=_slot(one.number))
+            request = Request(wanted, given, slot=_comparison_slot(one.number))
             if self._asked.get(one.number) != request:
                 self._asked[one.number] = request
                 self._engine.request(request)
@@ -281,5 +464,64 @@ def _known(given: Mapping[str, Any], found: Mapping[str, Any] | str) -> _Known:
     return _Known(key_of_levels(given), given["outputs"], found)
 
 
-def _slot(number: int) -> Slot:
+def _comparison_slot(number: int) -> Slot:
     return Slot(f"snapshot {number}")
+
+
+# Has designs judged while somebody waits for it: what is taken out of the studio carries it.
+
+_WANTED = frozenset({"limb_data", "validity"})
+_OTHERS = Slot("judged beside")
+
+
+class Judging:
+    """Judges the design in the window, and others beside it.
+
+    Parameters
+    ----------
+    engine
+        Who evaluates.  What it knows of the design in the window is not computed again.
+    """
+
+    def __init__(self, engine: Engine) -> None:
+        self._engine = engine
+
+    def judge(self, label: str, given: Mapping[str, Any], *, present: bool) -> Judged:
+        """Wait until what follows from ``given`` is judged; a reason why it cannot be ends it too.
+
+        Parameters
+        ----------
+        label
+            What it is called.
+        given
+            What evaluation starts from.
+        present
+            Whether that is what the window shows.
+        """
+        slot = FIRST_SLOT if present else _OTHERS
+        request = Request(_WANTED, given, purpose=Purpose.EXPORT, slot=slot)
+        found = self._outcome(request)
+        if not present:
+            self._engine.release(slot)
+        values = None if found is None else found.values
+        if values is None:
+            return Judged(label=label)
+        return Judged(label=label, note=values["limb_data"].note, findings=values["validity"])
+
+    def _outcome(self, request: Request) -> Outcome | None:
+        """What became of a request; None where the engine ends before."""
+        loop, found = QEventLoop(), list[Outcome]()
+
+        def note(outcome: Outcome) -> None:
+            if outcome.request is request:
+                found.append(outcome)
+                loop.quit()
+
+        self._engine.finished.connect(note)
+        self._engine.rested.connect(loop.quit)
+        self._engine.request(request)
+        while not found and self._engine.busy:
+            loop.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
+        self._engine.finished.disconnect(note)
+        self._engine.rested.disconnect(loop.quit)
+        return found[0] if found else None

@@ -1,6 +1,7 @@
 """Keeps the visible panels in step with the document."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import partial
 from time import perf_counter
 from typing import Any
@@ -8,11 +9,22 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from skinsource.base.errors import SkinSourceError
-from skinsource_gui.made_panels import MadePanels
-from skinsource_gui.panel import Panel
+from skinsource.design import edits
+from skinsource.design.edits.edit import Edit, Refusal
+from skinsource.design.view import View
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.engine import FIRST_SLOT, Engine, Outcome, Purpose, Request
-from skinsource_gui.state.predicting import FROM_THE_LIMB, reason_of, sources_shown, too_large
+from skinsource_gui.state.engine import (
+    FIRST_SLOT,
+    FROM_THE_LIMB,
+    Engine,
+    Outcome,
+    Purpose,
+    Request,
+    reason_of,
+    sources_shown,
+    too_large,
+)
+from skinsource_gui.state.panel import MadePanels, Panel
 
 #: Inputs that results are without: panels are told of them, whatever else they need.
 UNPLAYABLE = "unplayable_inputs"
@@ -223,3 +235,51 @@ def _reason(error: Exception | None) -> str:
     if isinstance(error, SkinSourceError):
         return reason
     return f"{reason}. Undo the last edit, or choose something else; please report this."
+
+
+# What panels want of the document.
+
+
+class PanelWishes(QObject):
+    """Has the document do what panels want, and tells each where another one points.
+
+    Parameters
+    ----------
+    document
+        Whose design is edited; also the parent.
+    panels
+        Those who want something.
+    """
+
+    def __init__(self, document: Document, panels: MadePanels) -> None:
+        super().__init__(document)
+        self._document, self._panels = document, panels
+        panels.each(self._meet)
+
+    def _meet(self, panel: Panel) -> None:
+        panel.edited.connect(self._apply)
+        panel.view_changed.connect(self._look)
+        panel.playhead_wanted.connect(self._put_playhead)
+        panel.input_pointed_at.connect(self._point_at)
+
+    def _apply(self, outcome: Edit | Refusal, gesture: int | None) -> None:
+        if isinstance(outcome, Edit):
+            outcome = replace(outcome, view=self._with_playhead(outcome.view))
+        self._document.apply(outcome, gesture)
+
+    def _look(self, view: View) -> None:
+        self._document.look(self._with_playhead(view))
+
+    def _put_playhead(self, time_s: float) -> None:
+        outcome = edits.move_playhead(self._document.design, self._document.view, time_s)
+        self._document.apply(outcome)
+
+    def _point_at(self, input_id: int | None) -> None:
+        for panel in self._panels:
+            if panel is not self.sender():
+                panel.show_pointed_input(input_id)
+
+    def _with_playhead(self, view: View) -> View:
+        # While it moves, most panels know where it was, not where it is.
+        playhead_s = self._document.view.playhead_s
+        return view if view.playhead_s == playhead_s else replace(view, playhead_s=playhead_s)

@@ -1,4 +1,4 @@
-"""Evaluates quantities away from the GUI thread."""
+"""Work for a page: away from the GUI thread, and only what is wanted last."""
 
 from collections import deque
 from collections.abc import Callable, Mapping
@@ -9,11 +9,125 @@ from threading import Event, Lock
 from time import perf_counter
 from typing import Any
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
+from PySide6.QtWidgets import QWidget
 
-from skinsource.base.errors import Stopped
-from skinsource.base.work import Work
+from skinsource.base.errors import SkinSourceError, Stopped
+from skinsource.base.work import Work as WorkWork
+from skinsource.base.work import counted
+from skinsource.design import edits
+from skinsource.design.design import Design
+from skinsource.design.edits.edit import Refusal
+from skinsource.design.view import View
 from skinsource.engine.graph import Graph
+from skinsource.engine.quantities import sources
+from skinsource.limbs.limb import LIVE_INPUTS, LIVE_OUTPUTS
+from skinsource.limbs.own_limbs import axes_on, facts_of
+
+#: Does something in the worker thread; may raise `Stopped` once it is `LatestWins.outdated`.
+Work = Callable[[], None]
+
+
+class LatestWins(QObject):
+    """Does one thing at a time; what is wanted meanwhile takes the place of what was wanted before.
+
+    Parameters
+    ----------
+    name
+        Of the thread.
+    """
+
+    #: What was wanted, and a sentence that says why it cannot be had.
+    failed = Signal(object, str)
+    _told = Signal(object, object)  # from the worker thread: a signal and its arguments
+
+    def __init__(self, name: str, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._pool = ThreadPoolExecutor(1, thread_name_prefix=name)
+        self._lock = Lock()
+        self._wanted: tuple[object, Work] | None = None
+        self._besides: Work | None = None
+        self._working = False
+        self._closed = Event()
+        self._told.connect(self._tell, Qt.ConnectionType.QueuedConnection)
+
+    @property
+    def busy(self) -> bool:
+        """Whether something is wanted that is not there yet."""
+        with self._lock:
+            return self._working
+
+    @property
+    def closed(self) -> bool:
+        """Whether nobody wants anything any more."""
+        return self._closed.is_set()
+
+    @property
+    def outdated(self) -> bool:
+        """Whether what is being done is not what is wanted last."""
+        return self.closed or self._wanted is not None
+
+    def want(self, subject: object, work: Work) -> None:
+        """Do ``work``, instead of whatever was wanted before; ``failed`` names the ``subject``."""
+        with self._lock:
+            self._wanted = subject, work
+        self._begin()
+
+    def want_besides(self, work: Work) -> None:
+        """Do ``work`` once nothing else is wanted; what stops it begins it anew later."""
+        with self._lock:
+            self._besides = work
+        self._begin()
+
+    def tell(self, signal: Any, *arguments: object) -> None:
+        """Emit a signal in the thread of the window, unless this is closed by then."""
+        self._told.emit(signal, arguments)
+
+    def close(self) -> None:
+        """Give up what is being done, and wait until it has ended."""
+        self._closed.set()
+        self._pool.shutdown(wait=True)
+
+    def _begin(self) -> None:
+        with self._lock:
+            if self._working or self.closed:
+                return
+            self._working = True
+        self._pool.submit(self._work)
+
+    def _tell(self, signal: Any, arguments: tuple[Any, ...]) -> None:
+        if not self.closed:
+            signal.emit(*arguments)
+
+    def _work(self) -> None:
+        """Do what is wanted until nothing is."""
+        while True:
+            with self._lock:
+                wanted, self._wanted = self._wanted, None
+                besides = self._besides
+                if (wanted is None and besides is None) or self.closed:
+                    self._working = False
+                    return
+            subject, work = wanted if wanted is not None else (None, besides)
+            try:
+                if work is not None:
+                    work()
+            except Stopped:
+                continue
+            except Exception as error:  # noqa: BLE001  shown to the user
+                self.tell(self.failed, subject, _sentence(error))
+            with self._lock:
+                if wanted is None and self._besides is besides:
+                    self._besides = None
+
+
+def _sentence(error: Exception) -> str:
+    if isinstance(error, SkinSourceError):
+        return str(error)
+    return f"The studio made a mistake ({type(error).__name__}: {error}). Please report this."
+
+
+# Evaluates quantities away from the GUI thread.
 
 #: One that has taken longer gives way to a newer one: it is no part of a drag that wants to see
 #: each step.
@@ -75,7 +189,7 @@ class Outcome:
     values: Mapping[str, Any] | None = None
     error: Exception | None = None
     compute_s: float = 0.0
-    work: Work = field(default_factory=Work)
+    work: WorkWork = field(default_factory=WorkWork)
 
 
 class Engine(QObject):
@@ -236,3 +350,138 @@ class Engine(QObject):
         shown = self._to_show.get(request.slot)
         about = request.purpose in _ABOUT_WHAT_IS_SHOWN
         return about and shown is not None and shown.given != request.given
+
+
+# An engine that lets the window be painted first.
+
+
+class FirstPaintEngine(Engine):
+    """Begins when its window has been painted once.
+
+    The first evaluation imports most of scipy and opens the limb: half a second in which the
+    window would have to share Python's lock with the worker, just when it is painted first.
+
+    Parameters
+    ----------
+    new_graph
+        Makes the graph of a slot.
+    window
+        What is painted first; also the parent.
+    """
+
+    def __init__(self, new_graph: Callable[[], Graph], window: QWidget) -> None:
+        super().__init__(new_graph, window)
+        self._painted = False
+        self._first: dict[tuple[Slot, Purpose], Request] = {}
+        window.installEventFilter(self)
+
+    @property
+    def busy(self) -> bool:
+        """Whether a request is being evaluated or waits."""
+        return bool(self._first) or super().busy
+
+    def request(self, request: Request) -> None:
+        """Evaluate ``request`` as soon as possible, unless a newer one arrives first."""
+        if self._painted:
+            super().request(request)
+        else:
+            self._first[request.place] = request
+
+    def close(self) -> None:
+        """Stop at the next rule and wait for the worker to end."""
+        # What is asked from now on is refused there.
+        self._painted = True
+        self._first.clear()
+        super().close()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Paint:
+            watched.removeEventFilter(self)
+            # All of the window is painted before the next event is looked at.
+            QTimer.singleShot(0, self._begin)
+        return super().eventFilter(watched, event)
+
+    def _begin(self) -> None:
+        self._painted = True
+        first, self._first = self._first, {}
+        for request in first.values():
+            self.request(request)
+
+
+# What a prediction beside the one of the window starts from, and why there may be none.
+
+#: Of these is made what takes long on a large limb; drives and clips are not.
+FROM_THE_LIMB = frozenset({"driven_limb", "surface"})
+#: What is of the selected outputs, of all that is wanted of designs beside the one of the window.
+OF_OUTPUTS = frozenset({"axis_traces", "shown_outputs"})
+#: What levels depend on.
+_DEPENDS_ON = (
+    "limb",
+    "limb_digest",
+    "limb_mirrored",
+    "inputs",
+    "scaling",
+    "actuation",
+    "match_gain",
+    "axes",
+    "method",
+    "span",
+)
+
+
+def sources_shown(design: Design, view: View) -> dict[str, Any]:
+    """What evaluation of the design in the window starts from: as loud as it is shown.
+
+    Here and in `sources_of_levels` an input that cannot be played is left out, and named by
+    ``unplayable_inputs``: the others are still seen.
+    """
+    return sources(design, view, match_gain=view.match_gain(design), leave_out_unplayable=True)
+
+
+def sources_of_levels(
+    design: Design, view: View, *, match_gain: float = 1.0, with_outputs: bool = False
+) -> dict[str, Any]:
+    """What evaluation starts from: of the view only what levels depend on.
+
+    The rest of it changes while one looks around.  A design on a limb that has not been measured
+    along the axes of the view is looked at along those that it has.  ``match_gain``: see
+    `skinsource.engine.quantities.sources`.  ``with_outputs``: what is wanted is also of the
+    selected outputs, as traces are.
+    """
+    axes = axes_on(design.limb, view.axes)
+    seen = View(axes=axes, method=view.method, span=view.span, selected_inputs=())
+    if with_outputs:
+        seen = replace(seen, outputs=view.outputs)
+    return sources(design, seen, match_gain=match_gain, leave_out_unplayable=True)
+
+
+def on_limb(design: Design, view: View, limb: str) -> tuple[Design, View] | str:
+    """The design on a limb and how it is looked at there; or why there is no such thing."""
+    if limb == design.limb:
+        return design, view
+    edit = edits.change_limb(design, view, limb)
+    return edit.sentence if isinstance(edit, Refusal) else (edit.design, edit.view)
+
+
+def key_of_levels(given: Mapping[str, Any]) -> tuple[Any, ...]:
+    """What the same levels have in common, of what an evaluation starts from."""
+    return tuple(given[name] for name in _DEPENDS_ON)
+
+
+def too_large(limb: str) -> str:
+    """Why a limb is not computed while one edits, in a sentence; empty if it is."""
+    facts = facts_of(limb)
+    if facts.live:
+        return ""
+    return (
+        f"{facts.title} has {counted(facts.n_inputs, 'place')} and "
+        f"{counted(facts.n_outputs, 'output')}, and results follow edits up to "
+        f"{LIVE_INPUTS} and {LIVE_OUTPUTS}. File > Export and sweeps compute it."
+    )
+
+
+def reason_of(error: Exception | None) -> str:
+    """Why there are no values, in words for the user."""
+    if isinstance(error, SkinSourceError):
+        return str(error)
+    return f"The studio made a mistake: {type(error).__name__}: {error}"

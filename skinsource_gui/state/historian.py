@@ -5,10 +5,9 @@ from functools import partial
 from PySide6.QtCore import QObject
 
 from skinsource.base.quoting import printable
-from skinsource_gui.history import MOST_STEPS, History, Step
-from skinsource_gui.made_panels import MadePanels
-from skinsource_gui.panel import Panel
 from skinsource_gui.state.document import Document, Swap
+from skinsource_gui.state.history import MOST_STEPS, History, Step
+from skinsource_gui.state.panel import MadePanels, Panel
 
 _FORGOTTEN = f"Before the last {MOST_STEPS} steps"
 

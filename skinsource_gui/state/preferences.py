@@ -5,11 +5,17 @@ from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, QSettings
+from PySide6.QtCore import QByteArray, QEvent, QObject, QSettings, Signal
+from PySide6.QtWidgets import QWidget
 
 from skinsource.base.assets import config_folder
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.files import is_folder
+from skinsource.design.design import Design, track
+from skinsource.design.waveforms.tones import Tone
+from skinsource.limbs.catalogue import available_limbs
+from skinsource.limbs.own_limbs import facts_of
+from skinsource_gui.state.document import Document
 
 #: Unsaved work is kept as often, unless something else is wanted.
 AUTOSAVE_S = 30.0
@@ -168,3 +174,62 @@ class Preferences:
     def _bytes(self, key: str) -> QByteArray:
         value = self.settings.value(key, QByteArray())
         return value if isinstance(value, QByteArray) else QByteArray()
+
+
+# What the first window shows.
+
+
+def start_design(limb: str) -> Design:
+    """Design of the first window: a 100 Hz tone on the pad of digit II (input 7)."""
+    return Design(limb=limb, inputs=(track(7, Tone(frequency_hz=100.0)),))
+
+
+# Which limbs can be loaded.
+
+#: Titles of the jobs that install limbs: from a folder, and by download.
+INSTALLATIONS = ("Installing the measured limbs", "Downloading the measured limbs")
+
+
+class InstalledLimbs(QObject):
+    """Looks again when the user comes back to the window, perhaps from an installation.
+
+    And when a design is shown whose limb was not there: its file may have come back since.
+
+    Parameters
+    ----------
+    names
+        The limbs there are at the start.
+    document
+        Whose design that is.
+    window
+        Looks whenever this becomes the active window; also the parent.
+    """
+
+    #: Limbs came or went.
+    changed = Signal()
+
+    def __init__(self, names: tuple[str, ...], document: Document, window: QWidget) -> None:
+        super().__init__(window)
+        self.names = names
+        # A limb may be imported anew, or mirrored, under its name.
+        self._shown = tuple(facts_of(name) for name in names)
+        self._document = document
+        document.changed.connect(self._follow)
+        window.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.WindowActivate:
+            self.look()
+        return super().eventFilter(watched, event)
+
+    def _follow(self) -> None:
+        if self._document.design.limb not in self.names:
+            self.look()
+
+    def look(self) -> None:
+        """Look which limbs are there now."""
+        found = available_limbs()
+        shown = tuple(facts_of(name) for name in found)
+        if shown != self._shown:
+            self.names, self._shown = found, shown
+            self.changed.emit()

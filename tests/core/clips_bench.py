@@ -5,10 +5,11 @@ from hypothesis import strategies as st
 
 from skinsource.design.clips import Clip, Marker
 from skinsource.design.design import Design, Input, track
-from skinsource.design.effects import played
+from skinsource.design.effects.playing import played
 from skinsource.design.signal_path import placed_chain
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 
 RATE_HZ = 1300.0
 TONE = Tone(frequency_hz=77.0, duration_s=0.2)

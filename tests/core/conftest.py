@@ -21,7 +21,7 @@ import scipy
 
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Impulse
+from skinsource.design.waveforms.pulses import Impulse
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.limbs.limb import Limb, LimbMap

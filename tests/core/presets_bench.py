@@ -3,9 +3,12 @@
 from hypothesis import strategies as st
 
 from skinsource.design.clips import Clip, Fragment, Lane
-from skinsource.design.effects import Fade, Reverse
+from skinsource.design.effects.level import Fade
+from skinsource.design.effects.time import Reverse
 from skinsource.design.presets.presets import Preset
-from skinsource.design.waveforms import Drawn, Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.samples import Drawn
+from skinsource.design.waveforms.tones import Tone
 
 TONE = Fragment(lanes=(Lane(location=3, clips=(Clip(waveform=Tone()),)),))
 text = st.text(st.characters(exclude_categories=("Cs", "Cc", "Zl", "Zp")), max_size=30)

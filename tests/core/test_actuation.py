@@ -12,7 +12,7 @@ import skinsource as ss
 from skinsource.actuators.actuation import transfers_of
 from skinsource.base.errors import InvalidInputError
 from skinsource.design import edits
-from skinsource.design.edits import Edit, Refusal
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.shared import Shared

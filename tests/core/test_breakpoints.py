@@ -10,7 +10,6 @@ from hypothesis import strategies as st
 from scipy.interpolate import PchipInterpolator
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.effects import Envelope
 from skinsource.design.effects.breakpoints import (
     curve_at,
     moved,
@@ -20,8 +19,9 @@ from skinsource.design.effects.breakpoints import (
     with_segment,
     without,
 )
-from skinsource.design.effects.level import POINTS
-from skinsource.specs.fields import SEGMENTS, Address, SlopedPoint, slope_of
+from skinsource.design.effects.level import POINTS, Envelope
+from skinsource.specs.breakpoints import SEGMENTS, SlopedPoint, slope_of
+from skinsource.specs.spec import Address
 
 LEVELS = st.floats(0.0, 5.0).map(lambda value: round(value, 6))
 KINDS = st.sampled_from(SEGMENTS)

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.specs.fields import BreakpointsSpec, NumberSpec
+from skinsource.specs.breakpoints import BreakpointsSpec
+from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import Misfit
 
 UNIT = NumberSpec(label="Part", minimum=0.0, maximum=1.0)

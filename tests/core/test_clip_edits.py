@@ -3,7 +3,7 @@
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tap
+from skinsource.design.waveforms.pulses import Tap
 from tests.core.clips_bench import DESIGN, VIEW, onsets, tracks
 
 

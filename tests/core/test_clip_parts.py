@@ -6,9 +6,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from skinsource.design import edits
-from skinsource.design.edits import Refusal
-from skinsource.design.effects import Trim
-from skinsource.design.waveforms import Tap
+from skinsource.design.edits.edit import Refusal
+from skinsource.design.effects.time import Trim
+from skinsource.design.waveforms.pulses import Tap
 from tests.core.clips_bench import DESIGN, RATE_HZ, VIEW, times, total
 
 

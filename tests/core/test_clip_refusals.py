@@ -5,9 +5,10 @@ import pytest
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import MAX_CLIPS, MAX_INPUTS, Design, Input
-from skinsource.design.edits import Edit, Refusal
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tap, Tone
+from skinsource.design.waveforms.pulses import Tap
+from skinsource.design.waveforms.tones import Tone
 from tests.core.clips_bench import DESIGN, VIEW
 
 FULL = Design(limb="synthetic-1", inputs=(Input(location=1, clips=(Clip(),) * MAX_CLIPS),))

@@ -13,7 +13,9 @@ from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Gabor, Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms.wavelets import Gabor
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.signals.sampling import on_grid
 

@@ -5,9 +5,9 @@ from dataclasses import replace
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import MAX_CLIPS, MAX_INPUTS, Design, Input
-from skinsource.design.edits import Refusal
+from skinsource.design.edits.edit import Refusal
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 
 TONE = Tone(100.0, 0.0, 0.2)
 DESIGN = Design(

@@ -16,9 +16,10 @@ from hypothesis import strategies as st
 from skinsource.base import json_text
 from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.specs import codec, fields, image
-from skinsource.specs.fields import Address, OptionalSpec, SamplesSpec, TextSpec
 from skinsource.specs.models import decode, encode
+from skinsource.specs.numbers import OptionalSpec, SamplesSpec
 from skinsource.specs.samples import Samples
+from skinsource.specs.spec import Address, TextSpec
 
 VERSION = 2
 to_image, from_image = (partial(one, version=VERSION) for one in (image.to_image, image.from_image))

@@ -28,9 +28,10 @@ from skinsource.design.comparing import (
 )
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
-from skinsource.design.edits import Edit, Refusal
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tone
+from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.waveforms.tones import Tone
 
 DESIGN = Design(
     limb="synthetic-1",

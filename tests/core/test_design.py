@@ -13,7 +13,8 @@ from skinsource.design.design import (
     audible_inputs,
     track,
 )
-from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.scaling import SCALINGS
 
 THREE = Design(limb="synthetic-1", inputs=tuple(track(location=k, colour=k) for k in (1, 2, 3)))

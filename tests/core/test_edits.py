@@ -7,10 +7,11 @@ import pytest
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import MAX_INPUTS, Design, Input, track
-from skinsource.design.edits import Edit, Refusal
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tap, Tone
-from skinsource.specs.fields import specs_of
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Tone
+from skinsource.specs.models import specs_of
 
 THREE = Design(
     limb="synthetic-1",

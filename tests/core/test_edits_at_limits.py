@@ -10,10 +10,13 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.design import edits
 from skinsource.design.clips import MAX_EFFECTS, Clip
 from skinsource.design.design import Design, Input
-from skinsource.design.edits import Edit, Refusal
-from skinsource.design.effects import Rectify, Repeat, Stretch, Trim
+from skinsource.design.edits.edit import Edit, Refusal
+from skinsource.design.effects.level import Rectify
+from skinsource.design.effects.time import Repeat, Stretch, Trim
 from skinsource.design.view import View
-from skinsource.design.waveforms import Layers, Tone, WaveletTrain
+from skinsource.design.waveforms.samples import Layers
+from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
 
 VIEW = View()
 

@@ -5,10 +5,12 @@ import pytest
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
-from skinsource.design.edits import Refusal
-from skinsource.design.effects import Fade, Trim
+from skinsource.design.edits.edit import Refusal
+from skinsource.design.effects.level import Fade
+from skinsource.design.effects.time import Trim
 from skinsource.design.view import View
-from skinsource.design.waveforms import Layers, Tone
+from skinsource.design.waveforms.samples import Layers
+from skinsource.design.waveforms.tones import Tone
 
 VIEW = View()
 

@@ -17,10 +17,15 @@ from skinsource.design.edits.effects import (
     with_part,
     without_part,
 )
-from skinsource.design.effects import EFFECTS, Fade, Reverse
+from skinsource.design.effects import EFFECTS
+from skinsource.design.effects.level import Fade
+from skinsource.design.effects.time import Reverse
 from skinsource.design.view import View
-from skinsource.design.waveforms import KINDS, Layers, Noise, Tone
-from skinsource.specs.fields import specs_of
+from skinsource.design.waveforms.kinds import KINDS
+from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.waveforms.samples import Layers
+from skinsource.design.waveforms.tones import Tone
+from skinsource.specs.models import specs_of
 
 PARTS = specs_of(Layers)["parts"]
 A, B, C = Clip(waveform=Tone(50.0)), Clip(waveform=Noise(seed=3)), Clip(onset_s=0.25)

@@ -6,10 +6,11 @@ from typing import ClassVar
 import numpy as np
 import pytest
 
-from skinsource.design.effects import ON, Effect, KeepsTime, own_duration_s, played, played_s
-from skinsource.design.waveforms import Tone
+from skinsource.design.effects.effect import ON, Effect, KeepsTime, own_duration_s
+from skinsource.design.effects.playing import played, played_s
+from skinsource.design.waveforms.tones import Tone
 from skinsource.specs import fields
-from skinsource.specs.fields import NumberSpec
+from skinsource.specs.numbers import NumberSpec
 
 RATE_HZ = 1300.0
 TONE = Tone(frequency_hz=100.0, duration_s=0.1, window="none")

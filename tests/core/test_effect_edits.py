@@ -7,10 +7,12 @@ import pytest
 from skinsource.design import edits
 from skinsource.design.clips import MAX_EFFECTS, Clip
 from skinsource.design.design import Design, Input
-from skinsource.design.edits import Refusal
-from skinsource.design.effects import EFFECTS, Envelope, Fade, Repeat, Reverse, Stretch, Trim
+from skinsource.design.edits.edit import Refusal
+from skinsource.design.effects import EFFECTS
+from skinsource.design.effects.level import Envelope, Fade
+from skinsource.design.effects.time import Repeat, Reverse, Stretch, Trim
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 
 CHAIN = (Reverse(), Fade(), Repeat())
 DESIGN = Design(

@@ -6,20 +6,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.effects import (
-    BandLimit,
-    Envelope,
-    Fade,
-    Rectify,
-    Repeat,
-    Reverse,
-    SoftClip,
-    Stretch,
-    Trim,
-    played,
-    played_s,
-)
-from skinsource.design.waveforms import Formula, Noise, Tone
+from skinsource.design.effects.level import BandLimit, Envelope, Fade, Rectify, SoftClip
+from skinsource.design.effects.playing import played, played_s
+from skinsource.design.effects.time import Repeat, Reverse, Stretch, Trim
+from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.waveforms.samples import Formula
+from skinsource.design.waveforms.tones import Tone
 from skinsource.signals.sampling import values_between
 
 RATE_HZ = 1300.0

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from skinsource.design.effects import BandLimit, Reverse, Stretch
+from skinsource.design.effects.level import BandLimit
+from skinsource.design.effects.time import Reverse, Stretch
 
 RATE_HZ = 1000.0
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from skinsource.design.motions import Sweep
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 from skinsource.signals.drawing import bounded_to_band
 
 

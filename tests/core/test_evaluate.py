@@ -8,7 +8,8 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.waveforms import Tap, Tone
+from skinsource.design.waveforms.pulses import Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import MOST_GRAPHS, Evaluator
 from skinsource.engine.quantities import new_graph, sources
 

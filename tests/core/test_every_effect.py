@@ -7,11 +7,17 @@ from itertools import product
 import numpy as np
 import pytest
 
-from skinsource.design.effects import EFFECTS, Effect, Reverse, played, played_s
-from skinsource.design.waveforms import Formula, Impulse, Tone
+from skinsource.design.effects import EFFECTS
+from skinsource.design.effects.effect import Effect
+from skinsource.design.effects.playing import played, played_s
+from skinsource.design.effects.time import Reverse
+from skinsource.design.waveforms.pulses import Impulse
+from skinsource.design.waveforms.samples import Formula
+from skinsource.design.waveforms.tones import Tone
 from skinsource.specs import fields
-from skinsource.specs.fields import ChoiceSpec, NumberSpec
 from skinsource.specs.models import decode, encode
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.spec import ChoiceSpec
 
 RATE_HZ = 1300.0
 #: A burst that begins and ends in silence, and is the same at any rate.

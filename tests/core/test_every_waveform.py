@@ -9,27 +9,22 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.waveforms import KINDS, Waveform
+from skinsource.design.waveform import Waveform
+from skinsource.design.waveforms.kinds import KINDS
 from skinsource.signals.generators import sample_count
 from skinsource.signals.sampling import band_limited_delay
 from skinsource.specs import image
-from skinsource.specs.fields import (
-    Address,
-    ChoiceSpec,
+from skinsource.specs.models import decode, encode, specs_of
+from skinsource.specs.numbers import (
     ListSpec,
     NumberSpec,
     OptionalSpec,
     PointsSpec,
     RecipeSpec,
     SamplesSpec,
-    Spec,
-    SwitchSpec,
-    TextSpec,
-    made_for,
-    specs_of,
 )
-from skinsource.specs.models import decode, encode
 from skinsource.specs.samples import Samples
+from skinsource.specs.spec import Address, ChoiceSpec, Spec, SwitchSpec, TextSpec, made_for
 
 RATES_HZ = (1300.0, 8000.0, 44100.0)
 #: Longer ones are made, and not played.

@@ -9,7 +9,7 @@ from skinsource.base.errors import StorageError
 from skinsource.base.published import VOLAR_OUTPUTS
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tap
+from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.engine import shared
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources

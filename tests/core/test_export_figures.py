@@ -11,7 +11,8 @@ import scipy
 from skinsource.base.errors import TooInaccurateError
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine import trace_rules
 from skinsource.engine.gains import TraceError
 from skinsource.engine.streaming import StreamedVibration

@@ -9,7 +9,7 @@ import pytest
 from skinsource.base.errors import Stopped, StorageError
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tap
+from skinsource.design.waveforms.pulses import Noise, Tap
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.export import exported_design
 from skinsource.export.tables import export_field, export_levels, export_traces

@@ -8,7 +8,7 @@ import pytest
 from skinsource.base.errors import Stopped
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import evaluate
 from skinsource.signals.resampling import EXTREMES_ERROR, FINER, extremes_between, finer
 

@@ -8,27 +8,29 @@ import pytest
 
 from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.specs import fields
-from skinsource.specs.fields import (
-    Address,
-    BreakpointsSpec,
-    BytesSpec,
-    ChoiceSpec,
+from skinsource.specs.breakpoints import BreakpointsSpec
+from skinsource.specs.models import decode, encode
+from skinsource.specs.numbers import (
     CurveSpec,
     ListSpec,
     NumberSpec,
     OptionalSpec,
-    PlainSpec,
     PointsSpec,
     RangeSpec,
     RecipeSpec,
     SamplesSpec,
+)
+from skinsource.specs.samples import Samples
+from skinsource.specs.spec import (
+    MAX_DEPTH,
+    Address,
+    BytesSpec,
+    ChoiceSpec,
+    PlainSpec,
     Spec,
     SwitchSpec,
     TextSpec,
 )
-from skinsource.specs.models import decode, encode
-from skinsource.specs.samples import Samples
-from skinsource.specs.spec import MAX_DEPTH
 
 UNIT = NumberSpec(label="Part", minimum=0.0, maximum=1.0)
 WHOLE = NumberSpec(label="Count", minimum=1, maximum=72, whole=True)

@@ -5,9 +5,12 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.waveforms import KINDS, Noise, Tone
+from skinsource.design.waveforms.kinds import KINDS
+from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.waveforms.tones import Tone
 from skinsource.specs import fields
-from skinsource.specs.fields import ChoiceSpec, NumberSpec
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.spec import ChoiceSpec
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 
 import skinsource as ss
 from skinsource.base.errors import FormulaError, InvalidInputError
-from skinsource.design.waveforms import Formula, Tone
+from skinsource.design.waveforms.samples import Formula
+from skinsource.design.waveforms.tones import Tone
 from skinsource.signals.formula import functions, playing, reading
 from skinsource.signals.formula.values import Grid, band_noise
 

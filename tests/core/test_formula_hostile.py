@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.waveforms import Formula
+from skinsource.design.waveforms.samples import Formula
 from skinsource.signals import formula
 from skinsource.signals.formula import playing, reading
 from skinsource.signals.formula.functions import FUNCTIONS

@@ -7,7 +7,7 @@ import pytest
 
 import skinsource as ss
 from skinsource.design.amplitudes import amplitude_text, is_gain, peak_text
-from skinsource.design.effects import Fade
+from skinsource.design.effects.level import Fade
 from skinsource.specs.samples import Samples
 
 RATE_HZ = 1300.0

@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 from skinsource.base.errors import InvalidInputError
 from skinsource.design import edits
 from skinsource.design.design import Design, track
-from skinsource.design.edits import Edit, Refusal
-from skinsource.design.edits.edit import as_kind
+from skinsource.design.edits.edit import Edit, Refusal, as_kind
 from skinsource.design.view import View
-from skinsource.design.waveforms import Chirp, Glide, Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Chirp, Glide, Tone
 from skinsource.signals.synthesis import curve_of, with_curve
 
 POINTS = ((0.0, 60.0, 0.0), (0.1, 60.0, 1.0), (0.4, 240.0, 1.0), (0.5, 240.0, 0.0))

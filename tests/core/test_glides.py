@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from skinsource.design.waveforms import Chirp, Glide, Tone
+from skinsource.design.waveforms.tones import Chirp, Glide, Tone
 from tests.core.wavelets_bench import FINE_HZ, RATE_HZ
 
 

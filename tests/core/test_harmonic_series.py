@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skinsource.design.waveforms import PulseTrain, Saw, Square, Triangle
+from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square, Triangle
 from skinsource.signals.synthesis import harmonics_below, sum_of_harmonics
 from tests.core.lines_bench import spectrum
 

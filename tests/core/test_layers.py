@@ -11,13 +11,17 @@ from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
-from skinsource.design.edits import Refusal
-from skinsource.design.effects import Trim, played
+from skinsource.design.edits.edit import Refusal
+from skinsource.design.effects.playing import played
+from skinsource.design.effects.time import Trim
 from skinsource.design.signal_path import placed_chain
 from skinsource.design.view import View
-from skinsource.design.waveforms import KINDS, Layers, Noise, Tap, Tone
-from skinsource.specs.fields import Address
+from skinsource.design.waveforms.kinds import KINDS
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.samples import Layers
+from skinsource.design.waveforms.tones import Tone
 from skinsource.specs.models import decode, encode
+from skinsource.specs.spec import Address
 
 RATE_HZ = 1300.0
 TONE = Tone(frequency_hz=77.0, duration_s=0.1, window="none")

@@ -10,10 +10,11 @@ from skinsource.base.errors import InvalidInputError, Stopped
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
-from skinsource.design.edits import Edit, Refusal
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.effects import EFFECTS
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone, WaveletTrain
+from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.engine.levelling import MEASURE, wavelet_levels_db
 from skinsource.engine.prediction import predict
 from skinsource.limbs.catalogue import load_limb

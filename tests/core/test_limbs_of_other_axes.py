@@ -10,7 +10,8 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import AXES, axes_of, axis_numbers
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.moments import moments_of, pairs
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources

@@ -9,7 +9,8 @@ from skinsource.base.errors import Stopped
 from skinsource.base.published import AXES
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Impulse, Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Impulse, Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.limbs.limb import Limb

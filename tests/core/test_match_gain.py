@@ -8,7 +8,8 @@ import pytest
 from skinsource.design.comparing import louder
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tap, Tone
+from skinsource.design.waveforms.pulses import Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.quantities import new_graph, sources
 
 GAIN = 0.3

@@ -8,13 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.special import jv
 
-from skinsource.design.waveforms import (
-    AmplitudeModulated,
-    Chirp,
-    DampedSine,
-    FrequencyModulated,
-    Tone,
-)
+from skinsource.design.waveforms.pulses import DampedSine
+from skinsource.design.waveforms.tones import AmplitudeModulated, Chirp, FrequencyModulated, Tone
 from tests.core.lines_bench import spectrum
 
 

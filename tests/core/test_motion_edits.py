@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from skinsource.base.errors import InvalidInputError
 from skinsource.design import edits
 from skinsource.design.design import MAX_INPUTS, Design, Input
-from skinsource.design.edits import Edit, Refusal
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.motions import (
     MOTIONS,
     Alternation,
@@ -22,7 +22,7 @@ from skinsource.design.motions import (
     path_of,
 )
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tap
+from skinsource.design.waveforms.pulses import Tap
 from tests.core.motions_bench import PATHS
 
 

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.effects import placed, played
+from skinsource.design.effects.playing import placed, played
 from skinsource.design.motions import (
     MOTIONS,
     Alternation,
@@ -21,8 +21,10 @@ from skinsource.design.motions import (
     TapSequence,
     TravellingPhase,
 )
-from skinsource.design.waveforms import Noise, Saw, Square, Tap, Tone, Triangle
-from skinsource.specs.fields import specs_of
+from skinsource.design.waveforms.periodic import Saw, Square, Triangle
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Tone
+from skinsource.specs.models import specs_of
 from tests.core.motions_bench import PATHS
 
 RATE_HZ = 48000.0

@@ -11,8 +11,8 @@ from skinsource.design import edits
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tap, Tone
-from skinsource.design.waveforms.tones import FREQUENCY, PHASE
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import FREQUENCY, PHASE, Tone
 from skinsource.engine.evaluation import evaluate
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources

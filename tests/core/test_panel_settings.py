@@ -8,7 +8,8 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.specs import fields
-from skinsource.specs.fields import ChoiceSpec, Range, RangeSpec, SwitchSpec, TextSpec
+from skinsource.specs.numbers import Range, RangeSpec
+from skinsource.specs.spec import ChoiceSpec, SwitchSpec, TextSpec
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -7,7 +7,7 @@ import skinsource as ss
 from skinsource.base.errors import InvalidInputError, Stopped
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.quantities import new_graph, sources
 
 RATE = 1300.0

@@ -8,16 +8,9 @@ import pytest
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design import waveforms
-from skinsource.design.waveforms import (
-    AmplitudeModulated,
-    Chirp,
-    DampedSine,
-    FrequencyModulated,
-    PulseTrain,
-    Saw,
-    Square,
-    Triangle,
-)
+from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square, Triangle
+from skinsource.design.waveforms.pulses import DampedSine
+from skinsource.design.waveforms.tones import AmplitudeModulated, Chirp, FrequencyModulated
 from skinsource.signals.generators import window
 
 ONE_OF_EACH = (

@@ -11,7 +11,7 @@ from skinsource.base.errors import FileFormatError, InvalidInputError, SkinSourc
 from skinsource.design.clips import Clip, Fragment, Lane
 from skinsource.design.presets import presets
 from skinsource.design.presets.presets import Entry, Preset, Shelf
-from skinsource.design.waveforms import Drawn
+from skinsource.design.waveforms.samples import Drawn
 from tests.core.presets_bench import named, names, recipes
 
 

@@ -11,11 +11,12 @@ import skinsource as ss
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.clips import Clip, Fragment, Lane
 from skinsource.design.design import Design, Input, track
-from skinsource.design.effects import Reverse
+from skinsource.design.effects.time import Reverse
 from skinsource.design.presets import presets
 from skinsource.design.presets.presets import Entry, Preset
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 from tests.core.presets_bench import named, recipes, text
 
 

@@ -10,7 +10,8 @@ from skinsource.base.decibels import decibels
 from skinsource.base.published import AXES
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Impulse, Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Impulse, Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import RULES, new_graph, sources
 from skinsource.engine.shared import Shared

@@ -8,7 +8,8 @@ import pytest
 from skinsource.design.design import Design, track
 from skinsource.design.signal_path import drive_of
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.gains import Heard, trace_error_of
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.spectra import ResponseSpectrum

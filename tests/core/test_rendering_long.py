@@ -11,7 +11,8 @@ from skinsource.base.published import AXES
 from skinsource.design.design import Design, track
 from skinsource.design.signal_path import Chain, Part, UnitVoice
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.drives import Drives
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.streaming import StreamedVibration

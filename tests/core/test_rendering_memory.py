@@ -8,7 +8,7 @@ import pytest
 
 from skinsource.base.published import N_AXES, N_OUTPUTS
 from skinsource.design.signal_path import Chain, Part, UnitVoice
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine import memory as budgets
 from skinsource.engine.memory import ENTRY_BYTES, Memory
 from skinsource.engine.shared import Shared

@@ -9,7 +9,8 @@ from skinsource.base.published import AXES
 from skinsource.design.design import Design, audible_inputs, track
 from skinsource.design.signal_path import drive_of
 from skinsource.design.view import View
-from skinsource.design.waveforms import Impulse, Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Impulse, Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.gains import peaks_of
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.spectra import ResponseSpectrum

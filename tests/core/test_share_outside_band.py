@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.waveforms import Noise, Tone
+from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.waveforms.tones import Tone
 from skinsource.signals.spectra import share_outside_band
 
 RATE_HZ = 1300.0

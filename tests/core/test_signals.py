@@ -7,7 +7,10 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.waveforms import KINDS, Impulse, Noise, PulseTrain, Saw, Square, Tap, Tone
+from skinsource.design.waveforms.kinds import KINDS
+from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square
+from skinsource.design.waveforms.pulses import Impulse, Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.signals.generators import impulse, sample_count, sinusoid, tap, white_noise
 
 RATE_HZ = 1300.0

@@ -8,7 +8,8 @@ import pytest
 
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.memory import SURFACES_BYTES
 from skinsource.engine.quantities import graphs_that_share, new_graph, sources
 from skinsource.engine.shared import Shared

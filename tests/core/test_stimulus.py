@@ -11,7 +11,9 @@ from skinsource.base.errors import InvalidInputError, Stopped
 from skinsource.design import effects
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
-from skinsource.design.waveforms import Gabor, Impulse, Noise, Tone
+from skinsource.design.waveforms.pulses import Impulse, Noise
+from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms.wavelets import Gabor
 from skinsource.engine import stimulus
 from skinsource.engine import stimulus as of_design
 from skinsource.engine.stimulus import stimulus_of

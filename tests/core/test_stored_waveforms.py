@@ -12,8 +12,10 @@ from skinsource.design import waveforms
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
 from skinsource.design.edits.edit import as_kind
-from skinsource.design.waveforms import Drawn, Recording, Tap, Tone
-from skinsource.specs.fields import specs_of
+from skinsource.design.waveforms.pulses import Tap
+from skinsource.design.waveforms.samples import Drawn, Recording
+from skinsource.design.waveforms.tones import Tone
+from skinsource.specs.models import specs_of
 from skinsource.specs.samples import Samples
 
 BOTH = (Drawn, Recording)

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from skinsource.design.clips import Clip
-from skinsource.design.effects import Reverse, Stretch, Trim, stretched_by
-from skinsource.design.waveforms import Tone
+from skinsource.design.effects.time import Reverse, Stretch, Trim, stretched_by
+from skinsource.design.waveforms.tones import Tone
 
 TONE = Tone(frequency_hz=100.0, duration_s=0.5)
 

@@ -10,9 +10,11 @@ from hypothesis import strategies as st
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.clips import Clip
-from skinsource.design.effects import Trim, played, played_s
+from skinsource.design.effects.playing import played, played_s
+from skinsource.design.effects.time import Trim
 from skinsource.design.signal_path import placed_chain
-from skinsource.design.waveforms import Impulse, Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Impulse, Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 
 RATE_HZ = 1300.0
 TONE = Tone(frequency_hz=77.0, duration_s=0.1, window="none")

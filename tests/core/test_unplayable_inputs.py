@@ -13,7 +13,9 @@ from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, track
 from skinsource.design.presets.shipped import SHIPPED
 from skinsource.design.view import View
-from skinsource.design.waveforms import Chirplet, Tap, Tone
+from skinsource.design.waveforms.pulses import Tap
+from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms.wavelets import Chirplet
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.export.tables import export_levels
 

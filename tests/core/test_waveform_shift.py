@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.waveforms import KINDS, Impulse, Noise, Tap, Tone
+from skinsource.design.waveforms.kinds import KINDS
+from skinsource.design.waveforms.pulses import Impulse, Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.signals.generators import sinusoid, tap, white_noise
 
 RATE_HZ = 1300.0

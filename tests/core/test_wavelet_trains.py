@@ -9,8 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.waveforms import WaveletTrain, frequency_sweep
-from skinsource.design.waveforms.wavelet_train import EQUALISE
+from skinsource.design.waveforms.wavelet_train import EQUALISE, WaveletTrain, frequency_sweep
 from tests.core.wavelets_bench import FINE_HZ, RATE_HZ, at_all_frequencies
 
 FIVE_HZ = (50.0, 84.1, 141.4, 237.8, 400.0)

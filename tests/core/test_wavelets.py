@@ -9,16 +9,10 @@ import pytest
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
 from skinsource.design import waveforms
-from skinsource.design.waveforms import (
-    CentredTap,
-    Chirplet,
-    Gabor,
-    Glide,
-    Morlet,
-    Ricker,
-    Tap,
-    WaveletTrain,
-)
+from skinsource.design.waveforms.pulses import CentredTap, Tap
+from skinsource.design.waveforms.tones import Glide
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
+from skinsource.design.waveforms.wavelets import Chirplet, Gabor, Morlet, Ricker
 from tests.core.wavelets_bench import FINE_HZ, RATE_HZ, at_all_frequencies
 
 

@@ -7,10 +7,11 @@ import skinsource as ss
 from skinsource.design import edits
 from skinsource.design.clips import MAX_EFFECTS, Clip
 from skinsource.design.design import Design, Input
-from skinsource.design.effects import SoftClip, Trim
+from skinsource.design.effects.level import SoftClip
+from skinsource.design.effects.time import Trim
 from skinsource.design.presets.presets import whole_design
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 
 CURVE = ((0.05, 0.2), (0.3, 1.0))
 

@@ -13,11 +13,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
 from skinsource.limbs.catalogue import available_limbs
-from skinsource_gui.files import export_actions
+from skinsource_gui.pages.files import exports
+from skinsource_gui.qt.theme import LIGHT, apply_theme, current_theme
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.state.start_design import start_design
-from skinsource_gui.theme import LIGHT, apply_theme, current_theme
+from skinsource_gui.state.preferences import Preferences, start_design
 from tests.gui.desk import Desk
 
 
@@ -177,10 +176,9 @@ def write_with(monkeypatch):
 
     def replace_write(name, write):
         table = tuple(
-            replace(spec, write=write) if spec.name == name else spec
-            for spec in export_actions.EXPORTS
+            replace(spec, write=write) if spec.name == name else spec for spec in exports.EXPORTS
         )
-        monkeypatch.setattr(export_actions, "EXPORTS", table)
+        monkeypatch.setattr(exports, "EXPORTS", table)
 
     return replace_write
 

@@ -4,15 +4,13 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.design.design import Design
 from skinsource.design.view import View
-from skinsource_gui.files.file_actions import FileActions
-from skinsource_gui.import_page.import_actions import ImportActions
-from skinsource_gui.motion_page.page import MotionPage
-from skinsource_gui.shell.playing.playback import Playback
+from skinsource_gui.pages.actions import ImportActions, StimulusActions
+from skinsource_gui.pages.files.file_actions import FileActions
+from skinsource_gui.pages.motion import MotionPage
+from skinsource_gui.shell.playing import Playback
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
-from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.state.start_design import start_design
-from skinsource_gui.stimulus_page.stimulus_actions import StimulusActions
+from skinsource_gui.state.preferences import Preferences, start_design
 
 
 class Desk(QWidget):

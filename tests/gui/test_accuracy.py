@@ -3,8 +3,8 @@
 import pytest
 
 from skinsource.engine.gains import TraceError
-from skinsource_gui.status.error_label import ErrorLabel, one_digit_up
-from skinsource_gui.theme import LIGHT
+from skinsource_gui.qt.error_label import ErrorLabel, one_digit_up
+from skinsource_gui.qt.theme import LIGHT
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ from skinsource.base.job import stop_if
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.studies.accuracy.cases import Resampling, stored_cases
 from skinsource.studies.accuracy.measuring import WAYS
-from skinsource_gui.accuracy_page import page as page_module
+from skinsource_gui.pages import accuracy as page_module
 from tests.core.own_limbs.lab_bench import installed
 
 CASE = "1300 to 48000 Hz"

@@ -9,12 +9,9 @@ from PySide6.QtGui import QColor, QImage, QPainter
 
 import skinsource as ss
 from skinsource_gui.panels.side_by_side import panel as side_by_side
-from skinsource_gui.theme import LIGHT
-from skinsource_gui.widgets.map.length_bar import paint_small_bar
-from skinsource_gui.widgets.map.scale_row import Scale
-from skinsource_gui.widgets.map.small_map import SmallMap
-from skinsource_gui.widgets.paper import on_paper
-from skinsource_gui.widgets.pictures.picture_file import save_drawing
+from skinsource_gui.plots.pictures import save_drawing
+from skinsource_gui.plots.small_map import Scale, SmallMap, paint_small_bar
+from skinsource_gui.qt.theme import LIGHT, on_paper
 from tests.gui.pages_of_paper import Paper
 
 DESIGN = ss.Design(

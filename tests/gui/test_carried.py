@@ -7,12 +7,17 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
+from skinsource_gui.plots.pictures import (
+    ALL_IN_SIGHT,
+    LAYOUTS,
+    caption_px,
+    drawn_image,
+    height_above,
+    save_drawing,
+    with_caption,
+)
+from skinsource_gui.qt.asking import CopyButton
 from skinsource_gui.shell.panels import PANELS
-from skinsource_gui.widgets.copy_button import CopyButton
-from skinsource_gui.widgets.pictures.caption import caption_px, height_above, with_caption
-from skinsource_gui.widgets.pictures.layouts import LAYOUTS
-from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
-from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT
 from tests.gui.pages_of_paper import Paper
 
 #: Too fast, too high, and on a synthetic limb.

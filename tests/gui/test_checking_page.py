@@ -11,7 +11,7 @@ from skinsource.design.design_file import save_design
 from skinsource.design.view import View
 from skinsource.signals.resampling import resample
 from skinsource.studies.checking import Condition
-from skinsource_gui.checking_page.page import CheckingPage
+from skinsource_gui.pages.checking import CheckingPage
 
 
 def design_of(frequency_hz):

@@ -6,8 +6,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton
 
 from skinsource.design.design import Design, track
-from skinsource.design.waveforms import Drawn, Tone
-from skinsource_gui.panels.clip_editor.tools.pen import Pen
+from skinsource.design.waveforms.samples import Drawn
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.panels.clip_editor.tools import Pen
 
 
 @pytest.fixture

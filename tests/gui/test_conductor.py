@@ -9,12 +9,10 @@ from skinsource.design.design import Design, track
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.view import View
 from skinsource.engine.graph import Graph
-from skinsource_gui.made_panels import MadePanels
-from skinsource_gui.panel import Panel
-from skinsource_gui.state.conductor import Conductor
+from skinsource_gui.state.conductor import Conductor, PanelWishes
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Engine
-from skinsource_gui.state.panel_wishes import PanelWishes
+from skinsource_gui.state.panel import MadePanels, Panel
 
 
 def loudness(inputs):

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource.design.effects.breakpoints import curve_at, with_point_after
 from skinsource.design.effects.level import POINTS
-from skinsource_gui.widgets.fields.curve_field import CurveField
+from skinsource_gui.fields.curve_field import CurveField
 
 START = ((0.0, 0.0, "straight"), (0.1, 1.0, "smooth"), (0.2, 0.5, "held"))
 LEFT = Qt.MouseButton.LeftButton

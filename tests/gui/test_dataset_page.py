@@ -8,9 +8,9 @@ from PySide6.QtWidgets import QFileDialog, QLabel, QPushButton
 from skinsource.base.errors import Stopped
 from skinsource.base.job import Job
 from skinsource.limbs.dataset.install import install
-from skinsource_gui.dataset_page import page as dataset_page
-from skinsource_gui.dataset_page.page import DatasetPage
-from skinsource_gui.state.installed_limbs import INSTALLATIONS
+from skinsource_gui.pages import dataset as dataset_page
+from skinsource_gui.pages.dataset import DatasetPage
+from skinsource_gui.state.preferences import INSTALLATIONS
 
 pytest.importorskip("matio", reason="mat-io is not installed")
 

@@ -4,8 +4,8 @@ import pytest
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QToolButton
 
-from skinsource_gui.panels.hand.site_marker import contrast
-from skinsource_gui.theme import LIGHT, THEMES, apply_theme
+from skinsource_gui.panels.hand.layout import contrast
+from skinsource_gui.qt.theme import LIGHT, THEMES, apply_theme
 
 
 @pytest.fixture

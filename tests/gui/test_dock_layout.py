@@ -7,9 +7,9 @@ from PySide6.QtWidgets import QApplication
 from skinsource.design.design_file import save_design
 from skinsource.design.view import View
 from skinsource.limbs.catalogue import available_limbs
-from skinsource_gui.shell.docks.dock import Dock
+from skinsource_gui.shell.docks import Dock
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.start_design import start_design
+from skinsource_gui.state.preferences import start_design
 
 # The screen of the tests is 800 x 800.
 SIZE = (780, 660)

@@ -10,11 +10,11 @@ from PySide6.QtWidgets import QApplication, QMenu, QStyle, QStyleOptionFrame
 from skinsource.design.design_file import save_design
 from skinsource.design.view import View
 from skinsource.limbs.catalogue import available_limbs
-from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS, Behind, Place
+from skinsource_gui.qt.theme import current_theme
+from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS, Behind, Place
 from skinsource_gui.shell.panels import PANELS
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.start_design import start_design
-from skinsource_gui.theme import current_theme
+from skinsource_gui.state.preferences import start_design
 from tests.gui.dock_bench import bar_with, bars, click_tab, in_sight, titles
 
 GUESTS = ("compare", "history", "library")

@@ -4,11 +4,11 @@ import pytest
 
 from skinsource.design import edits
 from skinsource.design.design import Design, track
-from skinsource.design.edits import Edit, Refusal
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
-from skinsource_gui.history import MOST_STEPS
+from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.state.document import Document
+from skinsource_gui.state.history import MOST_STEPS
 
 ONE_TONE = Design(limb="synthetic-1", inputs=(track(location=7, waveform=Tone()),))
 

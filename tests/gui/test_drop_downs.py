@@ -16,11 +16,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.specs.fields import ChoiceSpec
-from skinsource_gui.panels.hand.site_marker import contrast
-from skinsource_gui.theme import THEMES, current_theme
-from skinsource_gui.widgets.fields.choice_field import ChoiceField
-from skinsource_gui.widgets.fields.drop_down import DropDown
+from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.fields.choice_field import ChoiceField, DropDown
+from skinsource_gui.panels.hand.layout import contrast
+from skinsource_gui.qt.theme import THEMES, current_theme
 
 SPEC = ChoiceSpec(label="Size", options=(("s", "Small"), ("m", "Medium"), ("l", "Large")))
 READABLE = 4.5

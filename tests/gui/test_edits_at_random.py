@@ -13,7 +13,8 @@ from skinsource.design.design import Design, track
 from skinsource.design.effects import EFFECTS
 from skinsource.design.motions import MOTIONS, Alternation
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.perception.validity import Finding
 from skinsource_gui.state.document import Document
 

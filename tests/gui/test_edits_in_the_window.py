@@ -8,12 +8,12 @@ from PySide6.QtWidgets import QApplication
 from skinsource.design import edits
 from skinsource.design.design import MAX_INPUTS, Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
-from skinsource_gui.panels.timeline.heads.input_list import InputRows
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.panels.timeline.heads import InputRows
+from skinsource_gui.plots.plot import Plot
+from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.state.engine import Purpose
-from skinsource_gui.widgets.fields.number_field import NumberField
-from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
-from skinsource_gui.widgets.plot.plot import Plot
 
 KEY, CONTROL = Qt.Key, Qt.KeyboardModifier.ControlModifier
 

@@ -8,9 +8,9 @@ import pytest
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
-from skinsource_gui.compared import SILENT
-from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.state.compared import SILENT
 
 STRANGE = Design(limb="foot-1", inputs=(track(location=25, waveform=Tone(frequency_hz=2000.0)),))
 

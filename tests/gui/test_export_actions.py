@@ -18,10 +18,11 @@ from PySide6.QtWidgets import (
 
 from skinsource.base.errors import Stopped
 from skinsource.design.design import Design, track
-from skinsource.design.waveforms import Noise, Tone
+from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine import trace_rules
 from skinsource.engine.gains import TraceError
-from skinsource_gui.files import export_actions
+from skinsource_gui.pages.files import exports
 
 YES, NO = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
 #: Written in some seconds.
@@ -83,7 +84,7 @@ def held_until_cancelled(write_with):
     """Have an export go on from its first progress only once it is asked to stop."""
 
     def hold(name):
-        real = next(one.write for one in export_actions.EXPORTS if one.name == name)
+        real = next(one.write for one in exports.EXPORTS if one.name == name)
 
         def write(path, design, view, *, progress, stop, largest_error):
             def tell(done, total, text):

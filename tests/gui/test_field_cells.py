@@ -6,9 +6,10 @@ from PySide6.QtGui import QTextCursor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
-from skinsource.design.waveforms import Formula
-from skinsource.specs.fields import ChoiceSpec, NumberSpec, PlainSpec, SwitchSpec, TextSpec
-from skinsource_gui.widgets.fields.field_cell import FieldCell
+from skinsource.design.waveforms.samples import Formula
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.spec import ChoiceSpec, PlainSpec, SwitchSpec, TextSpec
+from skinsource_gui.fields.editors import FieldCell
 
 FREQUENCY = NumberSpec(
     label="Frequency", unit="Hz", minimum=1.0, maximum=649.0, felt_hz=(25.0, 600.0)

@@ -6,9 +6,9 @@ from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
-from skinsource_gui.files import export_actions
-from skinsource_gui.widgets.copy_button import CopyButton
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.pages.files import exports
+from skinsource_gui.qt.asking import CopyButton
 
 DESIGN = Design(limb="synthetic-1", inputs=(track(location=7, waveform=Tone(duration_s=0.2)),))
 
@@ -32,7 +32,7 @@ def test_the_right_button_on_a_figure_offers_its_picture(make_window, qtbot, mon
     by_words = {action.text(): action for action in menu.actions()}
     asked = []
     monkeypatch.setattr(
-        export_actions, "ask_picture_options", lambda *_, **about: asked.append(about["title"])
+        exports, "ask_picture_options", lambda *_, **about: asked.append(about["title"])
     )
     window.panel("skin").setFocus()
     by_words["Save picture as…"].trigger()

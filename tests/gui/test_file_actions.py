@@ -9,13 +9,13 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QMessageBox
 
 from skinsource.design.design import track
 from skinsource.design.design_file import open_design, save_design
-from skinsource_gui.files import export_actions
-from skinsource_gui.theme import DARK
-from skinsource_gui.widgets.fields.choice_field import ChoiceField
-from skinsource_gui.widgets.fields.number_field import NumberField
-from skinsource_gui.widgets.pictures.picture_options import PictureDialog, PictureOptions
-from skinsource_gui.widgets.plot import signal_exports
-from skinsource_gui.widgets.plot.signal_view import SignalView
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.pages.files import exports
+from skinsource_gui.plots import signal_view
+from skinsource_gui.plots.pictures import PictureDialog, PictureOptions
+from skinsource_gui.plots.signal_view import SignalView
+from skinsource_gui.qt.theme import DARK
 
 NO_KEYS = Qt.KeyboardModifier.NoModifier
 
@@ -34,7 +34,7 @@ def answers(monkeypatch):
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (answer("save"), ""))
     monkeypatch.setattr(QMessageBox, "question", lambda *_: answer("question"))
     given["picture"] = lambda options: options
-    for asking in (export_actions, signal_exports):
+    for asking in (exports, signal_view):
         monkeypatch.setattr(
             asking, "ask_picture_options", lambda _, options, **about: given["picture"](options)
         )

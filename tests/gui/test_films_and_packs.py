@@ -7,8 +7,8 @@ from pathlib import Path
 from PySide6.QtWidgets import QFileDialog
 
 from skinsource.actuators.rigs import Rig, save_rig
-from skinsource_gui.files import export_actions
-from skinsource_gui.panels.skin.time.film_options import FilmOptions
+from skinsource_gui.pages.files import exports
+from skinsource_gui.panels.skin.film import FilmOptions
 
 
 def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_this_machine(
@@ -35,7 +35,7 @@ def test_a_film_asks_for_its_size_and_a_pack_takes_the_rig_of_this_machine(
         asked.append((title, usual.width_px, usual.height_px, kinds, most_px))
         return answers.get("options", wanted)
 
-    monkeypatch.setattr(export_actions, "ask_picture_options", ask)
+    monkeypatch.setattr(exports, "ask_picture_options", ask)
     answers["save"] = str(tmp_path / "film.mp4")
     window.do("export_animation")
     wait()
@@ -65,9 +65,7 @@ def test_a_film_that_cannot_be_written_says_so_before_anything_is_asked(window, 
     window.exports.failed.connect(told.append)
     # As where it is not installed.
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
-    monkeypatch.setattr(
-        export_actions, "ask_picture_options", lambda *_, **__: told.append("asked")
-    )
+    monkeypatch.setattr(exports, "ask_picture_options", lambda *_, **__: told.append("asked"))
     window.do("export_animation")
     (words,) = told
     assert words.lower().startswith("the package 'imageio_ffmpeg' is needed for this")

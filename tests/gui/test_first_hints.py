@@ -5,9 +5,8 @@ from dataclasses import replace
 from PySide6.QtWidgets import QMainWindow, QPushButton, QToolButton
 
 import skinsource as ss
-from skinsource.design.edits import Edit
-from skinsource_gui.shell.first_hints import HINTS, LATER, FirstHints
-from skinsource_gui.shell.notice import Notice
+from skinsource.design.edits.edit import Edit
+from skinsource_gui.shell.notices import HINTS, LATER, FirstHints, Notice
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.preferences import Preferences
 

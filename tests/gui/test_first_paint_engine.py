@@ -4,8 +4,7 @@ import pytest
 from PySide6.QtWidgets import QWidget
 
 from skinsource.engine.graph import Graph
-from skinsource_gui.state.engine import Request
-from skinsource_gui.state.first_paint_engine import FirstPaintEngine
+from skinsource_gui.state.engine import FirstPaintEngine, Request
 
 
 @pytest.fixture

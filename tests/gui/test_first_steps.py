@@ -9,11 +9,11 @@ from PySide6.QtWidgets import QLabel
 
 from skinsource.design import edits
 from skinsource.design.design import Design, track
-from skinsource.design.edits import Edit
+from skinsource.design.edits.edit import Edit
 from skinsource.design.view import View
-from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS
+from skinsource_gui.plots.plot import Plot
+from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS
 from skinsource_gui.shell.panels import PANELS
-from skinsource_gui.widgets.plot.plot import Plot
 
 ANYWHERE = ("Press ", "View > Panels")
 #: Words of a sentence, and the panel that they lead to.

@@ -1,6 +1,6 @@
 """A label that says as much as there is room for."""
 
-from skinsource_gui.widgets.fitting_label import FittingLabel
+from skinsource_gui.qt.labels import FittingLabel
 
 
 def test_words_that_are_shorter_than_their_room_end_beside_what_follows(qtbot):

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QWidget
 from skinsource.base.errors import Stopped
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
-from skinsource_gui.widgets.fields.field_cell import FieldCell
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.fields.editors import FieldCell
 
 KEY = Qt.Key
 SHIFT = Qt.KeyboardModifier.ShiftModifier

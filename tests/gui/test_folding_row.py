@@ -3,7 +3,7 @@
 from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QApplication, QScrollArea, QVBoxLayout, QWidget
 
-from skinsource_gui.widgets.folding_row import FoldingRow
+from skinsource_gui.qt.room import FoldingRow
 
 
 class Part(QWidget):

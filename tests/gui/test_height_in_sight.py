@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtWidgets import QScrollArea, QWidget
 
-from skinsource_gui.widgets.room.height_in_sight import HeightInSight
+from skinsource_gui.qt.room import HeightInSight
 
 HIGH_PX = 600
 

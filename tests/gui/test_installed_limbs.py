@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QApplication, QComboBox
 
 from skinsource.limbs.dataset.install import install
 from skinsource.limbs.dataset.store import NOT_INSTALLED
-from skinsource_gui.status.limb_note import LimbNote
+from skinsource_gui.shell.limb_note import LimbNote
 
 
 def come_back_to(window):

@@ -3,8 +3,8 @@
 from PySide6.QtWidgets import QLabel, QProgressBar
 
 from skinsource.base.job import Job
+from skinsource_gui.shell.status import JobBar
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
-from skinsource_gui.status.job_bar import JobBar
 
 
 def test_a_bar_is_shown_only_when_it_is_known_how_far_a_job_is(qtbot):

@@ -7,8 +7,8 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import save_design
-from skinsource.design.waveforms import Tone
-from skinsource_gui.panels.timeline.heads.input_row import InputRow
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.panels.timeline.head_row import InputRow
 
 
 @pytest.fixture

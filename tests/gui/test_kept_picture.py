@@ -2,7 +2,7 @@ import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QImage, QPainter
 
-from skinsource_gui.widgets.kept_picture import KeptPicture
+from skinsource_gui.qt.frames import KeptPicture
 
 ROOM = QRectF(2, 3, 8, 6)
 

@@ -7,17 +7,16 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QAbstractButton, QTextBrowser, QWidget
 
-from skinsource_gui.panels.hand.site_keys import SiteKeys
-from skinsource_gui.panels.skin.scale.range_handle import key_step_db
-from skinsource_gui.panels.skin.time.scrub_bar import ScrubBar
-from skinsource_gui.panels.timeline.heads.list_keys import ListKeys
+from skinsource_gui.fields.number_field import NumberGestures, begins_typing
+from skinsource_gui.panels.hand.panel import SiteKeys
+from skinsource_gui.panels.skin.scale import key_step_db
+from skinsource_gui.panels.skin.time import ScrubBar
+from skinsource_gui.panels.timeline.heads import ListKeys
+from skinsource_gui.plots.outputs import OutputKeys
+from skinsource_gui.qt.keys import KEYS, MOUSE, SHORTCUTS, key_text, meaning_of
 from skinsource_gui.shell.actions import ACTIONS
-from skinsource_gui.shell.playing.transport import Transport
-from skinsource_gui.status.preparing_note import PreparingNote
-from skinsource_gui.widgets.fields.number_gestures import NumberGestures
-from skinsource_gui.widgets.fields.number_typing import begins_typing
-from skinsource_gui.widgets.keys import KEYS, MOUSE, SHORTCUTS, key_text, meaning_of
-from skinsource_gui.widgets.outputs.keys import OutputKeys
+from skinsource_gui.shell.playing import Transport
+from skinsource_gui.shell.status import PreparingNote
 
 _Key, _Held = Qt.Key, Qt.KeyboardModifier
 SIGNS = [Qt.Key(ord(sign)) for sign in "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ+-=. "]

@@ -6,9 +6,9 @@ from itertools import pairwise
 import pytest
 from PySide6.QtCore import QRect
 
-from skinsource_gui.panels.skin.readout_lines import ReadoutLines
+from skinsource_gui.panels.skin.map import ReadoutLines
+from skinsource_gui.plots.pictures import save_drawing
 from skinsource_gui.shell.appearance import LARGEST_TEXT
-from skinsource_gui.widgets.pictures.picture_file import save_drawing
 
 
 @pytest.fixture

@@ -6,11 +6,9 @@ import pytest
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
-from skinsource_gui.late_panel import LatePanel
-from skinsource_gui.made_panels import MadePanels
-from skinsource_gui.panel import Panel
-from skinsource_gui.shell.docks.arrangement_spec import Place
+from skinsource_gui.shell.arrangement_spec import Place
 from skinsource_gui.shell.panels import PANELS
+from skinsource_gui.state.panel import LatePanel, MadePanels, Panel
 
 
 def made(window):

@@ -1,7 +1,7 @@
 """Lamps and buttons that belong to an older design."""
 
-from skinsource_gui.status.validity_lamps import ValidityLamps, _words_of
-from skinsource_gui.widgets.copy_button import CopyButton
+from skinsource_gui.qt.asking import CopyButton
+from skinsource_gui.shell.validity_lamps import ValidityLamps, _words_of
 from tests.gui.analysis.test_validity_lamps import FINDINGS
 
 

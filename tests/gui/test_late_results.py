@@ -10,12 +10,12 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from skinsource.design.effects import Fade
-from skinsource_gui.panels.regions.columns import columns_of_people
-from skinsource_gui.panels.timeline.lane_look import same_clips
+from skinsource.design.effects.level import Fade
+from skinsource_gui.panels.regions.panel import columns_of_people
+from skinsource_gui.panels.timeline.painting import same_clips
+from skinsource_gui.qt.asking import CopyButton
+from skinsource_gui.qt.overlays import UPDATING, Veil
 from skinsource_gui.shell.panels import PANELS
-from skinsource_gui.widgets.copy_button import CopyButton
-from skinsource_gui.widgets.over.veil import UPDATING, Veil
 
 SELECTED = (3, 9, 15, 21)
 #: What they show is of the selected outputs, or of one of them.

@@ -2,7 +2,7 @@
 
 import pytest
 
-from skinsource_gui.widgets.lateness import Lateness
+from skinsource_gui.qt.overlays import Lateness
 
 
 @pytest.fixture

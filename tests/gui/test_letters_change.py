@@ -6,10 +6,9 @@ from PySide6.QtWidgets import QBoxLayout, QGridLayout, QWidget
 
 from skinsource_gui.panels.compare.panel import ComparePanel
 from skinsource_gui.panels.perception.panel import PerceptionPanel
-from skinsource_gui.panels.playback.device_fields import DeviceFields
-from skinsource_gui.panels.playback.output_row import OutputRow
+from skinsource_gui.panels.playback.panel import DeviceFields, OutputRow
 from skinsource_gui.panels.spectrogram.panel import SpectrogramPanel
-from skinsource_gui.widgets.fitting_label import FittingLabel
+from skinsource_gui.qt.labels import FittingLabel
 
 
 def enlarge(widget, scale=2.5):

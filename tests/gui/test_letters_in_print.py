@@ -7,12 +7,17 @@ from math import hypot
 import pytest
 from PySide6.QtWidgets import QPushButton
 
-from skinsource_gui.state.start_design import start_design
-from skinsource_gui.widgets.pictures.layouts import layout_of
-from skinsource_gui.widgets.pictures.letters import letters_remark
-from skinsource_gui.widgets.pictures.picture_file import save_drawing
-from skinsource_gui.widgets.pictures.picture_options import PictureDialog, PictureOptions, Remark
-from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT, WholePicture
+from skinsource_gui.plots.pictures import (
+    ALL_IN_SIGHT,
+    PictureDialog,
+    PictureOptions,
+    Remark,
+    WholePicture,
+    layout_of,
+    letters_remark,
+    save_drawing,
+)
+from skinsource_gui.state.preferences import start_design
 
 
 def smallest_px(path):

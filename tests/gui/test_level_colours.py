@@ -8,9 +8,9 @@ from PySide6.QtWidgets import QApplication
 from skinsource.design.design_file import save_design
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
-from skinsource_gui.widgets.map.colour_maps import DIVERGING, colour_table
-from skinsource_gui.widgets.map.level_look import LevelLook, coloured_like, level_look
-from skinsource_gui.widgets.pictures.picture_file import drawn_image
+from skinsource_gui.plots.colour_maps import DIVERGING, colour_table
+from skinsource_gui.plots.pictures import drawn_image
+from skinsource_gui.plots.small_map import LevelLook, coloured_like, level_look
 from tests.gui.compare.compare_bench import two_places
 
 #: Pixels of a small map, and of words that happen to have its colours.

@@ -6,7 +6,8 @@ import pytest
 
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone, WaveletTrain
+from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
 
 TRAIN = WaveletTrain((60.0, 400.0), slot_s=0.08)
 

@@ -5,8 +5,8 @@ from types import SimpleNamespace
 import pytest
 from PySide6.QtGui import QTextDocument
 
-from skinsource_gui.status.limb_note import LimbNote
-from skinsource_gui.theme import scaled
+from skinsource_gui.qt.theme import scaled
+from skinsource_gui.shell.limb_note import LimbNote
 
 
 @pytest.mark.parametrize("scale", [1.0, 2.0, 3.0])

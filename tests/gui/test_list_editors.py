@@ -7,19 +7,15 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.waveforms import Glide, WaveletTrain, frequency_sweep
+from skinsource.design.waveforms.tones import Glide
+from skinsource.design.waveforms.wavelet_train import WaveletTrain, frequency_sweep
 from skinsource.signals.synthesis import curve_of
-from skinsource.specs.fields import CurveSpec, ListSpec, NumberSpec, specs_of
-from skinsource_gui.widgets.fields.field_cell import FieldCell
-from skinsource_gui.widgets.fields.live_text import LiveText
-from skinsource_gui.widgets.fields.points_editor import GlideCurve
-from skinsource_gui.widgets.fields.sweep_dialog import SweepDialog
-from skinsource_gui.widgets.fields.typed_numbers import (
-    numbers_text,
-    points_text,
-    read_numbers,
-    read_points,
-)
+from skinsource.specs.models import specs_of
+from skinsource.specs.numbers import CurveSpec, ListSpec, NumberSpec
+from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.fields.list_editors import GlideCurve, SweepDialog
+from skinsource_gui.fields.text_field import LiveText
+from skinsource_gui.fields.units import numbers_text, points_text, read_numbers, read_points
 
 FREQUENCIES = specs_of(WaveletTrain)["frequencies_hz"]
 GAINS = specs_of(WaveletTrain)["gains_db"]

@@ -1,8 +1,8 @@
 import gc
 
-from skinsource_gui.history import MOST_STEPS
 from skinsource_gui.state.document import Document, Swap
-from skinsource_gui.state.start_design import start_design
+from skinsource_gui.state.history import MOST_STEPS
+from skinsource_gui.state.preferences import start_design
 
 
 def steps_in_memory():

@@ -4,8 +4,8 @@ import numpy as np
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainter, QPdfWriter
 
-from skinsource_gui.widgets.map.colour_maps import colour_table
-from skinsource_gui.widgets.map.field_image import FieldImage
+from skinsource_gui.plots.colour_maps import colour_table
+from skinsource_gui.plots.small_map import FieldImage
 from tests.gui.pages_of_paper import Paper
 
 

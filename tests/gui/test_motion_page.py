@@ -8,8 +8,10 @@ from PySide6.QtWidgets import QApplication, QComboBox, QLabel, QLineEdit, QPushB
 from skinsource.design.design import MAX_INPUTS, Design, track
 from skinsource.design.motions import MOTIONS, ApparentMotion, Phantom, TapSequence, TravellingPhase
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Saw, Tone
-from skinsource_gui.motion_page.page import MotionPage
+from skinsource.design.waveforms.periodic import Saw
+from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.pages.motion import MotionPage
 
 
 @pytest.fixture

@@ -3,14 +3,15 @@
 from PySide6.QtCore import QObject
 
 from skinsource.design.design import Design
-from skinsource_gui.motion_page.draft import Draft
-from skinsource_gui.widgets.inputs import clip_strip
+from skinsource.design.effects import playing
+from skinsource_gui.pages.motion import Draft
+from skinsource_gui.plots import preview
 
 
 def test_a_motion_that_repeats_one_long_burst_draws_it_once(qtbot, monkeypatch):
     drawn = []
-    played = clip_strip.played
-    monkeypatch.setattr(clip_strip, "played", lambda *one: (drawn.append(one), played(*one))[1])
+    played = playing.played
+    monkeypatch.setattr(preview, "played", lambda *one: (drawn.append(one), played(*one))[1])
     owner = QObject()
     draft = Draft(Design(limb="synthetic-1"), 0.0, owner)
     draft.change_kind("Alternation")

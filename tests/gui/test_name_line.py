@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLineEdit, QVBoxLayout, QWidget
 
-from skinsource_gui.widgets.name_line import NameLine
+from skinsource_gui.qt.labels import NameLine
 
 
 @pytest.fixture

@@ -4,8 +4,8 @@ from PySide6.QtGui import QCursor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QTabBar, QToolButton, QWidget
 
-from skinsource.design.edits import Refusal
-from skinsource_gui.shell import notice
+from skinsource.design.edits.edit import Refusal
+from skinsource_gui.shell import notices
 
 LONG = "A long reason that goes on and on. " * 20
 
@@ -195,13 +195,13 @@ def test_a_refusal_goes_with_the_next_click_but_not_with_the_one_that_caused_it(
     refusal(window, qtbot, 0)
     QTest.mouseClick(below, Qt.MouseButton.LeftButton, pos=QPoint(3, 3))
     assert window.notice.text == "That cannot be."
-    refusal(window, qtbot, notice._FRESH_MS)
+    refusal(window, qtbot, notices._FRESH_MS)
     QTest.mouseClick(below, Qt.MouseButton.LeftButton, pos=QPoint(3, 3))
     assert window.notice.text == ""
 
 
 def test_what_failed_stays_through_clicks_also_after_a_refusal(window, qtbot):
-    refusal(window, qtbot, notice._FRESH_MS)
+    refusal(window, qtbot, notices._FRESH_MS)
     window.reports.complain("The disk is full.")
     QTest.mouseClick(window.panel("hand"), Qt.MouseButton.LeftButton, pos=QPoint(3, 3))
     assert window.notice.text == "The disk is full."

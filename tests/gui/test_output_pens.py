@@ -5,13 +5,10 @@ import pytest
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor, QImage, QPainter
 
-from skinsource_gui.panels.skin.map_painter import paint_ring
-from skinsource_gui.theme import THEMES
-from skinsource_gui.widgets.plot.curve import SignalCurve
-from skinsource_gui.widgets.plot.curve_points import CurvePoints
-from skinsource_gui.widgets.plot.curves import output_names
-from skinsource_gui.widgets.plot.legend.legend_strip import LegendStrip
-from skinsource_gui.widgets.plot.legend.legend_text import LegendText
+from skinsource_gui.panels.skin.painting import paint_ring
+from skinsource_gui.plots.curves import CurvePoints, SignalCurve, output_names
+from skinsource_gui.plots.legend import LegendStrip, LegendText
+from skinsource_gui.qt.theme import THEMES
 
 
 def inked(picture, theme, rank):

@@ -5,7 +5,7 @@ import pytest
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 
-from skinsource_gui.widgets.outputs.picker import OutputPicker
+from skinsource_gui.plots.outputs import OutputPicker
 
 POINTS = np.array([[10.0, 10.0], [60.0, 10.0], [np.nan, np.nan]])
 MIDDLE, UNPLACED = QPointF(35, 10), (3,)

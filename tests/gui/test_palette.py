@@ -10,13 +10,12 @@ from shiboken6 import isValid
 
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.shell.action_set import ActionSet
+from skinsource_gui.qt.keys import MOUSE
+from skinsource_gui.qt.theme import current_theme
 from skinsource_gui.shell.actions import ACTIONS
-from skinsource_gui.shell.palette import Palette, matching, score
+from skinsource_gui.shell.menus import ActionSet, Palette, matching, score
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.start_design import start_design
-from skinsource_gui.theme import current_theme
-from skinsource_gui.widgets.keys import MOUSE
+from skinsource_gui.state.preferences import start_design
 
 
 @pytest.mark.parametrize(

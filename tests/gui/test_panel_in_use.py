@@ -5,7 +5,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QLineEdit, QWidget
 
-from skinsource_gui.widgets.pictures.whole_picture import IN_USE
+from skinsource_gui.plots.pictures import IN_USE
 from tests.gui.dock_bench import bar_with, titles
 
 LEFT = Qt.MouseButton.LeftButton

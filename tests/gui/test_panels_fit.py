@@ -13,9 +13,9 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource_gui.panels.transfer.panel import _usable_words
-from skinsource_gui.widgets.figure.words_label import WordsLabel
-from skinsource_gui.widgets.name_column import SHORT_NAME
-from skinsource_gui.widgets.plot.legend.legend_strip import LegendStrip
+from skinsource_gui.plots.figure import WordsLabel
+from skinsource_gui.plots.legend import LegendStrip
+from skinsource_gui.qt.labels import SHORT_NAME
 
 WIDTHS = (300, 420, 680)
 OUTPUTS = (29, 30, 33, 35, 38, 52)

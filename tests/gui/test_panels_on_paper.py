@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtWidgets import QGraphicsView
 
 import skinsource as ss
-from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
+from skinsource_gui.plots.pictures import drawn_image, save_drawing
 from tests.gui.pages_of_paper import Paper
 
 DESIGN = ss.Design(

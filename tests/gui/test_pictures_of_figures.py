@@ -7,8 +7,8 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox
 
 import skinsource as ss
 from skinsource.design.view import View
-from skinsource_gui.theme import LIGHT
-from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
+from skinsource_gui.plots.pictures import drawn_image, save_drawing
+from skinsource_gui.qt.theme import LIGHT
 from tests.gui.linearity.test_linearity_panel import STRENGTHS, show
 from tests.gui.test_pictures_out import texts_of
 

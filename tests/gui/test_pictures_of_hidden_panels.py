@@ -6,8 +6,7 @@ import pytest
 from PySide6.QtCore import Qt
 
 import skinsource as ss
-from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
-from skinsource_gui.widgets.pictures.whole_picture import IN_USE
+from skinsource_gui.plots.pictures import IN_USE, drawn_image, save_drawing
 from tests.gui.pages_of_paper import Paper
 
 DESIGN = ss.Design(

@@ -11,14 +11,22 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 import skinsource as ss
 from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.actuators.equalising import RegularisedInverse
-from skinsource_gui.files import export_actions
-from skinsource_gui.theme import DARK, LIGHT, current_theme
-from skinsource_gui.widgets.fields.choice_field import ChoiceField
-from skinsource_gui.widgets.map.length_bar import bar_length_mm
-from skinsource_gui.widgets.pictures.caption import caption_of, lines_of, with_caption
-from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
-from skinsource_gui.widgets.pictures.picture_options import COLOURS, PictureDialog, PictureOptions
-from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT, IN_USE
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.pages.files import exports
+from skinsource_gui.plots.pictures import (
+    ALL_IN_SIGHT,
+    COLOURS,
+    IN_USE,
+    PictureDialog,
+    PictureOptions,
+    caption_of,
+    drawn_image,
+    lines_of,
+    save_drawing,
+    with_caption,
+)
+from skinsource_gui.plots.small_map import bar_length_mm
+from skinsource_gui.qt.theme import DARK, LIGHT, current_theme
 from tests.gui.dock_bench import bar_with, click_tab, titles
 
 DESIGN = ss.Design(
@@ -194,7 +202,7 @@ def test_a_panel_whose_tab_is_clicked_is_in_use_and_named_where_its_picture_is_a
     def note(_window, _options, **about):
         asked.append(about["title"])
 
-    monkeypatch.setattr(export_actions, "ask_picture_options", note)
+    monkeypatch.setattr(exports, "ask_picture_options", note)
     window.tabifyDockWidget(window.docks["traces"], window.docks["spectra"])
     shared = titles(bar_with(window, "Traces"))
     for title in (*shared, shared[0], shared[0]):
@@ -207,7 +215,7 @@ def test_a_panel_whose_tab_is_clicked_is_in_use_and_named_where_its_picture_is_a
 
 def test_the_file_of_a_picture_is_suggested_by_the_name_of_its_panel(make_window, monkeypatch):
     window, names = make_window(DESIGN), []
-    monkeypatch.setattr(export_actions, "ask_picture_options", lambda _, usual, **about: usual)
+    monkeypatch.setattr(exports, "ask_picture_options", lambda _, usual, **about: usual)
     monkeypatch.setattr(
         window.files, "ask_where", lambda title, start, *about: names.append(start.name)
     )

@@ -13,7 +13,7 @@ from skinsource.design.comparing import Snapshot
 from skinsource.design.design import Design, Input
 from skinsource.design.presets.presets import Preset, save_preset, users_folder
 from skinsource.design.view import View
-from skinsource.design.waveforms import Recording
+from skinsource.design.waveforms.samples import Recording
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed
 
 HOSTILE = '<img src="x.png">'

@@ -12,11 +12,10 @@ from skinsource.design import edits
 from skinsource.design.clips import Clip, Marker
 from skinsource.design.design import Design, Input
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
-from skinsource_gui.panels.timeline.lanes_view import LanesView
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.panels.timeline.lanes import LanesView
+from skinsource_gui.plots.plot import Plot, stops_of
 from skinsource_gui.state.engine import Purpose
-from skinsource_gui.widgets.plot.plot import Plot
-from skinsource_gui.widgets.time.playhead_moves import stops_of
 
 LEFT, NONE = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
 ALT, SHIFT = Qt.KeyboardModifier.AltModifier, Qt.KeyboardModifier.ShiftModifier

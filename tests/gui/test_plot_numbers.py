@@ -3,18 +3,23 @@
 import numpy as np
 import pytest
 
-from skinsource_gui.widgets.plot.axis_spec import value_unit
-from skinsource_gui.widgets.plot.curves import Curves, output_names
-from skinsource_gui.widgets.plot.decimation import (
+from skinsource_gui.plots.curves import Curves, output_names
+from skinsource_gui.plots.ranges import (
     MOST_IN_COLUMN,
+    HeldRange,
     KeptColumns,
+    ValueScale,
     in_rows,
+    linear_ticks,
+    log_ticks,
+    number_text,
+    readable_ticks,
+    value_unit,
     visible_points,
+    within,
     without_notches,
+    zoomed,
 )
-from skinsource_gui.widgets.plot.ranges import HeldRange, within, zoomed
-from skinsource_gui.widgets.plot.ticks import linear_ticks, log_ticks, number_text, readable_ticks
-from skinsource_gui.widgets.plot.value_scale import ValueScale
 
 
 def test_a_range_grows_at_once_and_shrinks_only_below_60_percent():

@@ -9,11 +9,13 @@ from PySide6.QtWidgets import QApplication, QScrollArea
 
 from skinsource.design import edits
 from skinsource.design.design import Design, track
-from skinsource.design.effects import Fade, Trim
+from skinsource.design.effects.level import Fade
+from skinsource.design.effects.time import Trim
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tone
-from skinsource_gui.shell.focus.focus_order import tab_stops
-from skinsource_gui.theme import current_theme
+from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.qt.theme import current_theme
+from skinsource_gui.shell.focus import tab_stops
 
 
 @pytest.fixture

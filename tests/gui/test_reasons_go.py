@@ -5,9 +5,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QPushButton, QVBoxLayout, QWidget
 
-from skinsource.design.waveforms import Formula
-from skinsource.specs.fields import NumberSpec
-from skinsource_gui.widgets.fields.field_cell import FieldCell
+from skinsource.design.waveforms.samples import Formula
+from skinsource.specs.numbers import NumberSpec
+from skinsource_gui.fields.editors import FieldCell
 
 FREQUENCY = NumberSpec(label="Frequency", unit="Hz", minimum=1.0, maximum=649.0)
 FORMULA = Formula.__dataclass_fields__["text"].metadata["spec"]

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource.limbs.catalogue import available_limbs
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.start_design import start_design
+from skinsource_gui.state.preferences import start_design
 
 BELOW_THE_MAP = {"traces", "spectra", "timeline"}
 

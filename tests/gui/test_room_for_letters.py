@@ -7,14 +7,14 @@ from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel
 
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
-from skinsource_gui.shell.docks.arrangement_spec import ArrangementSpec, Place
-from skinsource_gui.shell.docks.room import Folded, Needs, folded, room_of
-from skinsource_gui.theme import THEMES
-from skinsource_gui.widgets.fields.field_grid import FieldGrid
-from skinsource_gui.widgets.figure.shrunk import shrunk
-from skinsource_gui.widgets.plot.axis import Axis
-from skinsource_gui.widgets.plot.plot import Plot
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.fields.grid import FieldGrid
+from skinsource_gui.plots.axis import Axis
+from skinsource_gui.plots.figure import shrunk
+from skinsource_gui.plots.plot import Plot
+from skinsource_gui.qt.theme import THEMES
+from skinsource_gui.shell.arrangement_spec import ArrangementSpec, Place
+from skinsource_gui.shell.dock_layout import Folded, Needs, folded, room_of
 
 SCREENS = ((1366, 768), (1920, 1080))
 FIELDS = View(selected_inputs=(1,), outputs=(29, 30, 33, 35))

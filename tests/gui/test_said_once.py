@@ -10,17 +10,17 @@ from skinsource.design import edits
 from skinsource.design.design import Design, track
 from skinsource.design.panel_settings import settings_of
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
-from skinsource.specs.fields import NumberSpec
+from skinsource.design.waveforms.tones import Tone
+from skinsource.specs.numbers import NumberSpec
+from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.panels.clip_editor import panel as editor_panel
 from skinsource_gui.panels.hand import panel as hand_panel
 from skinsource_gui.panels.inspector.panel import InspectorPanel
 from skinsource_gui.panels.skin.panel import SkinPanel
 from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.state.start_design import start_design
-from skinsource_gui.status.limb_note import LimbNote
-from skinsource_gui.theme import DARK
-from skinsource_gui.widgets.fields.field_cell import FieldCell
+from skinsource_gui.qt.theme import DARK
+from skinsource_gui.shell.limb_note import LimbNote
+from skinsource_gui.state.preferences import start_design
 from tests.gui.clip_editor.bench import Bench
 
 _Type = QEvent.Type

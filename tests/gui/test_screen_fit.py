@@ -9,15 +9,15 @@ from PySide6.QtWidgets import QApplication, QLabel, QToolBar, QToolButton, QWidg
 
 from skinsource.design import edits
 from skinsource.engine.gains import TraceError
-from skinsource_gui.panels.inspector.input_heading import InputHeading
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.fields.units import minus
+from skinsource_gui.panels.inspector.panel import InputHeading
+from skinsource_gui.plots.legend import LegendStrip
+from skinsource_gui.qt.screen_fit import ScreenFit, fitted
+from skinsource_gui.shell.limb_note import LimbNote
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.start_design import start_design
-from skinsource_gui.status.limb_note import LimbNote
-from skinsource_gui.widgets.fields.choice_field import ChoiceField
-from skinsource_gui.widgets.fields.level_text import minus
-from skinsource_gui.widgets.fields.number_field import NumberField
-from skinsource_gui.widgets.plot.legend.legend_strip import LegendStrip
-from skinsource_gui.widgets.screen_fit import ScreenFit, fitted
+from skinsource_gui.state.preferences import start_design
 
 FRAMES = [QMargins(1, 24, 1, 5), QMargins(8, 31, 8, 8), QMargins(0, 37, 0, 0)]
 #: Screens in logical pixels: 1366x768, 1080p at scale 1, 1.5 and 2.

@@ -6,9 +6,8 @@ import pytest
 from PySide6.QtGui import QFont
 
 import skinsource as ss
-from skinsource_gui.theme import LIGHT, apply_theme, tabular
-from skinsource_gui.widgets.pictures.picture_file import save_drawing
-from skinsource_gui.widgets.pictures.searchable import searchable
+from skinsource_gui.plots.pictures import save_drawing, searchable
+from skinsource_gui.qt.theme import LIGHT, apply_theme, tabular
 from tests.gui.pages_of_paper import Paper
 
 

@@ -8,9 +8,10 @@ import pytest
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
-from skinsource.design.edits import Edit
+from skinsource.design.edits.edit import Edit
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tap, Tone
+from skinsource.design.waveforms.pulses import Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.state.document import Document
 
 START = Design(

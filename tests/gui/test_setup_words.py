@@ -8,8 +8,8 @@ import pytest
 from PySide6.QtCore import Qt
 
 from skinsource.design.labels import CHOICES
-from skinsource_gui.shell.setup_bar import SetupBar
-from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.shell.bars import SetupBar
 
 
 @pytest.fixture

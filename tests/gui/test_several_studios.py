@@ -5,11 +5,11 @@ from dataclasses import replace
 import pytest
 from PySide6.QtWidgets import QFileDialog, QMessageBox
 
-from skinsource.base import lock
+from skinsource.base import errors, lock
 from skinsource.base.lock import Lock, read_owner, this_process, to_bytes
 from skinsource.design.design import Design, Input
 from skinsource.design.design_file import open_design, save_design
-from skinsource_gui.files import held_file
+from skinsource_gui.pages.files import file_actions
 
 OTHER = replace(this_process(), pid=4_000_000, user="ana")
 ELSEWHERE = replace(OTHER, host="lab-3")
@@ -33,7 +33,7 @@ def other_runs(monkeypatch):
 
     monkeypatch.setattr(lock, "still_runs", still_runs)
     monkeypatch.setattr("skinsource.base.lock.still_runs", still_runs)
-    monkeypatch.setattr(held_file, "still_runs", still_runs)
+    monkeypatch.setattr(file_actions, "still_runs", still_runs)
     return state
 
 
@@ -155,7 +155,7 @@ def test_a_file_that_cannot_be_saved_keeps_the_lock_of_the_one_that_is_open(
 
 def test_where_no_lock_can_be_written_a_file_is_opened_all_the_same(window, path, monkeypatch):
     def refuse(*_, **__):
-        raise held_file.StorageError("no")
+        raise errors.StorageError("no")
 
     monkeypatch.setattr(Lock, "take", refuse)
     window.files.open(path)

@@ -9,8 +9,8 @@ from PySide6.QtGui import QPainter
 from PySide6.QtSvg import QSvgGenerator
 
 import skinsource as ss
-from skinsource_gui.theme import LIGHT
-from skinsource_gui.widgets.map.small_map import SmallMap, paint_small_map
+from skinsource_gui.plots.small_map import SmallMap, paint_small_map
+from skinsource_gui.qt.theme import LIGHT
 
 
 def rings_of(limb_map, *places):

@@ -6,7 +6,8 @@ from PySide6.QtWidgets import QApplication, QScrollArea
 from skinsource.design import edits
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tap, Tone
+from skinsource.design.waveforms.pulses import Tap
+from skinsource.design.waveforms.tones import Tone
 
 TONE = Tone(frequency_hz=100.0, duration_s=0.3)
 

@@ -14,11 +14,11 @@ from skinsource.design.view import View
 from skinsource.export.tables import export_levels
 from skinsource.limbs.catalogue import available_limbs
 from skinsource_gui import __main__ as start
-from skinsource_gui import system_libraries
-from skinsource_gui.late_modules import UNCALLED
-from skinsource_gui.shell.garbage import GarbageCollector, take_over_collection
+from skinsource_gui.app.app import GarbageCollector, take_over_collection
+from skinsource_gui.qt import system_libraries
+from skinsource_gui.qt.late_modules import UNCALLED
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.start_design import start_design
+from skinsource_gui.state.preferences import start_design
 
 UNNEEDED = (
     # What opens a page, reads a file, plays or exports comes with that, see `skinsource.base.lazy`.
@@ -35,8 +35,8 @@ UNNEEDED = (
     "skinsource.studies.scenes.catalog",
     "skinsource.engine.stimulus",
     "skinsource.limbs.surface.surface",
-    "skinsource_gui.library_page.save_page",
-    "skinsource_gui.scenes_page.page",
+    "skinsource_gui.pages.library",
+    "skinsource_gui.pages.scenes",
     # Modules that nothing of the start calls, and large packages.
     "skinsource.export.stimulus_export",
     "skinsource.export.formats.formats",
@@ -183,7 +183,7 @@ def test_a_display_is_recognised(monkeypatch, environment, expected):
     assert system_libraries.has_display() == expected
 
 
-@pytest.mark.parametrize("module", ["skinsource", "skinsource_gui.shell.app"])
+@pytest.mark.parametrize("module", ["skinsource", "skinsource_gui.app.app"])
 def test_starting_imports_nothing_that_takes_long_and_is_not_needed(module):
     probe = f"import sys, {module}; print([m for m in {UNNEEDED} if m in sys.modules])"
     done = subprocess.run(
@@ -197,7 +197,7 @@ import os, sys
 from pathlib import Path
 from PySide6.QtCore import QEvent, QObject, QTimer
 from PySide6.QtWidgets import QWidget
-from skinsource_gui.shell.app import make_application, make_window
+from skinsource_gui.app.app import make_application, make_window
 from skinsource_gui.state.preferences import Preferences
 
 names, application = sys.argv[2].split(), make_application()

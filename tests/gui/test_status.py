@@ -3,7 +3,7 @@ from dataclasses import replace
 from PySide6.QtWidgets import QLabel
 
 from skinsource.design.design import Design
-from skinsource_gui.status.limb_note import LimbNote
+from skinsource_gui.shell.limb_note import LimbNote
 
 
 def test_the_way_to_measured_limbs_is_told_only_where_they_are_missing(qtbot):

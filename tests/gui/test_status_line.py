@@ -12,13 +12,12 @@ from skinsource.base.work import Work
 from skinsource.design.clips import Clip
 from skinsource.design.design import track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.gains import TraceError
 from skinsource.engine.transforms import BLOCK_FFT
-from skinsource_gui.status.computation_words import Scope
-from skinsource_gui.status.edit_times import EditTime, EditTimes, milliseconds, most_within, summary
-from skinsource_gui.status.sparkline import Sparkline
-from skinsource_gui.theme import DARK, LIGHT
+from skinsource_gui.qt.theme import DARK, LIGHT
+from skinsource_gui.shell.status import Scope, Sparkline
+from skinsource_gui.state.edit_times import EditTime, EditTimes, milliseconds, most_within, summary
 
 
 def label(window, name):

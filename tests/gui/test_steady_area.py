@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
 
-from skinsource_gui.widgets.room.steady_area import SteadyArea
+from skinsource_gui.qt.room import SteadyArea
 
 _TURNS = 30
 

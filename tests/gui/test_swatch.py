@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtGui import QFont, QFontMetrics
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
-from skinsource_gui.widgets.inputs.swatch import SWATCH_PX, Swatch
+from skinsource_gui.qt.buttons import SWATCH_PX, Swatch
 
 
 @pytest.mark.parametrize("number", [3, 20, 128])

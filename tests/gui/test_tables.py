@@ -5,11 +5,11 @@ from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QApplication, QMenu, QTextBrowser
 
 from skinsource.design.view import View
-from skinsource_gui.files.exports import EXPORTS
-from skinsource_gui.shell.action_spec import ActionSpec
+from skinsource_gui.pages.files.exports import EXPORTS
 from skinsource_gui.shell.actions import ACTIONS, MENUS
-from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS, Place
-from skinsource_gui.shell.docks.room import shared
+from skinsource_gui.shell.actions.spec import ActionSpec
+from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS, Place
+from skinsource_gui.shell.dock_layout import shared
 from skinsource_gui.shell.panels import PANELS
 
 

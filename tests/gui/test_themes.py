@@ -3,8 +3,8 @@
 import pytest
 from PySide6.QtWidgets import QApplication
 
+from skinsource_gui.qt.theme import DARK, LIGHT, current_theme, drawn_in
 from skinsource_gui.shell.panels import PANELS
-from skinsource_gui.theme import DARK, LIGHT, current_theme, drawn_in
 
 #: What is known of the sound card comes at any time.
 NAMES = [spec.panel.name for spec in PANELS if spec.panel.name != "playback"]

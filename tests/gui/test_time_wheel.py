@@ -3,8 +3,7 @@
 import pytest
 from PySide6.QtCore import QPointF, Qt
 
-from skinsource_gui.widgets.time.time_scale import TimeScale
-from skinsource_gui.widgets.time.time_wheel import range_by_wheel
+from skinsource_gui.plots.time_scale import TimeScale, range_by_wheel
 from tests.gui.wheel import wheel_event
 
 SCALE = TimeScale(shown_s=(0.4, 0.6), left_px=10.0, width_px=200.0)

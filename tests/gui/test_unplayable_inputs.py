@@ -11,7 +11,8 @@ from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.design.design import Design, Input, track
 from skinsource.design.presets.shipped import SHIPPED
 from skinsource.design.view import View
-from skinsource.design.waveforms import Chirplet, Tone
+from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms.wavelets import Chirplet
 from tests.gui.curve_panels.bench import plot_of
 
 TONE = track(7, Tone(frequency_hz=100.0))

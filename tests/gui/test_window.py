@@ -8,15 +8,15 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QComboBox, QWidget
 
 from skinsource.design.design import Design, track
-from skinsource.design.edits import Edit
+from skinsource.design.edits.edit import Edit
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.prediction import predict
 from skinsource.limbs.catalogue import load_limb
 from skinsource.signals.projection import project_axes
 from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.state.start_design import start_design
+from skinsource_gui.state.preferences import start_design
 
 
 @pytest.fixture

@@ -5,8 +5,8 @@ from PySide6.QtCore import QRect
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication
 
-from skinsource_gui.shell.presenting.notes_window import NotesWindow
-from skinsource_gui.shell.windows_in_sight import place_in_sight
+from skinsource_gui.shell.appearance import place_in_sight
+from skinsource_gui.shell.presenting import NotesWindow
 
 LEFT, RIGHT = QRect(0, 0, 1366, 768), QRect(1366, 0, 1920, 1080)
 

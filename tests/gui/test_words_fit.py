@@ -6,14 +6,13 @@ from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QStyleOptionViewItem, QToolButton
 
 from skinsource.export.stimulus_export.preparing import ChannelOverview
-from skinsource_gui.history import History, Step
+from skinsource_gui.pages.stimulus.page import words_of
 from skinsource_gui.panels.compare.card import fitted_level
-from skinsource_gui.panels.history.step_delegate import StepDelegate
-from skinsource_gui.panels.history.steps_model import StepsModel
-from skinsource_gui.panels.skin.note_line import NoteLine
-from skinsource_gui.state import installed_limbs
-from skinsource_gui.stimulus_page.channels_view import words_of
-from skinsource_gui.widgets.plot.plot_toolbar import PlotToolbar
+from skinsource_gui.panels.history.panel import StepDelegate, StepsModel
+from skinsource_gui.panels.skin.map import NoteLine
+from skinsource_gui.plots.toolbar import PlotToolbar
+from skinsource_gui.state import preferences
+from skinsource_gui.state.history import History, Step
 
 
 def test_large_words_leave_the_gain_its_number(window, settle):
@@ -102,11 +101,11 @@ def test_the_sheet_of_an_export_writes_a_minus(qapp):
 def test_a_limb_that_others_installed_is_told_of(window, monkeypatch):
     limbs = window.limbs
     names = limbs.names
-    monkeypatch.setattr(installed_limbs, "available_limbs", lambda: (*names, "measured-2"))
+    monkeypatch.setattr(preferences, "available_limbs", lambda: (*names, "measured-2"))
     limbs.look()
     said = window.statusBar().currentMessage()
     assert said == "Measured 2 (165 mm): installed, choose it under Limb above the panels"
-    monkeypatch.setattr(installed_limbs, "available_limbs", lambda: names)
+    monkeypatch.setattr(preferences, "available_limbs", lambda: names)
     limbs.look()
     assert window.statusBar().currentMessage() == "Measured 2 (165 mm): no longer installed"
 

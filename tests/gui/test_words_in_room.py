@@ -12,11 +12,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource_gui.panels.timeline.timeline_toolbar import TimelineToolbar
-from skinsource_gui.theme import UNIT_PX, scaled
-from skinsource_gui.widgets.plot.plot_toolbar import PlotToolbar
-from skinsource_gui.widgets.plot.signal_view import SignalView
-from skinsource_gui.widgets.room.words_in_room import fitting_font, width_in
+from skinsource_gui.panels.timeline.panel import TimelineToolbar
+from skinsource_gui.plots.signal_view import SignalView
+from skinsource_gui.plots.toolbar import PlotToolbar
+from skinsource_gui.qt.room import fitting_font, width_in
+from skinsource_gui.qt.theme import UNIT_PX, scaled
 
 
 @pytest.mark.parametrize("kind", [QToolButton, QPushButton])

@@ -15,11 +15,9 @@ os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 
 from skinsource.limbs.catalogue import available_limbs
 from skinsource.readers.reading_process import resident_bytes
-from skinsource_gui.shell.app import make_application
-from skinsource_gui.shell.garbage import take_over_collection
+from skinsource_gui.app.app import make_application, take_over_collection
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.state.start_design import start_design
+from skinsource_gui.state.preferences import Preferences, start_design
 from tests.gui.monkey.monkey import Monkey
 from tests.gui.monkey.test_monkey import recording
 

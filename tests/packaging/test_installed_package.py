@@ -12,7 +12,7 @@ import numpy as np
 import skinsource as ss
 import skinsource_gui
 from skinsource.base.assets import data_folder
-from skinsource_gui.resources import resource_folder
+from skinsource_gui.qt.resources import resource_folder
 
 
 def test_the_package_under_test_is_the_installed_one():

@@ -22,14 +22,8 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import BAND_HZ, MOST_PLACES, Band
 from skinsource.base.quoting import quoted
 from skinsource.specs import fields
-from skinsource.specs.fields import (
-    ListSpec,
-    NumberSpec,
-    OptionalSpec,
-    RecipeSpec,
-    SwitchSpec,
-    TextSpec,
-)
+from skinsource.specs.numbers import ListSpec, NumberSpec, OptionalSpec, RecipeSpec
+from skinsource.specs.spec import SwitchSpec, TextSpec
 
 PLACE = OptionalSpec(
     label="Place",

@@ -12,7 +12,7 @@ from skinsource.base.arguments import finite_array, positive_number
 from skinsource.base.arrays import Complexes
 from skinsource.base.errors import InvalidInputError
 from skinsource.specs import fields
-from skinsource.specs.fields import SMALLEST, NumberSpec
+from skinsource.specs.numbers import SMALLEST, NumberSpec
 
 
 def positive(label: str, unit: str, hint: str = "") -> NumberSpec:

@@ -15,7 +15,8 @@ from skinsource.base.json_text import MAX_TEXT_BYTES
 from skinsource.base.quoting import quoted
 from skinsource.specs import fields, models
 from skinsource.specs.codec import from_plain_text
-from skinsource.specs.fields import Address, OptionalSpec, RecipeSpec, SwitchSpec, TextSpec
+from skinsource.specs.numbers import OptionalSpec, RecipeSpec
+from skinsource.specs.spec import Address, SwitchSpec, TextSpec
 
 #: Every kind that moves, in the order in which a user meets them.
 KINDS = (VoiceCoil, RecoilVoiceCoil, Piezo, MeasuredResponse)

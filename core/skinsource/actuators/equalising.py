@@ -29,7 +29,8 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import BAND_HZ, Band
 from skinsource.signals.resampling import PASSED_SHARE
 from skinsource.specs import fields
-from skinsource.specs.fields import ChoiceSpec, NumberSpec
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.spec import ChoiceSpec
 
 __all__ = [
     "EQUALISERS",

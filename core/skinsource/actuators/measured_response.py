@@ -13,7 +13,7 @@ from skinsource.base.arguments import finite_array, positive_number
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.specs import fields
-from skinsource.specs.fields import SMALLEST, NumberSpec, PointsSpec
+from skinsource.specs.numbers import SMALLEST, NumberSpec, PointsSpec
 
 MAX_POINTS = 20_000
 POINTS = PointsSpec(

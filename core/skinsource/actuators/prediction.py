@@ -16,7 +16,8 @@ from skinsource.base.published import LARGEST_VELOCITY_M_PER_S
 from skinsource.signals.loudest_window import loudest_energy
 from skinsource.signals.resampling import MAX_RATE_HZ, resample
 from skinsource.specs import fields
-from skinsource.specs.fields import SMALLEST, NumberSpec, OptionalSpec, specs_of
+from skinsource.specs.models import specs_of
+from skinsource.specs.numbers import SMALLEST, NumberSpec, OptionalSpec
 
 
 def _limit(label: str, unit: str, hint: str, most: float = float("inf")) -> OptionalSpec:

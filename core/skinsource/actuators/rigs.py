@@ -35,16 +35,8 @@ from skinsource.base.published import MOST_PLACES
 from skinsource.base.quoting import quoted, sentence
 from skinsource.specs import fields, models
 from skinsource.specs.codec import from_plain_text, to_plain_text
-from skinsource.specs.fields import (
-    SMALLEST,
-    Address,
-    ChoiceSpec,
-    ListSpec,
-    NumberSpec,
-    OptionalSpec,
-    RecipeSpec,
-    TextSpec,
-)
+from skinsource.specs.numbers import SMALLEST, ListSpec, NumberSpec, OptionalSpec, RecipeSpec
+from skinsource.specs.spec import Address, ChoiceSpec, TextSpec
 
 __all__ = [
     "SUFFIX",

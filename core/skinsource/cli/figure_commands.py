@@ -9,7 +9,7 @@ from skinsource.export.plot import SYNTHETIC
 from skinsource.limbs.catalogue import available_limbs
 from skinsource.limbs.dataset.commands import ProgressBar
 from skinsource.studies.figures.writing import write_figures
-from skinsource.studies.scenes import names, why_not_on
+from skinsource.studies.scenes.catalog import names, why_not_on
 
 
 def add_to(subparsers: Any) -> None:

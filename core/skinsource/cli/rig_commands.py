@@ -7,7 +7,8 @@ from typing import Any
 
 from skinsource.actuators.rigs import open_rig, save_rig
 from skinsource.lab.playing.devices import Output, devices
-from skinsource.lab.rig_measuring import MeasuringSetup, input_devices, kept, measure
+from skinsource.lab.rig_measuring.duplex import input_devices
+from skinsource.lab.rig_measuring.measurement import MeasuringSetup, kept, measure
 from skinsource.limbs.dataset.commands import ProgressBar
 
 _MEASURE = (

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.design.design_file import save_design
-from skinsource.studies.scenes import all_scenes, open_scene, why_not_on
+from skinsource.studies.scenes.catalog import all_scenes, open_scene, why_not_on
 
 
 def add_to(subparsers: Any) -> None:

@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from skinsource.limbs.dataset.commands import ProgressBar, WithTimeLeft
-from skinsource.studies.sweeps import read_sweep, run
 from skinsource.studies.sweeps.cluster import Cluster
+from skinsource.studies.sweeps.running import read_sweep, run
 from skinsource.studies.sweeps.table import TABLE
 
 _MOST_SHOWN = 10

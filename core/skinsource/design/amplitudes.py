@@ -9,7 +9,8 @@ from skinsource.actuators.actuation import Actuation
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.clips import Clip
 from skinsource.design.signal_path import Curve, drive_of_clips
-from skinsource.design.waveforms import Layers, Recording, Waveform
+from skinsource.design.waveform import Waveform
+from skinsource.design.waveforms.samples import Layers, Recording
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import drive_unit_known, facts_of
 from skinsource.limbs.scaling import Scaling

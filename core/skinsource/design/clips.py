@@ -8,11 +8,13 @@ from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import MOST_PLACES
 from skinsource.base.quoting import quoted
-from skinsource.design.effects import Effect, effect_kinds, placed, played, played_s
-from skinsource.design.effects.playing import LONGEST_S
+from skinsource.design.effects import effect_kinds
+from skinsource.design.effects.effect import Effect
+from skinsource.design.effects.playing import LONGEST_S, placed, played, played_s
 from skinsource.design.waveform import Waveform, first_kind, known_kinds
 from skinsource.specs import fields
-from skinsource.specs.fields import ListSpec, NumberSpec, RecipeSpec, SwitchSpec, TextSpec
+from skinsource.specs.numbers import ListSpec, NumberSpec, RecipeSpec
+from skinsource.specs.spec import SwitchSpec, TextSpec
 
 # A waveform on a track: from when on, how strong, through which effects.
 

@@ -17,7 +17,7 @@ from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.locations import DIGITS, OUTPUTS
 from skinsource.limbs.own_limbs import facts_of, own_limb_names
 from skinsource.specs import fields
-from skinsource.specs.fields import NumberSpec, RecipeSpec
+from skinsource.specs.numbers import NumberSpec, RecipeSpec
 
 # How levels of two designs differ, and what makes them alike.
 

@@ -10,11 +10,11 @@ from skinsource.base.quoting import quoted
 from skinsource.design import displaying, labels
 from skinsource.design.amplitudes import amplitude_meaning, amplitude_text, amplitude_unit
 from skinsource.design.clips import ID, LATEST_S, Clip, Marker, numbered
-from skinsource.design.waveforms import Tone, Waveform
+from skinsource.design.waveform import Waveform
+from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.scaling import Scaling
 from skinsource.specs import fields
-from skinsource.specs.fields import (
-    ChoiceSpec,
+from skinsource.specs.numbers import (
     CurveSpec,
     ListSpec,
     NumberSpec,
@@ -22,9 +22,8 @@ from skinsource.specs.fields import (
     Range,
     RangeSpec,
     RecipeSpec,
-    SwitchSpec,
-    TextSpec,
 )
+from skinsource.specs.spec import ChoiceSpec, SwitchSpec, TextSpec
 
 #: More inputs than places are allowed; a hundred of them are a mistake.
 MAX_INPUTS = 100

@@ -18,12 +18,14 @@ from pathlib import Path
 
 from skinsource.base.errors import DesignFileError, FileFormatError, InvalidInputError
 from skinsource.base.files import named, read_bytes, write_bytes
+from skinsource.base.json_text import Tree
 from skinsource.base.quoting import sentence
 from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource.specs import fields, image, models
 from skinsource.specs.codec import check_version
-from skinsource.specs.fields import Address, BytesSpec, RecipeSpec, Tree
+from skinsource.specs.numbers import RecipeSpec
+from skinsource.specs.spec import Address, BytesSpec
 
 SUFFIX = ".skinsource"
 #: Version of the files that are written.

@@ -16,10 +16,15 @@ from skinsource.base.quoting import quoted
 from skinsource.base.work import counted
 from skinsource.design.clips import Clip
 from skinsource.design.design import AMPLITUDE, PLACE, Input
-from skinsource.design.effects import Fade, Trim
-from skinsource.design.waveforms import Saw, Square, Tap, Tone, Triangle, Waveform, kinds
+from skinsource.design.effects.level import Fade
+from skinsource.design.effects.time import Trim
+from skinsource.design.waveform import Waveform
+from skinsource.design.waveforms.kinds import kinds
+from skinsource.design.waveforms.periodic import Saw, Square, Triangle
+from skinsource.design.waveforms.pulses import Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.specs import fields
-from skinsource.specs.fields import ListSpec, NumberSpec, RecipeSpec
+from skinsource.specs.numbers import ListSpec, NumberSpec, RecipeSpec
 
 __all__ = [
     "MOTIONS",

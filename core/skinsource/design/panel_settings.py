@@ -11,7 +11,8 @@ from typing import Any, TypeVar, cast
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.view import Plain, View
 from skinsource.specs import fields
-from skinsource.specs.fields import ChoiceSpec, NumberSpec
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.spec import ChoiceSpec
 
 Settings = TypeVar("Settings")
 

@@ -22,7 +22,7 @@ from skinsource.base.files import named
 from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.base.published import SAMPLE_RATE_HZ
 from skinsource.base.quoting import quoted, sentence
-from skinsource.design.waveforms import Recording
+from skinsource.design.waveforms.samples import Recording
 from skinsource.readers import limits
 from skinsource.readers.reader import Block, Found, Series, dft321
 from skinsource.readers.reading_process import ReadingProcess

@@ -20,8 +20,9 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import Band
 from skinsource.base.quoting import first_sentence
 from skinsource.design.clips import Clip
-from skinsource.design.effects import Effect, placed, played
-from skinsource.design.waveforms import Waveform
+from skinsource.design.effects.effect import Effect
+from skinsource.design.effects.playing import placed, played
+from skinsource.design.waveform import Waveform
 
 Curve = tuple[tuple[float, float], ...]
 

@@ -14,17 +14,8 @@ from skinsource.signals.analysis.windows import MOST_WINDOWS
 from skinsource.signals.loudest_window import Span
 from skinsource.signals.projection import Method
 from skinsource.specs import fields
-from skinsource.specs.fields import (
-    ChoiceSpec,
-    ListSpec,
-    NumberSpec,
-    PlainSpec,
-    Range,
-    RangeSpec,
-    RecipeSpec,
-    SwitchSpec,
-)
-from skinsource.specs.spec import Misfit
+from skinsource.specs.numbers import ListSpec, NumberSpec, Range, RangeSpec, RecipeSpec
+from skinsource.specs.spec import ChoiceSpec, Misfit, PlainSpec, SwitchSpec
 
 #: A value of one field of a panel's settings.
 Plain = None | bool | int | float | str | tuple[float, ...]

@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import BAND_HZ
-from skinsource.specs.fields import ChoiceSpec, NumberSpec
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.spec import ChoiceSpec
 
 
 @runtime_checkable

@@ -29,15 +29,9 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import BAND_HZ, Band
 from skinsource.engine.gains import Placed
 from skinsource.specs import fields
-from skinsource.specs.fields import (
-    ChoiceSpec,
-    NumberSpec,
-    PlainSpec,
-    Range,
-    RangeSpec,
-    TextSpec,
-    specs_of,
-)
+from skinsource.specs.models import specs_of
+from skinsource.specs.numbers import NumberSpec, Range, RangeSpec
+from skinsource.specs.spec import ChoiceSpec, PlainSpec, TextSpec
 
 ACTUATOR = TextSpec(label="Actuator", longest=100, one_line=True)
 #: Stands in place of a listed name for a response that was measured.

@@ -10,7 +10,8 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, stop_if
 from skinsource.base.work import tally
 from skinsource.design.clips import Clip
-from skinsource.design.effects import Effect, placed, played
+from skinsource.design.effects.effect import Effect
+from skinsource.design.effects.playing import placed, played
 from skinsource.design.signal_path import (
     Chain,
     Curve,
@@ -20,7 +21,7 @@ from skinsource.design.signal_path import (
     drive_played,
     placed_chain,
 )
-from skinsource.design.waveforms import Waveform
+from skinsource.design.waveform import Waveform
 from skinsource.engine.memory import CLIPS_BYTES, DRIVES_BYTES, Memory
 from skinsource.engine.transforms import forward
 

@@ -21,7 +21,7 @@ from skinsource.base.quoting import quoted
 from skinsource.base.work import counted
 from skinsource.design.amplitudes import ARBITRARY_UNIT, drive_unit
 from skinsource.design.design import Design, Input, audible_inputs
-from skinsource.design.effects import played
+from skinsource.design.effects.playing import played
 from skinsource.design.signal_path import Part, drive_played, placed_chain
 from skinsource.limbs.catalogue import load_limb
 from skinsource.limbs.limb import Limb

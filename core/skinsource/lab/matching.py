@@ -20,7 +20,7 @@ from skinsource.base.published import MOST_PLACES
 from skinsource.base.quoting import printable, quoted, sentence
 from skinsource.base.work import counted
 from skinsource.design.design import Design, Input, track
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 from skinsource.lab.playing.devices import Output
 from skinsource.lab.playing.mix import START_DB
 from skinsource.lab.playing.session import Playing, Session

@@ -20,7 +20,8 @@ from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.base.files import read_bytes
 from skinsource.base.quoting import quoted
 from skinsource.specs import fields
-from skinsource.specs.fields import NumberSpec, PlainSpec, TextSpec
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.spec import PlainSpec, TextSpec
 
 #: ``"P"``: Pacinian, high frequencies, adds up over the area.  ``"NP I"``: below it.
 Channel = Literal["P", "NP I"]

@@ -15,9 +15,8 @@ from typing import Any
 import numpy as np
 
 from skinsource.base.errors import FileFormatError, InvalidInputError
-from skinsource.base.json_text import MAX_TEXT_BYTES, dumped, loaded
+from skinsource.base.json_text import MAX_TEXT_BYTES, Tree, dumped, loaded
 from skinsource.base.quoting import quoted
-from skinsource.specs.fields import Tree
 from skinsource.specs.samples import Samples
 
 # The version of a format that content states, and whether it is read here.

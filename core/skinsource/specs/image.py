@@ -24,10 +24,9 @@ from numpy.typing import NDArray
 
 from skinsource.base import files
 from skinsource.base.errors import FileFormatError, InvalidInputError
-from skinsource.base.json_text import MAX_TEXT_BYTES, dumped, loaded
+from skinsource.base.json_text import MAX_TEXT_BYTES, Tree, dumped, loaded
 from skinsource.base.quoting import quoted
 from skinsource.specs.codec import put_back, taken_out
-from skinsource.specs.fields import Tree
 from skinsource.specs.samples import Samples
 
 if TYPE_CHECKING:

@@ -1,12 +1,135 @@
-"""What a design asks of an actuator, in words."""
+"""What the panel draws, as plain arrays."""
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import isnan
+from typing import Any
 
+import numpy as np
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+
+from skinsource.actuators.actuator import Actuator, ResponseShape
+from skinsource.actuators.equalising import curves
 from skinsource.actuators.prediction import Prediction, breaches
-from skinsource.base.published import LARGEST_VELOCITY_M_PER_S
-from skinsource.engine.actuator_demand import ActuatorSettings
-from skinsource_gui.widgets.fields.units import value_text
+from skinsource.base.arrays import Floats
+from skinsource.base.decibels import decibels
+from skinsource.base.published import LARGEST_VELOCITY_M_PER_S, Band
+from skinsource.engine.actuator_demand import LONGEST_S, ActuatorSettings, Demand
+from skinsource.limbs.locations import input_words
+from skinsource_gui.fields.units import value_text
+from skinsource_gui.plots.curves import CurveName, Curves
+from skinsource_gui.plots.ranges import XAxis
+from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
+from skinsource_gui.state.panel import PREPARING
+
+# What is drawn at least, and how far beyond the band: what the equaliser lets go is seen.
+_SHOWN_HZ, _BELOW, _ABOVE, _POINTS = (10.0, 2000.0), 0.4, 2.0, 500
+#: A step of the drive, low-passed by the band, and what comes after it.
+STEP_RATE_HZ, STEP_S, STEP_AT_S = 13_000, 0.1, 0.01
+
+TIME_AXIS = XAxis(titles=("Time (ms)",), unit="ms", factor=1e3, column="time_s")
+_BEFORE = CurveName(number=0, short="Actuator", full="The actuator alone, re its mean in the band")
+_FILTER = CurveName(number=0, short="Filter", full="Voltage that the equaliser asks for")
+_AFTER = CurveName(number=0, short="Equalised", full="Both together: what the contactor does")
+_PUBLISHED = CurveName(number=0, short="As listed", full="The actuator before it was changed")
+_ALONE = CurveName(number=0, short="1 V", full="Acceleration after 1 V came on")
+
+
+@lru_cache(maxsize=8)
+def frequencies_of(band_hz: Band) -> Floats:
+    """Frequencies that are drawn on a limb that is followed in a band, (500,)."""
+    low = min(_SHOWN_HZ[0], _BELOW * band_hz[0])
+    found = np.geomspace(low, max(_SHOWN_HZ[1], _ABOVE * band_hz[1]), _POINTS)
+    found.flags.writeable = False
+    return found
+
+
+@lru_cache(maxsize=8)
+def frequency_axis(band_hz: Band) -> XAxis:
+    """The axis of these frequencies."""
+    shown = frequencies_of(band_hz)
+    return XAxis(
+        titles=(
+            f"Frequency (Hz) · followed from {band_hz[0]:.4g} to {band_hz[1]:.4g} Hz, "
+            "shaded outside",
+            "Frequency (Hz)",
+        ),
+        unit="Hz",
+        column="frequency_hz",
+        extent=(float(shown[0]), float(shown[-1])),
+        log=True,
+        band=band_hz,
+    )
+
+
+def response_curves(settings: ActuatorSettings, band_hz: Band) -> Curves:
+    """Gains over frequency: of the actuator, of the filter, and of both."""
+    frequency_hz = frequencies_of(band_hz)
+    model = settings.model
+    published: Any = settings.profile.model
+    rows: list[tuple[CurveName, Floats]]
+    if isinstance(published, ResponseShape) or model is None:
+        rows = [(_BEFORE, decibels(np.abs(published.shape(frequency_hz))))]
+        return _drawn(frequency_hz, rows, "dB", ("a shape without a scale", "shape"))
+    equaliser = settings.made(model)
+    if equaliser is None:
+        rows = [(_BEFORE, _alone_db(model, band_hz))]
+    else:
+        found = curves(equaliser, model, frequency_hz, band_hz)
+        rows = [
+            (_BEFORE, found.before_db),
+            (_FILTER, found.filter_db),
+            (_AFTER, found.after_db),
+        ]
+    if isinstance(published, Actuator) and model != published:
+        rows.append((_PUBLISHED, _alone_db(published, band_hz)))
+    return _drawn(frequency_hz, rows, "dB re the mean in the band")
+
+
+def step_curves(settings: ActuatorSettings) -> Curves | None:
+    """Acceleration after a voltage of 1 V came on; None for a shape."""
+    model, published = settings.model, settings.profile.model
+    if model is None:
+        return None
+    n = int(STEP_S * STEP_RATE_HZ)
+    time_s = np.arange(n) / STEP_RATE_HZ - STEP_AT_S
+    voltage = (time_s >= 0.0).astype(float)
+    rows = [(_ALONE, model.simulate(voltage, STEP_RATE_HZ).acceleration)]
+    if isinstance(published, Actuator) and model != published:
+        rows.append((_PUBLISHED, published.simulate(voltage, STEP_RATE_HZ).acceleration))
+    return _drawn(time_s, rows, "", ("acceleration after a step of 1 V", "step of 1 V"))
+
+
+def _alone_db(model: Actuator, band_hz: Band) -> Floats:
+    frequency_hz = frequencies_of(band_hz)
+    gain = np.abs(model.response(frequency_hz))
+    in_band = gain[(band_hz[0] <= frequency_hz) & (band_hz[1] >= frequency_hz)]
+    moving = in_band[in_band > 0.0]
+    mean = float(np.exp(np.mean(np.log(moving)))) if moving.size else 1.0
+    return decibels(gain / mean)
+
+
+def _drawn(
+    x: Floats,
+    rows: list[tuple[CurveName, Floats]],
+    level_words: str,
+    scaling: tuple[str, ...] = (),
+) -> Curves:
+    """Curves of rows: levels where there are words for them, else accelerations."""
+    unit = "db" if level_words else "m_per_s2"
+    return Curves(
+        x=x,
+        y=np.stack([values for _, values in rows]),
+        names=tuple(name for name, _ in rows),
+        kind="level" if level_words else "amplitude",
+        level_words=level_words,
+        scaling=scaling,
+        columns=tuple(f"{name.short.lower().replace(' ', '_')}_{unit}" for name, _ in rows),
+    )
+
+
+# What a design asks of an actuator, in words.
 
 _DIGITS = 3
 
@@ -76,3 +199,126 @@ def _text(value: float, unit: str) -> str:
     if unit == "%":
         return f"{100.0 * value:.{_DIGITS}g} %"
     return value_text(value, unit, _DIGITS)
+
+
+# Rows of figures with their limits.
+
+
+class FiguresTable(QWidget):
+    """Label, value, and the limit where there is one; what passes its limit is red."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("actuator_figures")
+        self.setAccessibleName("Predicted figures")
+        self._figures: tuple[Figure, ...] = ()
+        self._rows: list[tuple[QLabel, QLabel, QLabel]] = []
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setHorizontalSpacing(UNIT_PX)
+        self._grid.setVerticalSpacing(0)
+        self._grid.setColumnStretch(3, 1)
+
+    @property
+    def figures(self) -> tuple[Figure, ...]:
+        """What it shows."""
+        return self._figures
+
+    def show_figures(self, figures: tuple[Figure, ...]) -> None:
+        """Show these rows."""
+        self._figures = figures
+        while len(self._rows) < len(figures):
+            self._add_row()
+        for row, labels in enumerate(self._rows):
+            for label in labels:
+                label.setVisible(row < len(figures))
+        for labels, figure in zip(self._rows, figures, strict=False):
+            name, value, limit = labels
+            name.setText(figure.label)
+            value.setText(figure.value)
+            limit.setText(f"of {figure.limit}" if figure.limit else "")
+            set_tone(value, "error" if figure.passed else "")
+            set_tone(limit, "error" if figure.passed else "dim")
+        self.setAccessibleDescription(
+            "; ".join(
+                f"{one.label} {one.value}" + (", beyond its limit" if one.passed else "")
+                for one in figures
+            )
+        )
+
+    def _add_row(self) -> None:
+        labels = (QLabel(self), QLabel(self), QLabel(self))
+        set_tone(labels[0], "dim")
+        labels[1].setFont(tabular(labels[1].font()))
+        labels[1].setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        for column, label in enumerate(labels):
+            self._grid.addWidget(label, len(self._rows), column)
+        self._rows.append(labels)
+
+
+# Predicted figures of one place, or why there are none and what to do.
+
+_NOTHING = "Nothing plays: add an input to see what it asks of the actuator"
+
+
+class FiguresView(QWidget):
+    """A heading over the table of figures; where the equaliser refuses the drive, the reason.
+
+    Attributes
+    ----------
+    heading, refusal, limits, centred, table
+        Its parts.
+    """
+
+    #: Another tap is wanted in place of one that leaves a velocity.
+    centred_wanted = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.heading, self.refusal, self.table = QLabel(), QLabel(), FiguresTable()
+        self.heading.setObjectName("actuator_heading")
+        self.refusal.setObjectName("actuator_refusal")
+        self.limits = QLabel()
+        self.limits.setObjectName("actuator_limits")
+        set_tone(self.limits, "error")
+        for label in (self.heading, self.refusal, self.limits):
+            label.setWordWrap(True)
+            label.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
+        self.centred = QPushButton("Use a centred tap")
+        self.centred.setToolTip("Let the selected clips play a tap that leaves nothing moving")
+        self.centred.clicked.connect(self.centred_wanted)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(UNIT_PX // 4)
+        column.addWidget(self.heading)
+        column.addWidget(self.refusal)
+        column.addWidget(self.limits)
+        column.addWidget(self.centred, 0, Qt.AlignmentFlag.AlignLeft)
+        column.addWidget(self.table)
+
+    def show_demand(
+        self, found: Demand, settings: ActuatorSettings, *, tap: bool, limb: str = ""
+    ) -> None:
+        """Show the figures of an actuator; ``tap``: a tap could be replaced by another."""
+        rows = () if found.figures is None else rows_of(settings, found.figures)
+        self.table.show_figures(rows)
+        reason = found.refusal or ("" if found.place is not None else _NOTHING)
+        self.refusal.setText(reason)
+        self.refusal.setVisible(bool(reason))
+        # Where nothing plays, or is known yet, nothing is wrong.
+        set_tone(self.refusal, "dim" if found.refusal in ("", PREPARING) else "error")
+        beyond = _beyond(rows)
+        self.limits.setText(beyond)
+        self.limits.setVisible(bool(beyond))
+        self.centred.setVisible(found.leaves_velocity and tap)
+        words = "" if found.place is None else f"Place {found.place}, "
+        words += "" if found.place is None else input_words(found.place, limb).name
+        part = f" · the strongest {LONGEST_S:g} s" if found.part else ""
+        gain = " · uncalibrated gain" if words and not settings.profile.gain_calibrated else ""
+        self.heading.setText(f"{words}{part}{gain}")
+
+
+def _beyond(rows: tuple[Figure, ...]) -> str:
+    """Which figures pass their limits, in a sentence; "" where none does."""
+    names = [one.label.lower() for one in rows if one.passed]
+    return f"Beyond its limit: {', '.join(names)}" if names else ""

@@ -1,37 +1,458 @@
-"""The selected clip, large: looked at, drawn, shaped."""
+"""The curve of a clip and its spectrum, below each other or side by side."""
 
 from collections.abc import Mapping
 from typing import Any
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QLabel, QStackedLayout, QVBoxLayout, QWidget
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QResizeEvent
+from PySide6.QtWidgets import (
+    QBoxLayout,
+    QButtonGroup,
+    QHBoxLayout,
+    QLabel,
+    QMessageBox,
+    QSizePolicy,
+    QStackedLayout,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
+from skinsource.base.quoting import sentence
+from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design
-from skinsource.design.edits import Refusal
-from skinsource.design.edits.edit import clip_of
+from skinsource.design.edits.edit import Edit, Refusal, clip_of
+from skinsource.design.effects.breakpoints import Points, with_point_after
+from skinsource.design.effects.level import UNCHANGED, Envelope
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.view import View
+from skinsource.design.waveform import Waveform
+from skinsource.design.waveforms.samples import Drawn
+from skinsource.design.waveforms.tones import Glide
 from skinsource.limbs.locations import input_words
 from skinsource.limbs.own_limbs import facts_of
-from skinsource_gui.panel import Panel
-from skinsource_gui.panels.clip_editor.body import EditorBody
-from skinsource_gui.panels.clip_editor.drawing import Drawing
-from skinsource_gui.panels.clip_editor.editor_toolbar import EditorToolbar
-from skinsource_gui.panels.clip_editor.editor_view import EditorView
-from skinsource_gui.panels.clip_editor.gliding import Gliding
-from skinsource_gui.panels.clip_editor.shaping import Shaping
-from skinsource_gui.panels.clip_editor.spectrum_strip import SpectrumStrip
-from skinsource_gui.panels.clip_editor.tools.look import Look
-from skinsource_gui.panels.clip_editor.tools.tool import Tool
-from skinsource_gui.theme import set_tone
-from skinsource_gui.widgets.empty_words import clip_words
-from skinsource_gui.widgets.inputs.clip_waveforms import waveforms_of
-from skinsource_gui.widgets.inputs.input_words import clip_text, duration_text
-from skinsource_gui.widgets.keys import meaning_of
+from skinsource.signals.synthesis import Column, Curve, bends_of, curve_of
+from skinsource_gui.fields.editor import Burst
+from skinsource_gui.fields.inputs import clip_text, duration_text, figure_text, waveforms_of
+from skinsource_gui.panels.clip_editor.tools import EnvelopeTool, GlideTool, Look, Pen
+from skinsource_gui.panels.clip_editor.view import EditorView, SpectrumStrip, Tool
+from skinsource_gui.qt.keys import key_text, meaning_of
+from skinsource_gui.qt.labels import FittingLabel, clip_words
+from skinsource_gui.qt.theme import set_tone
+from skinsource_gui.qt.tooltips import show_tooltip
+from skinsource_gui.state.panel import Panel
+
+_CANVAS_PART, _SPECTRUM_PART = 3, 1
+# A panel that is lower than this, and this many times as wide, has more room beside the curve.
+_LOW_PX = 300
+_WIDE = 3
+
+
+class EditorBody(QWidget):
+    """Canvas and spectrum: where a panel is low and wide, the spectrum stands at the right."""
+
+    def __init__(self, canvas: QWidget, spectrum: QWidget, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._layout = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
+        self._layout.setContentsMargins(0, 0, 0, 0)
+        self._layout.setSpacing(0)
+        self._layout.addWidget(canvas, _CANVAS_PART)
+        self._layout.addWidget(spectrum, _SPECTRUM_PART)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        low = self.height() < _LOW_PX and self.width() >= _WIDE * self.height()
+        ways = QBoxLayout.Direction
+        self._layout.setDirection(ways.LeftToRight if low else ways.TopToBottom)
+        self._layout.activate()
+
+
+# What there was before a drag, so that it can be given up.
+
+
+class DragStart:
+    """Remembers the design and the view that the first edit of a drag was made of."""
+
+    def __init__(self) -> None:
+        self._gesture: int | None = None
+        self._before: Edit | None = None
+
+    def note(self, gesture: int | None, design: Design, view: View) -> None:
+        """An edit of these is made; ``gesture`` is the number of its drag, None without one."""
+        if gesture is not None and gesture != self._gesture:
+            self._gesture, self._before = gesture, Edit(label="", design=design, view=view)
+
+    def way_back(self, gesture: int) -> Edit | None:
+        """The edit that gives up a drag; None where it has changed nothing."""
+        return self._before if gesture == self._gesture else None
+
+
+# What the pen does to the clip in the editor.
+
+
+class Drawing(QWidget):
+    """Turns strokes into edits; a clip that is not drawn asks once whether it may become samples.
+
+    Attributes
+    ----------
+    pen
+        The tool.
+    """
+
+    edited = Signal(object, object)
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.hide()
+        self.pen = Pen(self)
+        self._design, self._view = Design(limb=""), View()
+        self._clip: Clip | None = None
+        self._rate_hz = 1.0
+        # By identity: another design has clips of the same numbers.
+        self._allowed: Waveform | None = None
+        self._start = DragStart()
+        self.pen.drawn.connect(self._draw)
+        self.pen.given_up.connect(self._give_up)
+        self.pen.refused.connect(self._refuse)
+
+    def show_state(self, design: Design, view: View, clip: Clip | None, rate_hz: float) -> None:
+        """Take over what there is to draw on."""
+        self._design, self._view, self._clip, self._rate_hz = design, view, clip, rate_hz
+
+    def may_draw(self, clip: Clip) -> bool:
+        """Whether nothing need be asked before a clip is drawn on."""
+        return isinstance(clip.waveform, Drawn) or self._allowed is clip.waveform
+
+    def is_allowed(self, clip: Clip) -> bool:
+        """Whether a clip may become samples; asks, unless it is drawn or was asked before."""
+        if self.may_draw(clip):
+            return True
+        answer = QMessageBox.question(
+            self.parentWidget(),
+            "Draw over the waveform?",
+            f"The clip plays {figure_text(clip.waveform)}. What you draw turns it into samples: "
+            "its numbers can then no longer be changed. Undo brings them back.",
+            QMessageBox.StandardButton.Ok | QMessageBox.StandardButton.Cancel,
+        )
+        if answer == QMessageBox.StandardButton.Ok:
+            self._allowed = clip.waveform
+        return self._allowed is clip.waveform
+
+    def bound(self) -> None:
+        """Take away what lies outside the measured band."""
+        if self._clip is not None:
+            outcome = edits.bound_clip(self._design, self._view, self._clip.id, self._rate_hz)
+            self.edited.emit(outcome, None)
+
+    def _draw(self, samples: Floats, stroke: int) -> None:
+        if self._clip is None:
+            return
+        self._start.note(stroke, self._design, self._view)
+        id = self._clip.id
+        outcome = edits.draw_clip(self._design, self._view, id, samples, self._rate_hz)
+        self.edited.emit(outcome, stroke)
+
+    def _give_up(self, stroke: int) -> None:
+        back = self._start.way_back(stroke)
+        if back is not None:
+            self.edited.emit(back, stroke)
+
+    def _refuse(self, why: str) -> None:
+        self.edited.emit(Refusal(sentence=sentence(why)), None)
+
+
+# Tools of the editor, and words about its clip.
+
+_PLACE = "clip_editor"
+_TOOLS = (
+    ("look", "Look", "Read values; a drag moves what is seen"),
+    (
+        "pen",
+        "Draw",
+        "Draw samples; with Shift held a straight line, with the right button back to zero",
+    ),
+    (
+        "envelope",
+        "Envelope",
+        "Shape the envelope: a click on the curve adds a point, a drag moves it",
+    ),
+    (
+        "glide",
+        "Glide",
+        "Shape frequency and amplitude of a glide: a click on a curve adds a point",
+    ),
+)
+
+
+class EditorToolbar(QWidget):
+    """Look, draw, envelope; bound to the band; see everything."""
+
+    tool_wanted = Signal(str)
+    bound_wanted = Signal()
+    everything_wanted = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setStyleSheet("QToolButton { padding: 2px 8px; }")
+        row = QHBoxLayout(self)
+        row.setContentsMargins(4, 2, 4, 2)
+        row.setSpacing(2)
+        self._group = QButtonGroup(self)
+        self._tools: dict[str, QToolButton] = {}
+        for name, text, hint in _TOOLS:
+            button = self._button(text, f"{hint} ({key_text(_PLACE, name)})")
+            button.setCheckable(True)
+            self._group.addButton(button)
+            self._tools[name] = button
+            button.clicked.connect(lambda _=False, name=name: self.tool_wanted.emit(name))
+            row.addWidget(button)
+        self._tools["look"].setChecked(True)
+        row.addSpacing(8)
+        self._bound, self._band_known = self._button("Bound to band", ""), False
+        self._bound.clicked.connect(lambda: self.bound_wanted.emit())
+        row.addWidget(self._bound)
+        self._fit = self._button("Fit", f"See all of the clip ({key_text(_PLACE, 'whole')})")
+        self._fit.clicked.connect(lambda: self.everything_wanted.emit())
+        row.addWidget(self._fit)
+        self._words = FittingLabel()
+        self._words.setObjectName("clip_words")
+        set_tone(self._words, "dim")
+        self._words.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        self._words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        row.addWidget(self._words, 1)
+
+    def show_tool(self, name: str) -> None:
+        """Which tool is taken."""
+        self._tools[name].setChecked(True)
+
+    def show_words(self, words: str, *, enabled: bool, hint: str = "") -> None:
+        """Words about the clip, and how to begin; whether there is one to edit."""
+        whole = f"{words} · {hint}" if hint else words
+        self._words.show_phrases((whole, hint or words, words))
+        show_tooltip(self._words, whole)
+        for button in (*self._tools.values(), self._fit):
+            button.setEnabled(enabled)
+        self._bound.setEnabled(enabled and self._band_known)
+
+    def show_band(self, band_hz: tuple[float, float] | None) -> None:
+        """In which band the limb was measured; None: not known, and nothing can be bound to it.
+
+        It counts from the next words on.
+        """
+        words = "In which band this limb was measured is not known"
+        if band_hz is not None:
+            words = (
+                f"Take away what lies outside {band_hz[0]:g} to {band_hz[1]:g} Hz, where nothing "
+                "was measured; the waveform becomes samples"
+            )
+        show_tooltip(self._bound, words)
+        self._band_known = band_hz is not None
+
+    def offer_glide(self, offered: bool) -> None:
+        """Whether the clip plays a glide, whose curves can be shaped."""
+        self._tools["glide"].setVisible(offered)
+
+    def _button(self, text: str, hint: str) -> QToolButton:
+        button = QToolButton(self)
+        button.setObjectName(f"clip_{text.lower()}")
+        button.setText(text)
+        button.setToolTip(hint)
+        button.setAccessibleName(text)
+        button.setAutoRaise(True)
+        return button
+
+
+# A point that a key adds to a curve.
+
+
+def add_point(tool: EnvelopeTool, points: Points, end_s: float) -> None:
+    """Add a point on the curve, halfway from the chosen one to the next, or to ``end_s``.
+
+    It is chosen then, so that the arrow keys move it.
+    """
+    chosen = tool.chosen[-1] if tool.chosen else 0
+    added, number = with_point_after(points, chosen, end_s)
+    tool.chosen = (number,)
+    tool.changed.emit(added, None)
+
+
+# What the glide tool does to the clip in the editor.
+
+_LEAP = 10
+_Key = Qt.Key
+_TIMES = {_Key.Key_Left: -0.001, _Key.Key_Right: 0.001}
+_VALUES = {_Key.Key_Up: 1.0, _Key.Key_Down: -1.0}
+#: One step of an arrow key up; with Shift ten.
+STEPS: dict[Column, float] = {"frequency": 1.0, "amplitude": 0.01}
+
+
+class Gliding(QObject):
+    """Turns what the tool does to the curves into edits of the glide that a clip plays.
+
+    Attributes
+    ----------
+    tool
+        The tool.
+    """
+
+    edited = Signal(object, object)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._design, self._view = Design(limb=""), View()
+        self._clip: Clip | None = None
+        self._rate_hz = facts_of("").sample_rate_hz
+        # What was drawn: points that bend nothing yet are not part of a glide.
+        self._drawn: dict[Column, Points] = {}
+        self._burst = Burst(self)
+        self.tool = GlideTool(self._points, self)
+        self._start = DragStart()
+        self.tool.changed.connect(self._change)
+        self.tool.given_up.connect(self._give_up)
+
+    def show_state(self, design: Design, view: View, clip: Clip | None, rate_hz: float) -> None:
+        """Take over what there is to shape."""
+        if clip is None or self._clip is None or clip.id != self._clip.id:
+            self.tool.forget()
+            self._drawn = {}
+        self._design, self._view, self._clip, self._rate_hz = design, view, clip, rate_hz
+
+    def can_edit(self, clip: Clip | None) -> bool:
+        """Whether a clip plays a glide."""
+        return clip is not None and isinstance(clip.waveform, Glide)
+
+    def press(self, wanted: str, event: QKeyEvent) -> bool:
+        """Do what a key means to the points; whether it means anything."""
+        tool = self.tool.tools[self.tool.active]
+        if wanted == "remove":
+            tool.remove_chosen()
+        elif wanted == "add" and self._clip is not None:
+            end_s = self._clip.waveform.duration_s
+            add_point(tool, self._points(self.tool.active), end_s)
+        elif wanted == "flip":
+            self.tool.flip()
+        elif wanted in ("next_point", "point_before"):
+            tool.choose_next(1 if wanted == "next_point" else -1)
+        elif wanted == "nudge":
+            far = _LEAP if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
+            key = _Key(event.key())
+            by_value = far * STEPS[self.tool.active] * _VALUES.get(key, 0.0)
+            tool.nudge(far * _TIMES.get(key, 0.0), by_value, self._burst.gesture())
+        else:
+            return False
+        return True
+
+    def _points(self, column: Column) -> Points:
+        waveform = None if self._clip is None else self._clip.waveform
+        if not isinstance(waveform, Glide):
+            return ((0.0, 0.0, "straight"),)
+        curve, drawn = curve_of(waveform.points, column), self._drawn.get(column, ())
+        if drawn and bends_of(_curve(drawn)) == curve:
+            return drawn
+        return tuple((x, y, "straight") for x, y in curve)
+
+    def _change(self, column: Column, points: Points, gesture: int | None) -> None:
+        if self._clip is None:
+            return
+        self._start.note(gesture, self._design, self._view)
+        # Half the sample rate itself cannot be played.
+        most = 1.0 if column == "amplitude" else 0.4999 * self._rate_hz
+        kept: Points = tuple((round(x, 12), round(min(y, most), 12), kind) for x, y, kind in points)
+        self._drawn[column] = kept
+        outcome = edits.set_glide_curve(
+            self._design, self._view, self._clip.id, column, _curve(kept)
+        )
+        self.edited.emit(outcome, gesture)
+
+    def _give_up(self, gesture: int) -> None:
+        back = self._start.way_back(gesture)
+        if back is not None:
+            self._drawn = {}
+            self.edited.emit(back, gesture)
+
+
+def _curve(points: Points) -> Curve:
+    return tuple((x, y) for x, y, _ in points)
+
+
+# What the envelope tool does to the clip in the editor.
+
+#: One step of an arrow key; with Shift ten.
+STEP_S, STEP = 0.001, 0.01
+
+
+_STEPS = {
+    _Key.Key_Left: (-STEP_S, 0.0),
+    _Key.Key_Right: (STEP_S, 0.0),
+    _Key.Key_Up: (0.0, STEP),
+    _Key.Key_Down: (0.0, -STEP),
+}
+
+
+class Shaping(QObject):
+    """Turns what the tool does to the points into edits of the clip's envelope.
+
+    Attributes
+    ----------
+    tool
+        The tool.
+    """
+
+    edited = Signal(object, object)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._design, self._view = Design(limb=""), View()
+        self._clip: Clip | None = None
+        self._burst = Burst(self)
+        self.tool = EnvelopeTool(self._points, self)
+        self._start = DragStart()
+        self.tool.changed.connect(self._change)
+        self.tool.given_up.connect(self._give_up)
+
+    def show_state(self, design: Design, view: View, clip: Clip | None) -> None:
+        """Take over what there is to shape."""
+        if clip is None or self._clip is None or clip.id != self._clip.id:
+            self.tool.chosen = ()
+        self._design, self._view, self._clip = design, view, clip
+
+    def press(self, wanted: str, event: QKeyEvent) -> bool:
+        """Do what a key means to the points; whether it means anything."""
+        if wanted == "remove":
+            self.tool.remove_chosen()
+        elif wanted == "add" and self._clip is not None:
+            add_point(self.tool, self._points(), self._clip.duration_s)
+        elif wanted in ("next_point", "point_before"):
+            self.tool.choose_next(1 if wanted == "next_point" else -1)
+        elif wanted == "nudge":
+            by_s, by_value = _STEPS[_Key(event.key())]
+            leap = _LEAP if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
+            self.tool.nudge(by_s * leap, by_value * leap, self._burst.gesture())
+        else:
+            return False
+        return True
+
+    def _points(self) -> Points:
+        effects = () if self._clip is None else self._clip.effects
+        envelopes = [one for one in effects if isinstance(one, Envelope)]
+        return envelopes[-1].points if envelopes else UNCHANGED
+
+    def _change(self, points: Points, gesture: int | None) -> None:
+        if self._clip is not None:
+            self._start.note(gesture, self._design, self._view)
+            outcome = edits.set_envelope(self._design, self._view, self._clip.id, points)
+            self.edited.emit(outcome, gesture)
+
+    def _give_up(self, gesture: int) -> None:
+        back = self._start.way_back(gesture)
+        if back is not None:
+            self.edited.emit(back, gesture)
+
+
+# The selected clip, large: looked at, drawn, shaped.
 
 _NO_GLIDE = Refusal(sentence="The clip does not play a glide; choose that waveform first.")
 _ZOOM = 1.5

@@ -1,19 +1,136 @@
-"""A snapshot as a card: its map, its number, how loud it is."""
+"""What is said of snapshots."""
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import partial
+from math import ceil
 
-from PySide6.QtCore import QEvent, QPoint, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QAbstractButton, QMenu, QSizePolicy, QWidget
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QFont, QHelpEvent, QKeyEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QAbstractButton, QMenu, QSizePolicy, QToolTip, QWidget
 
-from skinsource.design.comparing import gain_words, match_words
-from skinsource_gui.compared import Compared, is_silent
-from skinsource_gui.panels.compare.card_words import level_words, sentence
-from skinsource_gui.theme import UNIT_PX, current_theme, tabular
-from skinsource_gui.widgets.keys import claims_shortcut, meaning_of, shortcut_text
-from skinsource_gui.widgets.map.colour_maps import colour_table
-from skinsource_gui.widgets.map.scale_row import Scale
-from skinsource_gui.widgets.map.small_map import SmallMap, paint_small_map
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.base.quoting import printable
+from skinsource.design.comparing import (
+    EDITED,
+    alike,
+    end_db,
+    gain_words,
+    louder,
+    loudest_db,
+    match_words,
+)
+from skinsource.design.labels import short_limb_title
+from skinsource.studies import scenes
+from skinsource_gui.fields.units import minus, output_text
+from skinsource_gui.plots.colour_maps import DIVERGING, colour_table
+from skinsource_gui.plots.outputs import output_at
+from skinsource_gui.plots.small_map import (
+    Range,
+    Scale,
+    SmallMap,
+    paint_numbers,
+    paint_rings,
+    paint_scale_row,
+    paint_small_map,
+    scale_row_px,
+    small_frame,
+)
+from skinsource_gui.qt.keys import claims_shortcut, meaning_of, shortcut_text
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
+from skinsource_gui.state.compared import (
+    LEVELS_MATCHED,
+    Compared,
+    alike_in_level,
+    gain_db,
+    is_silent,
+    matched_text,
+)
+
+#: Levels that differ by less are shown as the same.
+LEAST_DB = 0.05
+
+_UNIT = "dB re 1 m/s²"
+
+
+def played_db(compared: Compared) -> float | None:
+    """Level of the loudest output of a snapshot as it is shown, dB; None: not known."""
+    if compared.values is None:
+        return None
+    stored = loudest_db(compared.values["output_levels_db"])
+    return stored if stored <= FLOOR_DB else stored + gain_db(compared)
+
+
+def level_words(compared: Compared) -> str:
+    """Level of the loudest output, "−12.3 dB"; "…" while it is not known."""
+    level = played_db(compared)
+    if level is None:
+        return "–" if compared.problem else "…"
+    return "silent" if level <= FLOOR_DB else minus(f"{level:z.1f} dB")
+
+
+def title(compared: Compared) -> str:
+    """What a sentence calls it."""
+    number = compared.snapshot.number
+    return "edited" if number == EDITED else f"snapshot {number}"
+
+
+def matching_words(compared: Sequence[Compared], *, matched: bool) -> str:
+    """By what quantity the designs are alike, and how much of it they have."""
+    known = [one for one in compared if played_db(one) is not None]
+    if len(known) < 2:
+        return ""
+    if not matched:
+        return "As loud as they were stored"
+    if not alike_in_level(compared, matched=matched):
+        name = title(compared[0])
+        why = "cannot be predicted" if compared[0].problem else "is silent"
+        return f"{name[:1].upper()}{name[1:]} {why}: levels cannot be matched to it"
+    return f"Alike at the loudest output: {level_words(known[0])[:-3]} {_UNIT}"
+
+
+def difference_words(present: Compared, other: Compared, *, matched: bool) -> tuple[str, str]:
+    """What stands above and below a map of their difference."""
+    name = title(present)
+    heading = f"{name[:1].upper()}{name[1:]} minus {title(other)}"
+    words = "dB, as stored"
+    if matched:
+        words = f"dB, {matched_text((other, present)) or LEVELS_MATCHED}"
+    mine, theirs = (one.snapshot.design.limb for one in (present, other))
+    if mine == theirs:
+        return heading, words
+    return heading, f"{words}, {short_limb_title(mine)} minus {short_limb_title(theirs)}"
+
+
+def equal_words(present: Compared, other: Compared) -> tuple[str, str]:
+    """What stands above and below the map of two that make no difference: in what they agree."""
+    name = title(present)
+    heading = f"{name[:1].upper()}{name[1:]} and {title(other)} are equal"
+    mine, theirs = present.snapshot, other.snapshot
+    if mine.design == theirs.design:
+        return heading, "dB, the same inputs, scaling and limb"
+    if alike(louder(mine.design, present.gain), louder(theirs.design, other.gain)):
+        return heading, "dB, the same inputs once levels match"
+    return heading, "dB, the same levels by other inputs"
+
+
+def sentence(compared: Compared, *, present: bool) -> str:
+    """All that a card shows, to be read aloud."""
+    name = title(compared)
+    gain = gain_words(compared.gain)
+    parts = [
+        f"{name[:1].upper()}{name[1:]}",
+        printable(scenes.title_of(compared.snapshot.design)).strip(),
+        f"loudest output {level_words(compared)}",
+        f"shown {gain} to match" if gain else "",
+        "in the window" if present else "",
+        compared.problem,
+        compared.left_out,
+    ]
+    return ", ".join(part for part in parts if part)
+
+
+# A snapshot as a card: its map, its number, how loud it is.
 
 _PLACE = "snapshot"
 _RADIUS_PX, _FRAME_PX, _TALLEST_PX, _RINGS_PX = 4, 2, 200, 6
@@ -174,3 +291,130 @@ def fitted_level(painter: QPainter, words: str, width: float) -> str:
     """A level without its unit where there is no room for it; the tooltip has both."""
     wide = painter.fontMetrics().horizontalAdvance(words) > width
     return words.removesuffix(" dB") if wide else words
+
+
+# A map of how much louder one design is than another.
+
+_LEAST_MAP_PX = 70.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Difference:
+    """What the map shows.
+
+    Attributes
+    ----------
+    shown
+        Differences in dB, in place of levels; None: nothing can be shown.
+    heading, words
+        What minus what, and what else one should know; without a map: why there is none.
+    limb
+        Whose outputs they are.
+    outputs
+        Those that are selected: marked on the map.
+    """
+
+    shown: SmallMap | None = None
+    heading: str = ""
+    words: str = ""
+    limb: str = ""
+    outputs: tuple[int, ...] = ()
+
+    @property
+    def end_db(self) -> float:
+        """Largest difference that the colours tell, dB."""
+        levels = None if self.shown is None else self.shown.levels_db
+        return end_db() if levels is None else end_db(levels)
+
+    @property
+    def reached_db(self) -> Range | None:
+        """The smallest and the largest difference, dB."""
+        levels = None if self.shown is None else self.shown.levels_db
+        return None if levels is None else (float(levels.min()), float(levels.max()))
+
+
+class DifferenceMap(QWidget):
+    """The map, and below it a scale with zero in its middle."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._difference = Difference()
+        self.setObjectName("difference_map")
+
+    @property
+    def difference(self) -> Difference:
+        """What is shown."""
+        return self._difference
+
+    def show_difference(self, difference: Difference) -> None:
+        """Take over what to show."""
+        self._difference = difference
+        words = f"{difference.heading}. {difference.words}".strip(". ")
+        self.setAccessibleName(words)
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        return QSize(240, 320)
+
+    def minimumSizeHint(self) -> QSize:
+        line = self.fontMetrics().height()
+        return QSize(180, ceil(line + scale_row_px(line) + UNIT_PX + _LEAST_MAP_PX))
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            words = self.words_at(QPointF(event.pos()))
+            QToolTip.showText(event.globalPos(), words, self)
+            return True
+        return super().event(event)
+
+    def words_at(self, point: QPointF) -> str:
+        """The difference at the output under the pointer; empty where there is none."""
+        shown = self._difference.shown
+        if shown is None or shown.levels_db is None:
+            return ""
+        places = small_frame(shown.limb_map, self._areas()[1]).to_screen(
+            shown.limb_map.output_positions
+        )
+        number = output_at(places, point)
+        if number is None:
+            return ""
+        difference = minus(f"{shown.levels_db[number - 1]:+z.1f} dB")
+        return f"{output_text(number, self._difference.limb)}: {difference}"
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter, theme, difference = QPainter(self), current_theme(), self._difference
+        painter.setFont(tabular(self.font()))
+        top, area, bottom = self._areas()
+        flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+        if difference.shown is None:
+            painter.setPen(QColor(theme.dim))
+            painter.drawText(QRectF(self.rect()), flags, difference.words)
+            painter.end()
+            return
+        painter.setPen(QColor(theme.text))
+        painter.drawText(top, flags, difference.heading)
+        end, reached = difference.end_db, difference.reached_db
+        scale = Scale(
+            range_db=(-end, end),
+            words=difference.words,
+            colours=DIVERGING,
+            signed=True,
+            reached_db=reached,
+        )
+        table = colour_table(DIVERGING)
+        paint_small_map(painter, area, difference.shown, None, theme, scale.range_db, table)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        paint_rings(painter, difference.shown, area, difference.outputs, theme)
+        paint_numbers(painter, difference.shown, area, difference.outputs, theme)
+        paint_scale_row(painter, bottom, scale, theme)
+        painter.end()
+
+    def _areas(self) -> tuple[QRectF, QRectF, QRectF]:
+        """Room for the heading, the map and the scale."""
+        line = self.fontMetrics().height()
+        room = QRectF(self.rect())
+        top = QRectF(room.left(), room.top(), room.width(), line)
+        below = scale_row_px(line)
+        bottom = QRectF(room.left(), room.bottom() - below, room.width(), below)
+        area = room.adjusted(UNIT_PX, line + UNIT_PX // 2, -UNIT_PX, -below - UNIT_PX // 2)
+        return top, area, bottom

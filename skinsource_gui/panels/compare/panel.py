@@ -26,26 +26,30 @@ from skinsource.design.comparing import (
 )
 from skinsource.design.design import Design
 from skinsource.design.view import View
-from skinsource_gui.compared import ELSEWHERE, SILENCE, Compared, alike_in_level, gain_db, is_silent
-from skinsource_gui.figure_panel import COMPUTING
-from skinsource_gui.panel import Panel
-from skinsource_gui.panels.compare.card import Card
-from skinsource_gui.panels.compare.card_words import (
+from skinsource_gui.panels.compare.card import (
     LEAST_DB,
+    Card,
+    Difference,
+    DifferenceMap,
     difference_words,
     equal_words,
     matching_words,
     played_db,
 )
-from skinsource_gui.panels.compare.difference_map import Difference, DifferenceMap
-from skinsource_gui.theme import UNIT_PX, set_tone
-from skinsource_gui.widgets.folding_row import FoldingRow
-from skinsource_gui.widgets.map.level_look import level_look
-from skinsource_gui.widgets.map.scale_row import Scale, scale_of_levels
-from skinsource_gui.widgets.map.small_map import SmallMap, SmallMaps
-from skinsource_gui.widgets.room.button_row import ButtonRow
-from skinsource_gui.widgets.room.room_or_words import RoomOrWords
-from skinsource_gui.widgets.tool_button import tool_button
+from skinsource_gui.panels.figure_panel import COMPUTING
+from skinsource_gui.plots.small_map import Scale, SmallMap, SmallMaps, level_look, scale_of_levels
+from skinsource_gui.qt.buttons import tool_button
+from skinsource_gui.qt.room import ButtonRow, FoldingRow, RoomOrWords
+from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.state.compared import (
+    ELSEWHERE,
+    SILENCE,
+    Compared,
+    alike_in_level,
+    gain_db,
+    is_silent,
+)
+from skinsource_gui.state.panel import Panel
 
 _NEEDS = frozenset({"limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db"})
 # So wide that the map stands beside the cards, also in lines of words.

@@ -1,29 +1,100 @@
-"""Frequency and amplitude of the selected input, large, for presenting."""
+"""What is turned, in words that are no higher than two lines."""
 
+from dataclasses import dataclass
+
+from PySide6.QtCore import QRect, Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from skinsource.design import edits
 from skinsource.design.amplitudes import is_gain, peak_text
 from skinsource.design.clips import ONSET as ONSET_S
 from skinsource.design.clips import Clip
-from skinsource.design.design import AMPLITUDE, AMPLITUDE_GAIN, Design, Input, amplitude_spec
+from skinsource.design.design import AMPLITUDE as DESIGN_AMPLITUDE
+from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, amplitude_spec
 from skinsource.design.edits.edit import clip_of
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
-from skinsource.specs.fields import Spec, specs_of
+from skinsource.specs import fields
+from skinsource.specs.models import specs_of
+from skinsource.specs.spec import ChoiceSpec, Spec
 from skinsource.studies import scenes
-from skinsource_gui.panel import Panel
-from skinsource_gui.panels.frequency_and_amplitude.heading import Heading
-from skinsource_gui.panels.frequency_and_amplitude.settings import ALL, CONTROL, ControlSettings
-from skinsource_gui.panels.frequency_and_amplitude.settings import AMPLITUDE as TURNS_AMPLITUDE
-from skinsource_gui.panels.frequency_and_amplitude.settings import FREQUENCY as TURNS_FREQUENCY
-from skinsource_gui.panels.frequency_and_amplitude.settings import ONSET as TURNS_ONSET
-from skinsource_gui.theme import UNIT_PX, set_tone
-from skinsource_gui.widgets.empty_words import add_words, select_words
-from skinsource_gui.widgets.fields.choice_field import ChoiceField
-from skinsource_gui.widgets.fields.field_cell import FieldCell
-from skinsource_gui.widgets.folding_row import FoldingRow
-from skinsource_gui.widgets.inputs.input_words import EMPTY, stretched_text
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.fields.inputs import EMPTY, stretched_text
+from skinsource_gui.qt.labels import add_words, select_words
+from skinsource_gui.qt.room import FoldingRow, RoomOrWords
+from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.state.panel import Panel
+
+_TWO_LINES = "A\nA"
+_ANY_HEIGHT_PX = 10_000
+_WRAPPED = Qt.TextFlag.TextWordWrap
+
+
+class Heading(QLabel):
+    """Shows the first of some phrasings that fits into two lines; else the last, in more of them.
+
+    It is as high as two lines whatever it says: what stands below keeps its place from scene to
+    scene, and a long title does not push it out of the window.
+    """
+
+    def __init__(self, words: str) -> None:
+        super().__init__(words)
+        self._phrases: tuple[str, ...] = (words,)
+        self.setWordWrap(True)
+        RoomOrWords(self).changed.connect(self._fit)
+
+    def show_phrases(self, *phrases: str) -> None:
+        """Take over phrasings, the longest first."""
+        self._phrases = phrases
+        self._fit()
+
+    def _fit(self) -> None:
+        two_lines = self._height_of(_TWO_LINES)
+        fitting = (one for one in self._phrases if self._height_of(one) <= two_lines)
+        words = next(fitting, self._phrases[-1])
+        self.setText(words)
+        # What is left out is said where somebody points at it.
+        self.setToolTip("" if words == self._phrases[0] else self._phrases[0])
+        self.setMinimumHeight(max(self._height_of(words), two_lines))
+
+    def _height_of(self, words: str) -> int:
+        room = QRect(0, 0, self.contentsRect().width(), _ANY_HEIGHT_PX)
+        return self.fontMetrics().boundingRect(room, _WRAPPED, words).height()
+
+
+# What is turned in front of an audience.
+
+ALL, FREQUENCY, AMPLITUDE, ONSET = "all", "frequency", "amplitude", "onset"
+CONTROL = ChoiceSpec(
+    label="Turn",
+    options=(
+        (ALL, "All"),
+        (FREQUENCY, "Frequency"),
+        (AMPLITUDE, "Amplitude"),
+        (ONSET, "Onset"),
+    ),
+    hint="What this scene is about: the one number that is shown and turned; saved with the design",
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ControlSettings:
+    """What is turned.
+
+    Attributes
+    ----------
+    control
+        `ALL`, or the one number that is shown.
+    """
+
+    control: str = fields.choice(ALL, CONTROL)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+
+# Frequency and amplitude of the selected input, large, for presenting.
 
 _FREQUENCY, _ONSET = "frequency_hz", "onset_s"
 
@@ -68,7 +139,7 @@ class FrequencyAndAmplitudePanel(Panel):
         set_tone(self._control_label, "dim")
         self._control_part.hold(self._control_label, self._control)
         self._control.chosen.connect(self._choose_control)
-        self._amplitude = FieldCell("amplitude", AMPLITUDE)
+        self._amplitude = FieldCell("amplitude", DESIGN_AMPLITUDE)
         self._onset = FieldCell(_ONSET, ONSET_S)
         self._frequency: FieldCell | None = None
         self._spec: Spec | None = None
@@ -93,7 +164,7 @@ class FrequencyAndAmplitudePanel(Panel):
         self._control.set_value(control)
         one = _turned_input(design, view)
         known = one is not None
-        self._amplitude_part.setVisible(known and control in (ALL, TURNS_AMPLITUDE))
+        self._amplitude_part.setVisible(known and control in (ALL, AMPLITUDE))
         self._onset_part.setVisible(False)
         if one is not None:
             self._show_input(design, view, one, control)
@@ -116,10 +187,10 @@ class FrequencyAndAmplitudePanel(Panel):
         self._words.show_phrases(*((f"{title} · {played}", title) if title else ()), played)
         if clip is not None:
             self._onset.set_value(clip.onset_s)
-            self._onset_part.setVisible(control == TURNS_ONSET)
+            self._onset_part.setVisible(control == ONSET)
         self._amplitude.set_spec(AMPLITUDE_GAIN if factor else amplitude_spec(design))
         self._amplitude.set_value(one.amplitude)
-        self._show_frequency(clip if control in (ALL, TURNS_FREQUENCY) else None)
+        self._show_frequency(clip if control in (ALL, FREQUENCY) else None)
 
     def show_in_sight(self, names: frozenset[str]) -> None:
         super().show_in_sight(names)

@@ -1,28 +1,668 @@
-"""The hand on which inputs are placed."""
+"""What keys mean on the hand diagram."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 from typing import ClassVar
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtWidgets import QLabel, QMenu, QStackedLayout, QWidget
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import (
+    QContextMenuEvent,
+    QFocusEvent,
+    QHelpEvent,
+    QHideEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QResizeEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QApplication, QLabel, QMenu, QStackedLayout, QToolTip, QWidget
 
 from skinsource.base.quoting import quoted
 from skinsource.design import edits
 from skinsource.design.design import Design, Input, audible_inputs
-from skinsource.design.edits import Edit, Refusal
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
 from skinsource.limbs.own_limbs import facts_of
-from skinsource_gui.panel import Panel
-from skinsource_gui.panels.hand.drawings import drawing_of
-from skinsource_gui.panels.hand.hand_diagram import HandDiagram
-from skinsource_gui.panels.hand.hand_state import Mark
-from skinsource_gui.panels.hand.pointing import Pointing
-from skinsource_gui.theme import current_theme, set_tone
-from skinsource_gui.widgets.drop_place import DropPlace
-from skinsource_gui.widgets.inputs.input_words import EMPTY
-from skinsource_gui.widgets.inputs.inputs_menu import fill_inputs_menu
-from skinsource_gui.widgets.keys import key_text
+from skinsource_gui.fields.editor import new_gesture
+from skinsource_gui.fields.inputs import EMPTY, fill_inputs_menu
+from skinsource_gui.panels.hand.layout import HandDrawing, HandState, Mark
+from skinsource_gui.panels.hand.picture import HandStage, drawing_of
+from skinsource_gui.qt.frames import DropPlace, paint_focus_frame
+from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
+from skinsource_gui.qt.theme import current_theme, set_tone
+from skinsource_gui.qt.wheel import WHOLE
+from skinsource_gui.state.panel import Panel
+
+#: Two digits typed within this time make one number, ms.
+TYPING_MS = 800
+
+_PLACE = "hand"
+_Key = Qt.Key
+_STEPS = {
+    _Key.Key_Left: (-1, 0),
+    _Key.Key_Right: (1, 0),
+    _Key.Key_Up: (0, -1),
+    _Key.Key_Down: (0, 1),
+}
+_DIGITS = {_Key(_Key.Key_0 + digit): digit for digit in range(10)}
+
+
+class SiteKeys(QObject):
+    """Turns key presses into what they mean.
+
+    A number of several digits may be typed; all Shift+arrow presses until Shift is let go are one
+    gesture.
+
+    Parameters
+    ----------
+    n_sites
+        How many sites the hand has.
+    """
+
+    #: Direction (x right, y down).
+    stepped = Signal(int, int)
+    jumped = Signal(int)
+    #: Whether a further input is wanted.
+    activated = Signal(bool)
+    #: Direction and gesture.
+    shifted = Signal(int, int, int)
+    removed = Signal()
+    all_selected = Signal()
+
+    def __init__(self, n_sites: int, parent: QObject) -> None:
+        super().__init__(parent)
+        self._n_sites = n_sites
+        self._typed = 0
+        self._gesture: int | None = None
+        self._pause = QTimer(self, singleShot=True, interval=TYPING_MS)
+        self._pause.setObjectName("typing")
+        self._pause.timeout.connect(self._forget_digits)
+
+    def show_count(self, n_sites: int) -> None:
+        """Take over how many sites the hand has."""
+        self._n_sites = n_sites
+        self._forget_digits()
+
+    def claims(self, event: QKeyEvent) -> bool:
+        """Whether the diagram wants this key for itself, before any shortcut of the window."""
+        return bool(meaning_of(_PLACE, event))
+
+    def press(self, event: QKeyEvent) -> bool:
+        """Tell by a signal what the key means; return whether it means anything here."""
+        wanted, key = meaning_of(_PLACE, event), _Key(event.key())
+        if wanted == "move":
+            self._gesture = self._gesture or new_gesture()
+            self.shifted.emit(*_STEPS[key], self._gesture)
+        elif wanted == "go":
+            self.stepped.emit(*_STEPS[key])
+        elif wanted == "jump" and key in _DIGITS:
+            self._type(_DIGITS[key])
+        elif wanted == "jump":
+            self.jumped.emit(1 if key == _Key.Key_Home else self._n_sites)
+        elif wanted == "remove":
+            self.removed.emit()
+        elif wanted == "select_all":
+            self.all_selected.emit()
+        elif wanted:
+            self.activated.emit(wanted == "place_another")
+        return bool(wanted)
+
+    def release(self, event: QKeyEvent) -> None:
+        """Letting Shift go ends the gesture."""
+        if event.key() == _Key.Key_Shift:
+            self.end_gesture()
+
+    def end_gesture(self) -> None:
+        """The next Shift+arrow press is an undo step of its own."""
+        self._gesture = None
+
+    def _type(self, digit: int) -> None:
+        number = 10 * self._typed + digit
+        self._typed = number if number <= self._n_sites else digit
+        self._pause.start()
+        if self._typed:
+            self.jumped.emit(self._typed)
+
+    def _forget_digits(self) -> None:
+        self._typed = 0
+
+
+# The keyboard's cursor on the hand.
+
+
+class SiteCursor(QObject):
+    """Goes from site to site, and acts there.
+
+    Parameters
+    ----------
+    stage
+        The hand; its cursor is changed here.
+
+    Attributes
+    ----------
+    site
+        Where it is, whether or not it is shown.
+    keys
+        What moves it.
+    """
+
+    #: It is at another site, or something else is there.
+    moved = Signal(int)
+    #: Site of a new input.
+    placed = Signal(int)
+    #: Number of an input.
+    selected = Signal(int)
+    #: Number of an input, its new site, gesture.
+    shifted = Signal(int, int, int)
+
+    def __init__(self, stage: HandStage) -> None:
+        super().__init__(stage)
+        self._stage = stage
+        self.site = 1
+        self.keys = SiteKeys(len(stage.layout.centres), self)
+        self.keys.stepped.connect(self._step)
+        self.keys.jumped.connect(self.go_to)
+        self.keys.activated.connect(self._activate)
+        self.keys.shifted.connect(self._shift)
+
+    def show_hand(self) -> None:
+        """The hand is another one: where the cursor was there may be nothing."""
+        self.keys.show_count(self._stage.layout.n_sites)
+        if not self._stage.layout.has(self.site):
+            self.site = 1
+        self.moved.emit(self.site)
+
+    def keep_up(self, before: HandState, *, anew: bool, focused: bool) -> None:
+        """Other inputs are shown than ``before``; see `HandDiagram.show_inputs`."""
+        state = self._stage.state
+        site = state.selected_site
+        if site is not None and state.selected != before.selected and not focused:
+            self.follow(site)
+        elif site is not None and anew and site != before.selected_site:
+            # Another design: the cursor would name a place of the one before.
+            (self.follow if before.cursor is None else self.go_to)(site)
+        else:
+            self.moved.emit(self.site)
+
+    def follow(self, site: int) -> None:
+        """Go where the mouse was used, without showing; nowhere else than on this hand."""
+        if not self._stage.layout.has(site):
+            return
+        self.site = site
+        self.moved.emit(site)
+
+    def go_to(self, site: int) -> None:
+        """Go to a site, and show there."""
+        if not self._stage.layout.has(site):
+            return
+        self.follow(site)
+        self._stage.change(cursor=site)
+        self._stage.pan_zoom.reveal(self._stage.layout.centre(site))
+
+    def _step(self, x: int, y: int) -> None:
+        self.go_to(self._stage.layout.neighbour(self.site, (x, y)))
+
+    def _activate(self, further: bool) -> None:
+        self.go_to(self.site)
+        following = self._stage.state.next_at(self.site)
+        if further or following is None:
+            self.placed.emit(self.site)
+        else:
+            self.selected.emit(following)
+
+    def _shift(self, x: int, y: int, gesture: int) -> None:
+        state = self._stage.state
+        if state.selected is None:
+            return
+        origin = state.marks[state.selected].site
+        if not self._stage.layout.has(origin):
+            # It comes to the hand where the cursor is.
+            self.shifted.emit(state.selected, self.site, gesture)
+            return
+        site = self._stage.layout.neighbour(origin, (x, y))
+        if site != origin:
+            self.shifted.emit(state.selected, site, gesture)
+        self.go_to(site)
+
+
+# What the mouse means on the hand diagram.
+
+_LEFT = Qt.MouseButton.LeftButton
+_TOGGLE = (Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier)
+_FURTHER = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier
+
+
+@dataclass(slots=True, kw_only=True)
+class _Press:
+    """The left button, held since it went down on a site, and the drag that this became.
+
+    ``index`` is the input it is about, ``target`` the site which that input was sent to last.
+    """
+
+    site: int
+    at: QPointF
+    index: int | None
+    was_selected: bool
+    toggles: bool
+    further: bool
+    target: int
+    gesture: int | None = None
+
+
+class SiteMouse(QObject):
+    """Turns presses, moves and releases on a hand into what they mean.
+
+    A press selects an input, or at release places one; with Ctrl or Shift it adds an input, a new
+    one too, to the selected ones or takes it out, with both it places one more on a site that has
+    one.  Moving
+    farther drags the input, live, in one gesture.  Dropped far from every site, or cancelled, it
+    goes back where it came from.
+
+    Parameters
+    ----------
+    stage
+        The hand; its hover, ghost and target are changed here.
+    widget
+        Where it is; its cursor is changed here.
+    """
+
+    #: Site on which the button went down.
+    pressed = Signal(int)
+    #: Site of a new input.
+    placed = Signal(int)
+    #: Site of a new input that is selected besides those that are.
+    placed_besides = Signal(int)
+    #: Number of an input.
+    selected = Signal(int)
+    toggled = Signal(int)
+    #: Number of an input, its new site, gesture.
+    moved = Signal(int, int, int)
+
+    def __init__(self, stage: HandStage, widget: QWidget) -> None:
+        super().__init__(widget)
+        self._stage, self._widget = stage, widget
+        self._press: _Press | None = None
+
+    @property
+    def busy(self) -> bool:
+        """Whether the button is held on a site."""
+        return self._press is not None
+
+    def press(self, event: QMouseEvent) -> None:
+        """The left button goes down."""
+        self.cancel()  # a release that never came
+        site = self._stage.site_at(event.position())
+        if site is None:
+            return
+        state = self._stage.state
+        held = event.modifiers() & _FURTHER
+        front = state.front_at(site)
+        press = _Press(
+            site=site,
+            at=event.position(),
+            index=front,
+            was_selected=front is not None and front == state.selected,
+            toggles=held in _TOGGLE,
+            further=held == _FURTHER,
+            target=site,
+        )
+        self._press = press
+        self.pressed.emit(site)
+        if front is not None and not press.was_selected and not held:
+            self.selected.emit(front)
+
+    def move(self, event: QMouseEvent) -> None:
+        """The mouse moves, whether or not the button is held."""
+        press = self._press
+        if press is None or not event.buttons() & _LEFT:
+            self.hover(self._stage.site_at(event.position()))
+        elif press.index is not None and not (press.further or press.toggles):
+            way = (event.position() - press.at).manhattanLength()
+            if press.gesture is None and way >= QApplication.startDragDistance():
+                press.gesture = new_gesture()
+                self._widget.setCursor(Qt.CursorShape.ClosedHandCursor)
+            if press.gesture is not None:
+                self._drag(press, event.position())
+
+    def release(self, event: QMouseEvent) -> None:
+        """The left button goes up."""
+        press, self._press = self._press, None
+        site = self._stage.site_at(event.position())
+        if press is not None and press.gesture is not None:
+            self._drop()
+        elif press is not None and site == press.site:
+            self._click(press)
+        self.hover(site)
+
+    def hover(self, site: int | None) -> None:
+        """Show which site is under the mouse."""
+        self._stage.change(hovered=site)
+        if site is None:
+            self._widget.unsetCursor()
+        elif self._stage.state.at(site):
+            self._widget.setCursor(Qt.CursorShape.OpenHandCursor)
+        else:
+            self._widget.setCursor(Qt.CursorShape.PointingHandCursor)
+
+    def cancel(self) -> None:
+        """Send what is being dragged back where it came from."""
+        press, self._press = self._press, None
+        if press is not None:
+            self._drop()
+            self._send(press, press.site)
+
+    def check(self, marks: tuple[Mark, ...]) -> None:
+        """End the drag if these inputs are not the ones it began with, by an undo perhaps."""
+        press = self._press
+        if press is None or press.index is None:
+            return
+        lost = press.index >= len(marks)
+        if lost or marks[press.index].site not in (press.site, press.target):
+            self._press = None
+            self._drop()
+
+    def _drag(self, press: _Press, position: QPointF) -> None:
+        hand = self._stage.layout
+        ghost = position + hand.centre(press.site) - press.at
+        target = hand.site_to_snap_to(ghost) or press.site
+        self._stage.change(hovered=None, moving=press.index, ghost=ghost, target=target)
+        self._send(press, target)
+
+    def _drop(self) -> None:
+        self._stage.change(moving=None, ghost=None, target=None)
+        self._widget.unsetCursor()
+
+    def _send(self, press: _Press, site: int) -> None:
+        if site != press.target and press.index is not None and press.gesture is not None:
+            press.target = site
+            self.pressed.emit(site)
+            self.moved.emit(press.index, site, press.gesture)
+
+    def _click(self, press: _Press) -> None:
+        if press.index is None or press.further:
+            (self.placed_besides if press.toggles else self.placed).emit(press.site)
+            return
+        if press.toggles:
+            self.toggled.emit(press.index)
+            return
+        following = self._stage.state.next_at(press.site)
+        if press.was_selected and following not in (None, press.index):
+            self.selected.emit(following)
+
+
+# The hand on which inputs are placed, moved and removed.
+
+# Ways in which focus comes without the keyboard being used here.
+_BY_MOUSE = (
+    Qt.FocusReason.MouseFocusReason,
+    Qt.FocusReason.ActiveWindowFocusReason,
+    Qt.FocusReason.PopupFocusReason,
+)
+
+
+class HandDiagram(QWidget):
+    """A palm with its sites; tells by signals what the user wants there.
+
+    Parameters
+    ----------
+    drawing
+        The hand.
+
+    Attributes
+    ----------
+    stage
+        What is shown, and where.
+    """
+
+    #: Site of a new input.
+    add_requested = Signal(int)
+    #: The same, where what is selected stays so besides.
+    add_besides_requested = Signal(int)
+    #: Number of an input.
+    select_requested = Signal(int)
+    #: Number of an input that is to be added to the selected ones, or taken out.
+    toggle_requested = Signal(int)
+    all_requested = Signal()
+    #: Number of an input, its new site, gesture.
+    move_requested = Signal(int, int, int)
+    #: Those that are selected.
+    remove_requested = Signal()
+    #: Site, position on the screen.
+    menu_requested = Signal(int, QPoint)
+
+    def __init__(self, drawing: HandDrawing, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.stage = HandStage(drawing, self)
+        self.stage.changed.connect(self.update)
+        self._mouse, self._cursor = SiteMouse(self.stage, self), SiteCursor(self.stage)
+        self._mouse.pressed.connect(self._cursor.follow)
+        for source in (self._mouse, self._cursor):
+            source.placed.connect(self.add_requested)
+            source.selected.connect(self.select_requested)
+        self._mouse.placed_besides.connect(self.add_besides_requested)
+        self._mouse.toggled.connect(self.toggle_requested)
+        self._mouse.moved.connect(self.move_requested)
+        self._cursor.shifted.connect(self.move_requested)
+        self._cursor.keys.removed.connect(self.remove_requested)
+        self._cursor.keys.all_selected.connect(self.all_requested)
+        self._cursor.moved.connect(self._describe)
+        self.setMouseTracking(True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setObjectName("hand_diagram")
+        self.setAccessibleName("Hand, palm side")
+        self._describe(self._cursor.site)
+
+    @property
+    def state(self) -> HandState:
+        """What is shown."""
+        return self.stage.state
+
+    @property
+    def cursor_site(self) -> int:
+        """Site of the keyboard's cursor, whether or not it is shown."""
+        return self._cursor.site
+
+    def site_centre(self, site: int) -> QPoint:
+        """Middle of a site's marker, in pixels of this widget."""
+        return self.stage.layout.centre(site).toPoint()
+
+    def show_drawing(self, drawing: HandDrawing) -> None:
+        """Take another hand."""
+        if drawing is not self.stage.drawing:
+            self._mouse.cancel()
+            self.stage.show_drawing(drawing, self)
+            self._cursor.show_hand()
+
+    def show_inputs(
+        self, marks: tuple[Mark, ...], selected: int | None, *, anew: bool = False
+    ) -> None:
+        """Show these inputs, of which ``selected`` is the selected one.
+
+        ``anew`` says that none of them is as one was before.
+        """
+        before = self.state
+        self._mouse.check(marks)
+        self.stage.change(marks=marks, selected=selected, note="")
+        self._cursor.keep_up(before, anew=anew, focused=self.hasFocus())
+
+    def show_note(self, text: str) -> None:
+        """Say something below the hand, until the design or the selection changes."""
+        self.stage.change(note=text)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(200, 258)
+
+    def sizeHint(self) -> QSize:
+        return QSize(320, 400)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.stage.fit(self)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self.stage.fit(self)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        self.stage.paint(painter, self.devicePixelRatioF())
+        if self.hasFocus():
+            # The ring shows where keys act once they are used here; this, that they would be.
+            paint_focus_frame(painter, QRectF(self.rect()), current_theme())
+        painter.end()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        self.stage.pan_zoom.wheel(event)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self.stage.change(cursor=None)
+        self.stage.pan_zoom.press(event)
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._mouse.press(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        self.stage.pan_zoom.move(event)
+        self._mouse.move(event)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self.stage.pan_zoom.release(event)
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._mouse.release(event)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if self.stage.site_at(event.position()) is None:
+            self.stage.pan_zoom.show(WHOLE)
+        else:
+            self.mousePressEvent(event)
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self._mouse.hover(None)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self._mouse.cancel()
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        if event.reason() == QContextMenuEvent.Reason.Keyboard:
+            site: int | None = self.cursor_site
+            at = self.mapToGlobal(self.site_centre(self.cursor_site))
+        else:
+            site = self.stage.site_at(QPointF(event.pos()))
+            at = event.globalPos()
+        if site is None or self._mouse.busy:
+            return
+        self._cursor.site = site
+        front = self.state.front_at(site)
+        if front is not None and not self.state.marks[front].chosen:
+            self.select_requested.emit(front)
+        self.menu_requested.emit(site, at)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and self._mouse.busy:
+            self._mouse.cancel()
+        elif self._mouse.busy or not self._cursor.keys.press(event):
+            super().keyPressEvent(event)
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        self._cursor.keys.release(event)
+        super().keyReleaseEvent(event)
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self.update()
+        if event.reason() not in _BY_MOUSE:
+            self._cursor.go_to(self._cursor.site)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self.update()
+        self._cursor.keys.end_gesture()
+        if event.reason() != Qt.FocusReason.PopupFocusReason:
+            self.stage.change(cursor=None)
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            self._show_tooltip(event)
+            return True
+        return claims_shortcut(event, self._overrides) or super().event(event)
+
+    def _overrides(self, event: QKeyEvent) -> bool:
+        """Whether a key is wanted here even if it is a shortcut of the window."""
+        if event.key() == Qt.Key.Key_Escape:
+            return self._mouse.busy
+        # Until keys are used here, Space is left to whom the window gives it.
+        if event.key() == Qt.Key.Key_Space and self.state.cursor is None:
+            return False
+        return self._cursor.keys.claims(event)
+
+    def _show_tooltip(self, event: QHelpEvent) -> None:
+        site = self.stage.site_at(QPointF(event.pos()))
+        if site is None or self.state.moving is not None:
+            QToolTip.hideText()
+        else:
+            area = self.stage.marker_area(site).toAlignedRect()
+            QToolTip.showText(event.globalPos(), self.stage.words(site), self, area)
+
+    def _describe(self, site: int) -> None:
+        words = self.stage.description(site)
+        if words != self.accessibleDescription():
+            self.setAccessibleDescription(words)
+
+
+# Which input the mouse points at on the hand.
+
+
+class Pointing(QObject):
+    """Follows the mouse over a hand.
+
+    Attributes
+    ----------
+    design
+        Whose inputs there are.
+    """
+
+    #: Id of the input that is pointed at, or None.
+    pointed_at = Signal(object)
+
+    def __init__(self, stage: HandStage) -> None:
+        super().__init__(stage)
+        self._stage = stage
+        self._pointed_at: int | None = None
+        # Id of the input that is pointed at elsewhere, or None.
+        self._elsewhere: int | None = None
+        self.design: Design | None = None
+        stage.changed.connect(self._follow)
+
+    def show(self, input_id: int | None) -> None:
+        """Mark the place of an input that is pointed at elsewhere."""
+        self._elsewhere = input_id
+        found = () if self.design is None else self.design.inputs
+        site = next((one.location for one in found if one.id == input_id), None)
+        self._stage.change(target=site)
+
+    def show_design(self, design: Design) -> None:
+        """Take another design: what is pointed at elsewhere may stand at another place in it."""
+        self.design = design
+        if self._elsewhere is not None and self._stage.state.moving is None:
+            self.show(self._elsewhere)
+
+    def _follow(self) -> None:
+        state = self._stage.state
+        index = None if state.hovered is None else state.front_at(state.hovered)
+        ids = () if self.design is None else self.design.ids
+        # What is held may have gone.
+        found = ids[index] if index is not None and index < len(ids) else None
+        if found != self._pointed_at:
+            self._pointed_at = found
+            self.pointed_at.emit(found)
+
+
+# The hand on which inputs are placed.
 
 
 class HandPanel(Panel):

@@ -1,18 +1,157 @@
-"""Panel of what was done, in which one goes back and forth."""
+"""The history as rows."""
 
+import time
 from functools import partial
-from typing import ClassVar
+from typing import Any, ClassVar
 
-from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt
-from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QAbstractItemView, QListView, QVBoxLayout, QWidget
+from PySide6.QtCore import (
+    QAbstractListModel,
+    QEvent,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    QRect,
+    QSize,
+    Qt,
+)
+from PySide6.QtGui import QColor, QFontMetrics, QKeyEvent, QPainter
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QListView,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QVBoxLayout,
+    QWidget,
+)
 
-from skinsource_gui.history import History
-from skinsource_gui.panel import Panel
-from skinsource_gui.panels.history.step_delegate import StepDelegate
-from skinsource_gui.panels.history.steps_model import StepsModel
-from skinsource_gui.theme import UNIT_PX
-from skinsource_gui.widgets.keys import claims_shortcut, meaning_of
+from skinsource_gui.qt.keys import claims_shortcut, meaning_of
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
+from skinsource_gui.state.history import History, Step
+from skinsource_gui.state.panel import Panel
+
+_Role = Qt.ItemDataRole
+#: What stands at the right of a row; whether it is done; whether it is the present one.
+TIME, DONE, PRESENT = (_Role.UserRole + k for k in range(1, 4))
+
+_Index = QModelIndex | QPersistentModelIndex
+
+
+class StepsModel(QAbstractListModel):
+    """One row for what was before all steps, and one for each step."""
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._history = History()
+
+    @property
+    def history(self) -> History:
+        """What is listed."""
+        return self._history
+
+    def show_history(self, history: History) -> None:
+        """Take over what was done."""
+        if history == self._history:
+            return
+        if len(self._history.steps) != len(history.steps):
+            self.beginResetModel()
+            self._history = history
+            self.endResetModel()
+        else:
+            self._history = history
+            self.dataChanged.emit(self.index(0), self.index(self.rowCount() - 1))
+
+    def rowCount(self, parent: _Index | None = None) -> int:
+        return 0 if parent is not None and parent.isValid() else len(self._history.steps) + 1
+
+    def data(self, index: _Index, role: int = _Role.DisplayRole) -> Any:
+        row, history = index.row(), self._history
+        if not 0 <= row <= len(history.steps):
+            return None
+        step = history.steps[row - 1] if row else None
+        if role == _Role.DisplayRole:
+            return step.label if step else history.start
+        if role == TIME:
+            return self._right(row, step)
+        if role == DONE:
+            return row <= history.present
+        if role == PRESENT:
+            return row == history.present
+        if role in (_Role.AccessibleTextRole, _Role.ToolTipRole):
+            return self._sentence(row, step)
+        return None
+
+    def _right(self, row: int, step: Step | None) -> str:
+        when = _clock(step) if step else ""
+        return f"saved {when}".strip() if row == self._history.saved else when
+
+    def _sentence(self, row: int, step: Step | None) -> str:
+        label = step.label if step else self._history.start
+        when = f", {_clock(step)}" if step else ""
+        where = ", present" if row == self._history.present else ""
+        back = ", taken back" if row > self._history.present else ""
+        return f"{label}{when}{where}{back}"
+
+
+def _clock(step: Step) -> str:
+    return time.strftime("%H:%M:%S", time.localtime(step.at_s))
+
+
+# Draws a row of the history.
+
+# Label and time share a row as long as so much of it is left for the label.
+_BAR_PX, _LEAST_WORDS = 3, 0.5
+
+
+class StepDelegate(QStyledItemDelegate):
+    """Label at the left, time at the right; pale what was taken back; a bar at the present."""
+
+    def sizeHint(
+        self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+    ) -> QSize:
+        return QSize(10 * UNIT_PX, option.fontMetrics.height() + UNIT_PX)
+
+    def paint(
+        self,
+        painter: QPainter,
+        option: QStyleOptionViewItem,
+        index: QModelIndex | QPersistentModelIndex,
+    ) -> None:
+        theme, rect = current_theme(), option.rect
+        chosen = bool(option.state & QStyle.StateFlag.State_Selected)
+        focused = chosen and bool(option.state & QStyle.StateFlag.State_HasFocus)
+        painter.save()
+        if chosen or index.data(PRESENT):
+            painter.fillRect(rect, QColor(theme.raised if theme.name == "dark" else theme.window))
+        if index.data(PRESENT):
+            bar = QRect(rect.left(), rect.top(), _BAR_PX, rect.height())
+            painter.fillRect(bar, QColor(theme.accent))
+        inside = rect.adjusted(UNIT_PX, 0, -UNIT_PX, 0)
+        painter.setFont(tabular(option.font))
+        metrics = painter.fontMetrics()
+        label, time = told_in(metrics, index.data(), index.data(TIME), inside.width())
+        middle = Qt.AlignmentFlag.AlignVCenter
+        painter.setPen(QColor(theme.dim))
+        painter.drawText(inside, middle | Qt.AlignmentFlag.AlignRight, time)
+        painter.setPen(QColor(theme.text if index.data(DONE) else theme.dim))
+        painter.drawText(inside, middle | Qt.AlignmentFlag.AlignLeft, label)
+        if focused:
+            painter.setPen(QColor(theme.accent))
+            painter.drawRect(rect.adjusted(0, 0, -1, -1))
+        painter.restore()
+
+
+def told_in(metrics: QFontMetrics, label: str, time: str, room_px: int) -> tuple[str, str]:
+    """Label and time as they share a row; a label that is too long is cut short."""
+    width = metrics.horizontalAdvance(time) + UNIT_PX if time else 0
+    if room_px - width < _LEAST_WORDS * room_px:
+        # What was done says more than when; the tooltip has both.
+        time, width = "", 0
+    left = max(room_px - width, 0)
+    return metrics.elidedText(label, Qt.TextElideMode.ElideRight, left), time
+
+
+# Panel of what was done, in which one goes back and forth.
 
 _PLACE = "history"
 

@@ -1,33 +1,433 @@
-"""Everything about the selected inputs."""
+"""The way from a waveform to where it is made."""
 
 from collections.abc import Mapping
-from functools import partial
+from dataclasses import replace
+from functools import lru_cache, partial
 from typing import Any
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QObject, QSize, Qt, Signal
+from PySide6.QtGui import QFont
 from PySide6.QtWidgets import (
+    QApplication,
+    QHBoxLayout,
     QLabel,
+    QPushButton,
+    QSizePolicy,
     QStackedLayout,
     QStyle,
     QVBoxLayout,
     QWidget,
 )
 
+from skinsource.base.published import Band
+from skinsource.design import edits
 from skinsource.design.amplitudes import is_gain, peak_text
-from skinsource.design.design import AMPLITUDE_GAIN, Design, Input, amplitude_spec, audible_inputs
-from skinsource.design.edits.edit import clip_of, clips_of
+from skinsource.design.clips import GAIN, ONSET, Clip
+from skinsource.design.design import (
+    AMPLITUDE,
+    AMPLITUDE_GAIN,
+    GAIN_CURVE,
+    Design,
+    Input,
+    amplitude_spec,
+    audible_inputs,
+)
+from skinsource.design.edits.edit import Edit, Refusal, clip_of, clips_of, kind_name, kind_spec
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.view import View
-from skinsource_gui.panel import Panel
-from skinsource_gui.panels.inspector.effects.chain_edits import ChainEdits
-from skinsource_gui.panels.inspector.effects.effect_chain import EffectChain
-from skinsource_gui.panels.inspector.input_fields import InputFields
-from skinsource_gui.panels.inspector.input_heading import InputHeading
-from skinsource_gui.panels.inspector.selection import Selection
-from skinsource_gui.theme import UNIT_PX, set_tone
-from skinsource_gui.widgets.empty_words import add_words, select_words
-from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
-from skinsource_gui.widgets.room.steady_area import SteadyArea
+from skinsource.design.waveform import Waveform
+from skinsource.design.waveforms.samples import Drawn, Recording
+from skinsource.limbs.limb import LimbFacts
+from skinsource.limbs.locations import PlaceWords, input_words
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.specs.models import specs_of
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.fields.grid import LABEL_PX, FieldGrid, LabelledCell, WordsCell
+from skinsource_gui.fields.inputs import FieldChanges, fixed_length_text, played_length_text
+from skinsource_gui.panels.inspector.effects import ChainEdits, EffectChain
+from skinsource_gui.plots.preview import WaveformPreview
+from skinsource_gui.qt.buttons import Swatch, mute_button, solo_button
+from skinsource_gui.qt.labels import add_words, select_words
+from skinsource_gui.qt.room import RoomOrWords, SteadyArea
+from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.qt.tooltips import show_tooltip, tooltip
+from skinsource_gui.state.panel import Panel
+
+
+class ButtonCell(LabelledCell):
+    """A button: what it leads to is not changed here.
+
+    Parameters
+    ----------
+    label, words, hint
+        What stands beside the button, on it, and what it says of itself.
+    name
+        Of the button, for whoever looks for it.
+    """
+
+    wanted = Signal()
+
+    def __init__(
+        self, label: str, words: str, hint: str, *, name: str, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(label, parent)
+        self.button = QPushButton(words, self)
+        self.button.setObjectName(name)
+        self.button.setMinimumHeight(LABEL_PX)
+        self.button.setToolTip(tooltip(hint))
+        self.button.clicked.connect(lambda: self.wanted.emit())
+        self.stack.addWidget(self.button, 0, Qt.AlignmentFlag.AlignLeft)
+        self.label.setBuddy(self.button)
+        self.setFocusProxy(self.button)
+
+
+def pen_cell() -> ButtonCell:
+    """Leads from a drawn waveform to the pen: it is changed where it is seen large."""
+    hint = "Show the clip large, and draw on it with the pen"
+    return ButtonCell("Pen", "Draw", hint, name="draw_button")
+
+
+def file_cell() -> ButtonCell:
+    """Leads from a recording to the file that it shall be taken from."""
+    hint = "Import a recording, in place of these samples or beside them"
+    return ButtonCell("File", "Choose file…", hint, name="recording_button")
+
+
+# The fields of an input.
+
+
+def _places_of(limb: str) -> ChoiceSpec:
+    return _places(limb, facts_of(limb))
+
+
+@lru_cache(maxsize=8)
+def _places(limb: str, facts: LimbFacts) -> ChoiceSpec:
+    numbers = range(1, facts.n_inputs + 1)
+    return ChoiceSpec(
+        label="Place",
+        options=tuple((str(k), f"{k} · {input_words(k, limb).name}") for k in numbers),
+        hint="Where the actuator touches",
+    )
+
+
+class InputFields(QObject):
+    """Fields of an input and a clip of it: kind, the waveform's own, amplitude, onset, place.
+
+    The gain of a clip is shown where it has others beside it, the gain curve of a track where
+    there is one.
+
+    Attributes
+    ----------
+    grid
+        Where they stand.
+    kind, place
+        Which tell by themselves what is chosen; all others by ``edited``.
+    """
+
+    #: Name of the field, its new value, number of the gesture or None.
+    edited = Signal(str, object, object)
+    #: The pen shall be taken.
+    pen_wanted = Signal()
+    #: A file shall be chosen for a recording.
+    file_wanted = Signal()
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        facts = facts_of("")
+        self._played_at, self._places = (facts.sample_rate_hz, facts.band_hz), _places_of("")
+        self._own: tuple[LabelledCell, ...] = ()
+        self._built_for: type[Waveform] | None = None
+        self._length: WordsCell | None = None
+        self._several = False
+        self._curve_of: int | None = None
+        self._view = View()
+        self.grid = FieldGrid()
+        self.kind = FieldCell("kind", kind_spec())
+        self.place = FieldCell("location", self._places)
+        self._amplitude = FieldCell("amplitude", AMPLITUDE)
+        self._onset = FieldCell("onset_s", ONSET)
+        self._gain = FieldCell("gain", GAIN)
+        self._curve = FieldCell("gain_curve", GAIN_CURVE)
+        for cell in (self._amplitude, self._onset, self._gain, self._curve):
+            cell.edited.connect(self.edited)
+        self._peak = WordsCell("Peak", "")
+        self._peak.words.setObjectName("peak")
+        self._peak.words.setToolTip("Of all that the track plays, with its gain")
+        self._lasts = WordsCell("Lasts", "")
+        self._lasts.words.setObjectName("played_length")
+        self._lasts.words.setToolTip("What is heard of the waveform, or how long it is drawn out")
+
+    def show_input(
+        self,
+        one: Input,
+        together: tuple[Input, ...],
+        amplitude: NumberSpec,
+        view: View,
+        peak: str = "",
+    ) -> None:
+        """Show an input, and where those that are edited ``together`` differ.
+
+        ``amplitude`` says what one means; ``view`` says which clips are selected; ``peak`` is said
+        of an input whose amplitude is a plain factor.
+        """
+        self._view = view
+        clip = clip_of(one, view)
+        kind = None if clip is None else type(clip.waveform)
+        several = len(one.clips) > 1
+        # A curve that is typed away can be typed again, until another track is looked at.
+        curved = one.id if one.gain_curve or self._curve_of == one.id else None
+        lasts = "" if clip is None else played_length_text(clip)
+        others = (several, curved) != (self._several, self._curve_of)
+        before = self._said
+        self._lasts.words.setText(lasts)
+        self._peak.words.setText(peak)
+        if kind is not self._built_for or others:
+            self._several, self._curve_of = several, curved
+            self._build_own(None if clip is None else clip.waveform)
+        elif self._said != before:
+            self.grid.show_cells(self._cells())
+        if self._length is not None and clip is not None:
+            self._length.words.setText(fixed_length_text(clip.waveform))
+        self._amplitude.set_spec(amplitude)
+        self._gain.set_spec(replace(GAIN, label="Clip gain") if peak else GAIN)
+        pairs = [(other, each) for other in together for each in clips_of(other, view) or (None,)]
+        for cell in self._fields():
+            cell.set_value(_value(one, cell.name, clip))
+            found = {_value(other, cell.name, each) for other, each in pairs} - {None}
+            cell.show_differs(len(found) > 1)
+
+    def show_limb(self, limb: str) -> None:
+        """Take over which places there are, and in which band it was measured."""
+        places = _places_of(limb)
+        if places != self._places:
+            self._places = places
+            self.place.set_spec(places)
+        self._take(self._played_at[0], facts_of(limb).band_hz)
+
+    def show_rate(self, sample_rate_hz: float) -> None:
+        """Take over the rate of the limb, which says what frequencies can be played."""
+        self._take(sample_rate_hz, self._played_at[1])
+
+    def _take(self, sample_rate_hz: float, band_hz: Band | None) -> None:
+        if self._played_at == (sample_rate_hz, band_hz):
+            return
+        self._played_at = sample_rate_hz, band_hz
+        specs = specs_of(self._built_for) if self._built_for else {}
+        for cell in self._own:
+            if isinstance(cell, FieldCell):
+                cell.set_spec(specs[cell.name].at_rate(*self._played_at))
+
+    def show_refused(self, one: Input, name: str, reason: str) -> None:
+        """Show again what ``one`` has in this field, and why it stays so."""
+        cell = next(cell for cell in self._fields() if cell.name == name)
+        cell.set_value(_value(one, name, clip_of(one, self._view)))
+        cell.show_reason(reason)
+
+    def forget_typing(self) -> None:
+        """Close an open editor without committing."""
+        for cell in self._fields():
+            cell.forget_typing()
+
+    @property
+    def _said(self) -> tuple[bool, bool]:
+        """Whether it is said how long a clip lasts, and which peak results."""
+        return bool(self._lasts.words.text()), bool(self._peak.words.text())
+
+    def _cells(self) -> tuple[LabelledCell, ...]:
+        of_clip = () if self._built_for is None else (self._onset,)
+        gain = (self._gain,) if self._several else ()
+        lasts, peak = (
+            (cell,) if said else ()
+            for cell, said in zip((self._lasts, self._peak), self._said, strict=True)
+        )
+        own = (self.kind, *self._own, *lasts)
+        curve = () if self._curve_of is None else (self._curve,)
+        return (*own, self._amplitude, *peak, *gain, *of_clip, self.place, *curve)
+
+    def _fields(self) -> list[FieldCell]:
+        return [cell for cell in self._cells() if isinstance(cell, FieldCell)]
+
+    def _build_own(self, waveform: Waveform | None) -> None:
+        old = self._own
+        cells: list[LabelledCell] = []
+        self._length = None
+        for name, spec in (specs_of(waveform) if waveform else {}).items():
+            own = FieldCell(name, spec.at_rate(*self._played_at))
+            own.edited.connect(self.edited)
+            cells.append(own)
+        if waveform and fixed_length_text(waveform):
+            self._length = WordsCell("Duration", fixed_length_text(waveform))
+            cells.append(self._length)
+        if isinstance(waveform, Drawn):
+            pen = pen_cell()
+            pen.wanted.connect(self.pen_wanted)
+            cells.append(pen)
+        if isinstance(waveform, Recording):
+            file = file_cell()
+            file.wanted.connect(self.file_wanted)
+            cells.append(file)
+        self._own = tuple(cells)
+        self._built_for = type(waveform) if waveform else None
+        focused = QApplication.focusWidget()
+        if focused is not None and any(cell.isAncestorOf(focused) for cell in old):
+            self.kind.field.setFocus(Qt.FocusReason.OtherFocusReason)
+        self.grid.show_cells(self._cells())
+        for part in (widget for cell in old for widget in (cell.label, cell)):
+            part.deleteLater()
+
+
+def _value(one: Input, name: str, clip: Clip | None) -> object:
+    """What the cell of this name shows of an input and its clip; None where there is no such."""
+    if name == "kind":
+        return "" if clip is None else kind_name(clip.waveform)
+    if name == "location":
+        return str(one.location)
+    return edits.value_of(one, name, clip) if name in edits.fields_of(one, clip) else None
+
+
+# Which input is being edited.
+
+
+class InputHeading(QWidget):
+    """Colour, number and name of an input's place, with its mute and solo buttons."""
+
+    mute_toggled = Signal()
+    solo_toggled = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._place: PlaceWords | None = None
+        self._before = ""
+        self._swatch = Swatch()
+        self._words = QLabel()
+        self._words.setObjectName("inspector_heading")
+        self._words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        font = QFont(self.font())
+        font.setWeight(QFont.Weight.DemiBold)
+        self._words.setFont(font)
+        self._state = QLabel()
+        set_tone(self._state, "warning")
+        self._mute, self._solo = mute_button(), solo_button()
+        self._row = layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(UNIT_PX // 2)
+        layout.addWidget(self._swatch)
+        layout.addSpacing(UNIT_PX // 2)
+        layout.addWidget(self._words, 1)
+        layout.addWidget(self._state)
+        layout.addWidget(self._mute)
+        layout.addWidget(self._solo)
+        RoomOrWords(self).changed.connect(self._fit_words)
+        self._mute.clicked.connect(self.mute_toggled)
+        self._solo.clicked.connect(self.solo_toggled)
+
+    def show_input(
+        self, shown: Input, limb: str, *, silent: bool, together: tuple[Input, ...]
+    ) -> None:
+        """Show an input, ``silent`` unless it is heard, of those that are edited ``together``."""
+        self._before = f"{len(together)} inputs, last: " if len(together) > 1 else ""
+        place = input_words(shown.location, limb)
+        self._place = place
+        self._swatch.show_input(shown.location, shown.colour, silent=silent)
+        contact = f" ({place.kind})" if place.kind else ""
+        show_tooltip(self._words, f"Input place {place.number}: {place.name}{contact}")
+        of_whom = "last silent" if len(together) > 1 else "silent"
+        self._state.setText(of_whom if silent else "")
+        self._mute.setChecked(all(one.muted for one in together))
+        self._solo.setChecked(all(one.solo for one in together))
+        self._fit_words()
+
+    def _fit_words(self) -> None:
+        if self._place is None:
+            return
+        self._row.activate()
+        metrics, room = self._words.fontMetrics(), self._words.width()
+        name = f"{self._before}{self._place.name}"
+        if metrics.horizontalAdvance(name) > room:
+            short = f"{self._before}{self._place.short_name}"
+            name = metrics.elidedText(
+                short[0].upper() + short[1:], Qt.TextElideMode.ElideRight, room
+            )
+        self._words.setText(name)
+
+
+# The selected inputs, and what is done to them.
+
+
+class Selection(QObject):
+    """Knows the selected inputs and turns what fields and buttons tell into edits of them."""
+
+    #: `Edit` or `Refusal`, number of the gesture or None.
+    edited = Signal(object, object)
+    #: Name of a field whose new value does not go with the others, and why.
+    field_refused = Signal(str, str)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._design = Design(limb="")
+        self._view = View()
+        self._changes = FieldChanges()
+
+    @property
+    def last(self) -> Input | None:
+        """The input that was selected last."""
+        if self._view.selected_input not in self._design.ids:
+            return None
+        return self._design.input(self._view.selected_input)
+
+    @property
+    def together(self) -> tuple[Input, ...]:
+        """All selected inputs, in the order of the design."""
+        return tuple(one for one in self._design.inputs if one.id in self._ids)
+
+    def show_state(self, design: Design, view: View) -> None:
+        """Take over the present design and view."""
+        self._design, self._view = design, view
+
+    def change_kind(self, _: str, kind: str, gesture: int | None) -> None:
+        """Give all of them another kind of waveform."""
+        self._tell(edits.change_kind(self._design, self._view, self._ids, kind), gesture)
+
+    def change_place(self, _: str, number: str, gesture: int | None) -> None:
+        """Move them to an input place."""
+        self._tell(edits.move_inputs(self._design, self._view, self._ids, int(number)), gesture)
+
+    def change_field(self, name: str, value: object, gesture: int | None) -> None:
+        """Type or drag a field of theirs."""
+        if self.last is None:
+            return
+        ids = self._ids
+        changed = self._changes.change(
+            self._design, self._view, ids, name, value, lead=ids[-1], gesture=gesture
+        )
+        if isinstance(changed, Refusal):
+            self.field_refused.emit(name, changed.sentence)
+        else:
+            self._tell(changed, gesture)
+
+    def toggle_mute(self) -> None:
+        """Mute all, or none if all are."""
+        self._tell(edits.toggle_mute(self._design, self._view, self._ids), None)
+
+    def toggle_solo(self) -> None:
+        """Make all solo, or none if all are."""
+        self._tell(edits.toggle_solo(self._design, self._view, self._ids), None)
+
+    @property
+    def _ids(self) -> tuple[int, ...]:
+        return self._view.selected_inputs
+
+    def _tell(self, outcome: Edit | Refusal, gesture: int | None) -> None:
+        # A field that is held while its input goes has nothing more to say.
+        if self.last is not None and (
+            isinstance(outcome, Refusal) or outcome.design != self._design
+        ):
+            self.edited.emit(outcome, gesture)
+
+
+# Everything about the selected inputs.
 
 # In letters of any size, px.
 _LEAST = QSize(204, 224)

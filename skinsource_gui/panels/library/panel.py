@@ -1,26 +1,273 @@
-"""Panel of the library."""
+"""What can be done with presets, as buttons and as a menu."""
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import ClassVar
 
-from PySide6.QtCore import QPoint, QSize, Qt
-from PySide6.QtGui import QHideEvent, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QBoxLayout, QLabel, QMenu, QMessageBox, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, QFileSystemWatcher, QObject, QPoint, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QHideEvent, QKeyEvent, QResizeEvent, QShowEvent
+from PySide6.QtWidgets import (
+    QBoxLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QMenu,
+    QMessageBox,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
 
+from skinsource.base.errors import SkinSourceError
 from skinsource.base.work import counted
 from skinsource.design import edits
 from skinsource.design.design import Design
-from skinsource.design.presets.presets import Entry, matching
+from skinsource.design.presets import presets
+from skinsource.design.presets.presets import Entry, Fault, Shelf, matching
 from skinsource.design.view import View
-from skinsource_gui.panel import Panel
-from skinsource_gui.panels.library.buttons import LibraryButtons
-from skinsource_gui.panels.library.preset_list import PresetList
-from skinsource_gui.panels.library.preset_preview import PresetPreview
-from skinsource_gui.panels.library.presets_model import PresetsModel
-from skinsource_gui.panels.library.search_row import SearchRow
-from skinsource_gui.panels.library.shelves import Shelves
-from skinsource_gui.theme import UNIT_PX, set_tone
-from skinsource_gui.widgets.asking import agreed
+from skinsource_gui.fields.choice_field import DropDown
+from skinsource_gui.panels.library.list import PresetList, PresetPreview, PresetsModel
+from skinsource_gui.qt.asking import agreed
+from skinsource_gui.qt.keys import KEYS, key_text
+from skinsource_gui.qt.room import FoldingRow
+from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.state.panel import Panel
+
+_PLACE = "library"
+
+
+class LibraryButtons(QWidget):
+    """Place, save, rename, delete."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.place = self._button(
+            "Place",
+            "preset_place",
+            f"Place it at the playhead, on the selected track ({key_text(_PLACE, 'place')}); or "
+            "drag it onto a place of the hand or a track",
+        )
+        self.save = self._button(
+            "Save…", "preset_save", "Keep clips, or the whole design, in the library"
+        )
+        self.rename = self._button(
+            "Rename", "preset_rename", f"Only your own ({key_text(_PLACE, 'rename')})"
+        )
+        self.delete = self._button(
+            "Delete", "preset_delete", f"Only your own ({key_text(_PLACE, 'remove')})"
+        )
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(FoldingRow((self.place, self.save, self.rename, self.delete), 4))
+        self.show_current(False, False)
+
+    def show_current(self, there: bool, own: bool) -> None:
+        """Whether there is a preset to do it with, and whether it is the user's own."""
+        self.place.setEnabled(there)
+        self.rename.setEnabled(own)
+        self.delete.setEnabled(own)
+
+    def fill(self, menu: QMenu) -> None:
+        """Add the same to ``menu``."""
+        for button in (self.place, self.rename, self.delete):
+            entry = menu.addAction(button.text(), button.click)
+            entry.setEnabled(button.isEnabled())
+        menu.addSeparator()
+        menu.addAction(self.save.text(), self.save.click)
+
+    def _button(self, text: str, name: str, hint: str) -> QPushButton:
+        button = QPushButton(text)
+        button.setObjectName(name)
+        button.setToolTip(hint)
+        return button
+
+
+# Words to search for, and a tag.
+
+_ALL = "All tags"
+
+
+class SearchRow(QWidget):
+    """A line to type in, and the tags that there are."""
+
+    changed = Signal()
+    #: Enter was pressed; Down was pressed.
+    accepted = Signal()
+    left_downwards = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.line, self.tags = QLineEdit(), DropDown()
+        self.line.setObjectName("preset_search")
+        self.line.setPlaceholderText("Search")
+        self.line.setAccessibleName("Search presets")
+        self.line.setToolTip(
+            "Words of the name, tags, description or source; "
+            f"{KEYS['library'].gestures['place'].shown} places"
+        )
+        self.line.setClearButtonEnabled(True)
+        self.line.textChanged.connect(self.changed)
+        self.line.returnPressed.connect(self.accepted)
+        self.line.installEventFilter(self)
+        self.tags.setObjectName("preset_tags")
+        self.tags.setAccessibleName("Tag")
+        self.tags.setToolTip("Only presets with this tag")
+        self.tags.addItem(_ALL)
+        self.tags.currentIndexChanged.connect(self.changed)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.addWidget(self.line, 3)
+        row.addWidget(self.tags, 2)
+
+    @property
+    def words(self) -> str:
+        """What is searched for."""
+        return self.line.text()
+
+    @property
+    def tag(self) -> str:
+        """The tag that is chosen, or ""."""
+        return self.tags.currentText() if self.tags.currentIndex() > 0 else ""
+
+    def show_tags(self, tags: Iterable[str]) -> None:
+        """Offer these; the chosen one stays, if it is among them."""
+        offered, chosen = [_ALL, *sorted(set(tags), key=str.casefold)], self.tag
+        if offered == [self.tags.itemText(k) for k in range(self.tags.count())]:
+            return
+        self.tags.blockSignals(True)
+        self.tags.clear()
+        self.tags.addItems(offered)
+        self.tags.setCurrentIndex(offered.index(chosen, 1) if chosen in offered[1:] else 0)
+        self.tags.blockSignals(False)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):
+            if event.key() == Qt.Key.Key_Down:
+                self.left_downwards.emit()
+                return True
+            if event.key() == Qt.Key.Key_Escape and self.words:
+                self.line.clear()
+                return True
+        return super().eventFilter(watched, event)
+
+
+# Notices that files of a folder change, come or go.
+
+#: Files are written in several steps: what follows this soon is one change.
+_TOGETHER_MS = 150
+
+
+class FolderWatch(QObject):
+    """Watches a folder and its files, also one that is not there yet.
+
+    Parameters
+    ----------
+    suffix
+        Files with this ending are watched.
+    """
+
+    #: Something has changed; told once for many changes.
+    changed = Signal()
+
+    def __init__(self, suffix: str, parent: QObject) -> None:
+        super().__init__(parent)
+        self._suffix = suffix
+        self._watcher: QFileSystemWatcher | None = None
+        self._pause = QTimer(self)
+        self._pause.setSingleShot(True)
+        self._pause.setInterval(_TOGETHER_MS)
+        self._pause.timeout.connect(self.changed)
+
+    def watch(self, folder: Path) -> None:
+        """Watch ``folder`` and what is in it now, and nothing else."""
+        self.rest()
+        self._watcher = QFileSystemWatcher(self)
+        self._watcher.directoryChanged.connect(self._pause.start)
+        self._watcher.fileChanged.connect(self._pause.start)
+        try:
+            files = [str(path) for path in folder.iterdir() if path.suffix == self._suffix]
+            self._watcher.addPaths([str(folder), *files])
+        except OSError:
+            # What it comes to lie in is watched instead.
+            there = next((one for one in folder.parents if one.is_dir()), None)
+            if there is not None:
+                self._watcher.addPath(str(there))
+
+    def rest(self) -> None:
+        """Watch nothing."""
+        self._pause.stop()
+        if self._watcher is not None:
+            self._watcher.deleteLater()
+            self._watcher = None
+
+
+# The presets that there are: those of the user, and those that are shipped.
+
+
+class Shelves(QObject):
+    """Reads both folders, and the user's again when it changes; renames and deletes there."""
+
+    changed = Signal()
+    #: Why something was not done.
+    failed = Signal(str)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._shipped: Shelf | None = None
+        self._own = Shelf()
+        self._watch = FolderWatch(presets.SUFFIX, self)
+        self._watch.changed.connect(self.read)
+
+    @property
+    def folder(self) -> Path:
+        """Where those of the user lie."""
+        return presets.users_folder()
+
+    @property
+    def entries(self) -> tuple[tuple[Entry, bool], ...]:
+        """All of them, the user's own first, and whether they are."""
+        shipped = self._shipped or Shelf()
+        own = tuple((entry, True) for entry in self._own.entries)
+        return (*own, *((entry, False) for entry in shipped.entries))
+
+    @property
+    def faults(self) -> tuple[Fault, ...]:
+        """What was left out."""
+        return (*self._own.faults, *(self._shipped or Shelf()).faults)
+
+    def read(self) -> None:
+        """Read them, and watch the user's."""
+        if self._shipped is None:
+            self._shipped = presets.read_shelf(presets.shipped_folder())
+        # Watched before it is read: nothing is missed between.
+        self._watch.watch(self.folder)
+        self._own = presets.read_shelf(self.folder)
+        self.changed.emit()
+
+    def rest(self) -> None:
+        """Notice no changes."""
+        self._watch.rest()
+
+    def rename(self, entry: Entry, name: str) -> Path:
+        """Give a preset of the user another name; returns its file."""
+        path = entry.path
+        try:
+            path = presets.rename_preset(self.folder, path, name)
+        except SkinSourceError as error:
+            self.failed.emit(str(error))
+        self.read()
+        return path
+
+    def delete(self, entry: Entry) -> None:
+        """Delete a preset of the user."""
+        try:
+            presets.delete_preset(self.folder, entry.path)
+        except SkinSourceError as error:
+            self.failed.emit(str(error))
+        self.read()
+
+
+# Panel of the library.
 
 _WIDE_PX, _HIGH_PX = 340, 440
 _NOTHING = "No preset is like that. Search for other words, or choose all tags."

@@ -1,14 +1,104 @@
-"""What the panel shows of a proportion, or of a superposition: diagrams, words, and numbers."""
+"""What is drawn in a diagram."""
+
+from dataclasses import dataclass
 
 import numpy as np
 
 from skinsource.base.arrays import Floats
 from skinsource.signals.analysis.statistics import BIN_HZ
 from skinsource.signals.resampling import finer
+from skinsource.specs import fields
+from skinsource.specs.spec import SwitchSpec
 from skinsource.studies.checking import Proportion, Straightness, Superposition
-from skinsource_gui.panels.linearity.curve import Curve, Diagram
-from skinsource_gui.panels.linearity.strength import StrengthUnit
-from skinsource_gui.widgets.figure.axes import Axis
+from skinsource_gui.plots.figure import Axis
+
+#: Radius of the dots.
+DOT_PX = 3.5
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Curve:
+    """A line, or dots.
+
+    Attributes
+    ----------
+    x, y : (n_points,)
+        Where it goes.
+    rank
+        Of the output in the selection: its colour; None: that of words.
+    width_px
+        Of the line; 0: dots.
+    label
+        Written at its end.
+    pale
+        0 to 1: how much of the colour is left out, so that what lies over it is seen.
+    """
+
+    x: Floats
+    y: Floats
+    rank: int | None
+    width_px: float
+    pale: float = 0.0
+    label: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Diagram:
+    """Curves, the first lowest, over two axes."""
+
+    x: Axis
+    y: Axis
+    curves: tuple[Curve, ...]
+
+
+# In which unit strengths of a stimulus are told, beside the amplitudes that they are set in.
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StrengthUnit:
+    """Of strengths.
+
+    Attributes
+    ----------
+    title, symbol
+        What they are, with the unit, and the unit alone; empty: they have none.
+    column
+        Name of their column in a table.
+    factor
+        What an amplitude is multiplied with to be told.
+    si_factor
+        The same for a table, which is in SI.
+    """
+
+    title: str
+    symbol: str
+    column: str = "strength"
+    factor: float = 1.0
+    si_factor: float = 1.0
+
+    @property
+    def divided_by(self) -> str:
+        """Unit of a response, in m/s², that is divided by a strength."""
+        return f"m/s² per {self.symbol}" if self.symbol else "m/s²"
+
+
+def of_amplitudes(unit: str) -> StrengthUnit:
+    """Amplitudes in ``unit``; ``"×"`` is that of a plain factor."""
+    return StrengthUnit(title=f"Strength ({unit})", symbol="" if unit == "×" else unit)
+
+
+def of_velocities(m_per_s_each: float) -> StrengthUnit:
+    """Velocities of a probe, of which an amplitude of 1 has so many m/s."""
+    return StrengthUnit(
+        title="Probe velocity (mm/s)",
+        symbol="mm/s",
+        column="probe_velocity_m_per_s",
+        factor=1e3 * m_per_s_each,
+        si_factor=m_per_s_each,
+    )
+
+
+# What the panel shows of a proportion, or of a superposition: diagrams, words, and numbers.
 
 # Of long responses this much is drawn, around the loudest instant, where no zoom says which part.
 _SHOWN_S = 0.03
@@ -242,3 +332,44 @@ def _around(values: Floats, title: str, short: str = "") -> Axis:
 
 def _top(values: Floats) -> float:
     return 1.1 * float(values.max()) or 1.0
+
+
+# What only the panel of linearity looks at.
+
+VELOCITY = SwitchSpec(
+    label="In mm/s",
+    hint="Tell strengths as the largest velocity of the probe, in place of the amplitude",
+)
+BANDS = SwitchSpec(
+    label="By band",
+    hint="Draw and copy outputs in bands of 2 Hz, those at 50, 100, 200 and 400 Hz, in place of "
+    "the RMS over all",
+)
+
+EVERY_OUTPUT = SwitchSpec(
+    label="All outputs",
+    hint="Draw adjusted R² of the worst of all outputs and their median, and copy that of each, in "
+    "place of the selected ones",
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LinearitySettings:
+    """How outputs are held against the strengths of inputs.
+
+    Attributes
+    ----------
+    velocity
+        Whether strengths are velocities of the probe, where these are known.
+    bands
+        Whether outputs are those in bands.
+    every_output
+        Whether it is told of all outputs, not of the selected ones, how straight they are.
+    """
+
+    velocity: bool = fields.switch(False, VELOCITY)
+    bands: bool = fields.switch(False, BANDS)
+    every_output: bool = fields.switch(False, EVERY_OUTPUT)
+
+    def __post_init__(self) -> None:
+        fields.check(self)

@@ -1,7 +1,7 @@
-"""What snapshots show of the linear model: strengths in proportion, inputs that add up."""
+"""Which of the designs that are compared are held against each other."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -9,42 +9,158 @@ from PySide6.QtWidgets import QToolButton, QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource.design.amplitudes import amplitude_unit, is_gain
-from skinsource.design.comparing import NUMBERS, Snapshot
+from skinsource.design.comparing import EDITED, NUMBERS, Snapshot
 from skinsource.design.design import Design
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.limbs.own_limbs import axes_on, facts_of
-from skinsource.specs.fields import SwitchSpec
+from skinsource.specs.spec import SwitchSpec
 from skinsource.studies.checking import (
     Proportion,
     Straightness,
     Superposition,
+    joint_of,
     proportion,
     straightness,
+    strengths_of,
     superposition,
 )
-from skinsource_gui.compared import Compared
-from skinsource_gui.figure_panel import SILENT, FigurePanel
+from skinsource_gui.panels.figure_panel import SILENT, FigurePanel
 from skinsource_gui.panels.linearity.content import (
+    BANDS,
+    EVERY_OUTPUT,
+    VELOCITY,
+    LinearitySettings,
+    StrengthUnit,
     diagrams_of_proportion,
     diagrams_of_superposition,
+    of_amplitudes,
+    of_velocities,
     part_words,
     proportion_words,
     superposition_words,
 )
 from skinsource_gui.panels.linearity.diagram import DiagramsPicture
-from skinsource_gui.panels.linearity.held import Held, held_of
-from skinsource_gui.panels.linearity.settings import (
-    BANDS,
-    EVERY_OUTPUT,
-    VELOCITY,
-    LinearitySettings,
-)
-from skinsource_gui.panels.linearity.strength import of_amplitudes, of_velocities
-from skinsource_gui.panels.linearity.table import tab_separated
-from skinsource_gui.widgets.keys import shortcut_text
-from skinsource_gui.widgets.room.button_row import ButtonRow
-from skinsource_gui.widgets.tool_button import tool_button
+from skinsource_gui.qt.asking import copied
+from skinsource_gui.qt.buttons import tool_button
+from skinsource_gui.qt.keys import shortcut_text
+from skinsource_gui.qt.room import ButtonRow
+from skinsource_gui.state.compared import Compared
+
+_STORED_ALONE = "snapshots alone"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Held:
+    """Designs, and what they are to each other.
+
+    Attributes
+    ----------
+    compared
+        Those that count.
+    strengths
+        Of each of them, where they differ in that alone; else empty.
+    whole
+        Which of them plays what all the others play; None: none does.
+    words
+        Which ones count, where it is not all of them.
+    """
+
+    compared: Sequence[Compared]
+    strengths: tuple[float, ...] = ()
+    whole: int | None = None
+    words: str = ""
+
+    @property
+    def is_linear(self) -> bool:
+        """Whether there is something to be held against each other."""
+        return bool(self.strengths) or self.whole is not None
+
+
+def held_of(compared: Sequence[Compared]) -> Held:
+    """All of the designs; or, where what is edited is something else, those that are stored."""
+    every = _held(compared)
+    stored = [one for one in compared if one.snapshot.number != EDITED]
+    if every.is_linear or len(stored) == len(compared):
+        return every
+    alone = _held(stored, _STORED_ALONE)
+    return alone if alone.is_linear else every
+
+
+def _held(compared: Sequence[Compared], words: str = "") -> Held:
+    designs = [one.snapshot.design for one in compared]
+    return Held(
+        compared=compared,
+        strengths=strengths_of(designs),
+        whole=joint_of(designs),
+        words=words,
+    )
+
+
+# The numbers of the panel for a spreadsheet.
+
+_Lines = list[tuple[str, ...]]
+
+
+def tab_separated(
+    found: Proportion | Superposition,
+    outputs: tuple[int, ...],
+    axes: tuple[str, ...],
+    unit: StrengthUnit,
+    *,
+    bands: bool = False,
+    every: Straightness | None = None,
+) -> str:
+    """RMS by strength, output by band, how straight each output is, or r of each channel.
+
+    Channels are ``axes`` of each of ``outputs``; ``unit`` is that of strengths; ``bands``: outputs
+    are told in bands, all of them; ``every``: how straight all outputs are is told instead.
+    """
+    channels = [(output, axis) for output in outputs for axis in axes]
+    lines: _Lines
+    if isinstance(found, Proportion) and every is not None:
+        lines = _straight(every, axes)
+    elif isinstance(found, Proportion):
+        names = [f"{output}_{axis}" for output, axis in channels]
+        lines = (_by_band if bands else _by_strength)(found, names, unit)
+    else:
+        lines = [("output", "axis", "pearson_r")]
+        for (output, axis), r in zip(channels, found.correlation, strict=True):
+            lines.append((str(output), axis, copied(r)))
+    return "".join("\t".join(line) + "\n" for line in lines)
+
+
+def _straight(every: Straightness, axes: tuple[str, ...]) -> _Lines:
+    numbers = range(1, len(every.adjusted_r2) + 1)
+    lines: _Lines = [
+        ("frequency_hz", *(f"adjusted_r2_{k}_{axis}" for k in numbers for axis in axes))
+    ]
+    of_channels = every.adjusted_r2.reshape(-1, every.frequency_hz.size)
+    for frequency_hz, r2 in zip(every.frequency_hz, of_channels.T, strict=True):
+        lines.append((copied(frequency_hz), *map(copied, r2)))
+    return lines
+
+
+def _by_strength(found: Proportion, channels: list[str], unit: StrengthUnit) -> _Lines:
+    lines: _Lines = [(unit.column, *(f"rms_{one}_m_per_s2" for one in channels))]
+    for strength, rms in zip(found.strengths * unit.si_factor, found.rms, strict=True):
+        lines.append((copied(strength), *map(copied, rms)))
+    return lines
+
+
+def _by_band(found: Proportion, channels: list[str], unit: StrengthUnit) -> _Lines:
+    told = [f"{unit.column} {strength:.6g}" for strength in found.strengths * unit.si_factor]
+    of_strengths = [f"band_rms_{one}_m_per_s2 at {at}" for at in told for one in channels]
+    lines: _Lines = [
+        ("frequency_hz", *of_strengths, *(f"adjusted_r2_{one}" for one in channels)),
+    ]
+    for k, frequency_hz in enumerate(found.frequency_hz):
+        levels, r2 = found.band_rms[..., k].ravel(), found.adjusted_r2[:, k]
+        lines.append((copied(frequency_hz), *map(copied, levels), *map(copied, r2)))
+    return lines
+
+
+# What snapshots show of the linear model: strengths in proportion, inputs that add up.
 
 _NEEDS = frozenset(
     {

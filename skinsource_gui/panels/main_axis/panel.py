@@ -1,16 +1,176 @@
-"""Along which direction each selected output moves most."""
+"""Ellipses of motion, a row of planes for each output."""
 
 from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import combinations
 from typing import Any, ClassVar
 
 import numpy as np
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
 from skinsource.design.design import Design
 from skinsource.design.view import View
-from skinsource_gui.figure_panel import SILENT, FigurePanel
-from skinsource_gui.panels.main_axis.picture import MainAxisPicture, Shown
-from skinsource_gui.widgets.copied_numbers import copied
+from skinsource.limbs.locations import output_words
+from skinsource.signals.projection import MainAxes, ellipse
+from skinsource_gui.panels.figure_panel import SILENT, FigurePanel
+from skinsource_gui.plots.figure import Figure
+from skinsource_gui.qt.asking import copied
+from skinsource_gui.qt.theme import UNIT_PX, current_theme
+
+_LEAST_ROW_PX = 66.0
+_LEAST_SIDE_PX = 40.0
+_GAP_PX = 3.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Shown:
+    """What is drawn: ellipsoids, of which outputs of which limb, along which axes (``"xyz"``)."""
+
+    found: MainAxes
+    outputs: tuple[int, ...]
+    axes: str
+    limb: str = ""
+
+    def words_of(self, rank: int) -> str:
+        """What is to be said of one output."""
+        found, name = self.found, output_words(self.outputs[rank], self.limb).short_name
+        start = f"{self.outputs[rank]} {name}"
+        if np.isnan(found.share[rank]):
+            return f"{start}: silent"
+        if found.none[rank]:
+            return f"{start}: no main axis"
+        direction = ", ".join(
+            f"{axis} {part:+.2f}"
+            for axis, part in zip(self.axes, found.direction[rank], strict=True)
+        )
+        return f"{start}: {direction} · {found.share[rank]:.0%} of the variance".replace("-", "−")
+
+
+class MainAxisPicture(Figure):
+    """For each output its ellipse in each plane of two axes, and the main axis through it."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__("main_axis_picture", "Main axes", parent)
+        self.shown: Shown | None = None
+        self._cells: list[tuple[QRectF, int]] = []
+
+    def show_axes(self, shown: Shown) -> None:
+        """Take over what to show."""
+        self.shown = shown
+        self.say("")
+        self.read_again()
+
+    def draw(self, painter: QPainter, room: QRectF) -> None:
+        shown = self.shown
+        if shown is None:
+            return
+        metrics = QFontMetricsF(painter.font())
+        line = metrics.height()
+        count = len(shown.outputs)
+        planes = tuple(combinations(range(len(shown.axes)), 2))
+        cell = _cell_size(room, count, len(planes), line)
+        # A cell that fills the room may be larger than it by rounding.
+        across = max(int(room.width() / cell[0] + 1e-6), 1)
+        fitting = max(int(room.height() / cell[1] + 1e-6), 1) * across
+        shown_count = count if count <= fitting else max(fitting - 1, 0)
+        self._cells = []
+        for rank in range(shown_count):
+            row, column = divmod(rank, across)
+            place = QRectF(column * cell[0], row * cell[1], *cell)
+            self._cells.append((place, rank))
+            self._draw_output(painter, place.adjusted(UNIT_PX / 2, 2, -UNIT_PX / 2, -2), rank)
+        if shown_count < count:
+            row, column = divmod(shown_count, across)
+            place = QRectF(column * cell[0], row * cell[1], *cell)
+            painter.setPen(QColor(current_theme().dim))
+            words = f"and {count - shown_count} more"
+            painter.drawText(place, Qt.AlignmentFlag.AlignCenter, words)
+
+    def read(self, at: QPointF) -> str:
+        found = next((rank for place, rank in self._cells if place.contains(at)), None)
+        return "" if found is None or self.shown is None else self.shown.words_of(found)
+
+    def keys_area(self) -> QRectF:
+        return QRectF() if self.message or not self._cells else QRectF(self.rect())
+
+    def _draw_output(self, painter: QPainter, place: QRectF, rank: int) -> None:
+        shown = self.shown
+        if shown is None:
+            return
+        line = QFontMetricsF(painter.font()).height()
+        found, theme = shown.found, current_theme()
+        head = QRectF(place.left(), place.top(), place.width(), line)
+        number = shown.outputs[rank]
+        if np.isnan(found.share[rank]):
+            said = "silent"
+        elif found.none[rank]:
+            said = "no main axis"
+        else:
+            said = f"{found.share[rank]:.0%}"
+        painter.setPen(theme.output_colour(rank))
+        painter.drawText(head, Qt.AlignmentFlag.AlignLeft, f"{number}")
+        painter.setPen(QColor(theme.warning if said == "no main axis" else theme.dim))
+        painter.drawText(head, Qt.AlignmentFlag.AlignRight, said)
+        planes = tuple(combinations(range(len(shown.axes)), 2))
+        each = place.width() / len(planes)
+        largest = float(found.deviation[rank, 0])
+        for k, plane in enumerate(planes):
+            area = QRectF(place.left() + k * each, place.top() + line, each, place.height() - line)
+            self._draw_plane(painter, area.adjusted(2, 1, -2, -1), rank, plane, largest)
+
+    def _draw_plane(
+        self, painter: QPainter, area: QRectF, rank: int, plane: tuple[int, int], largest: float
+    ) -> None:
+        shown, theme = self.shown, current_theme()
+        if shown is None:
+            return
+        metrics = QFontMetricsF(painter.font())
+        # Beside and above the ellipse there is room for the names of the axes.
+        beside = max(map(metrics.horizontalAdvance, shown.axes)) + _GAP_PX
+        room = area.adjusted(_GAP_PX, metrics.height(), -beside, -_GAP_PX)
+        centre, radius = room.center(), 0.5 * max(min(room.width(), room.height()), 0.0)
+        painter.setPen(QPen(QColor(theme.grid), 1))
+        painter.drawLine(QLineF(centre.x() - radius, centre.y(), centre.x() + radius, centre.y()))
+        painter.drawLine(QLineF(centre.x(), centre.y() - radius, centre.x(), centre.y() + radius))
+        painter.setPen(QColor(theme.dim))
+        height = metrics.height()
+        right = QRectF(centre.x() + radius, centre.y() - height / 2.0, beside, height)
+        painter.drawText(right, Qt.AlignmentFlag.AlignCenter, shown.axes[plane[0]])
+        above = QRectF(centre.x() - beside, centre.y() - radius - height, 2.0 * beside, height)
+        painter.drawText(above, Qt.AlignmentFlag.AlignCenter, shown.axes[plane[1]])
+        if largest <= 0.0:
+            return
+        scale = radius / largest
+        points = ellipse(shown.found.covariance[rank], plane) * scale
+        line = QPolygonF([centre + QPointF(x, -y) for x, y in points])
+        colour = theme.output_colour(rank)
+        fill = QColor(colour)
+        fill.setAlpha(50)
+        painter.setPen(QPen(colour, 1.2))
+        painter.setBrush(fill)
+        painter.drawPolygon(line)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        if not shown.found.none[rank]:
+            x, y = shown.found.direction[rank][list(plane)] * radius
+            painter.setPen(QPen(QColor(theme.text), 1.4))
+            painter.drawLine(QLineF(centre + QPointF(-x, y), centre + QPointF(x, -y)))
+
+
+def _cell_size(room: QRectF, count: int, n_planes: int, line: float) -> tuple[float, float]:
+    """Width and height of what one output gets: as large as all fit, but not too small."""
+    best = (_LEAST_SIDE_PX * n_planes, _LEAST_ROW_PX)
+    for across in range(1, count + 1):
+        down = -(-count // across)
+        width, height = room.width() / across, room.height() / down
+        side = min(width / n_planes, height - line)
+        if side > min(best[0] / n_planes, best[1] - line):
+            best = (width, height)
+    return best
+
+
+# Along which direction each selected output moves most.
 
 _SINGLE = "A single axis has no main axis: choose two or three axes above"
 _ALONG_ONE = "A single axis has no main axis, and this limb was measured along one alone"

@@ -1,6 +1,6 @@
-"""How far the selected outputs are above the threshold of detection, and Wh at the contact."""
+"""What ISO 5349-1 makes of the contacts, in words and as a table."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, ClassVar
@@ -8,8 +8,11 @@ from typing import Any, ClassVar
 import numpy as np
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import (
+    QAbstractItemView,
     QFileDialog,
     QLabel,
+    QTableWidget,
+    QTableWidgetItem,
     QVBoxLayout,
     QWidget,
 )
@@ -20,26 +23,165 @@ from skinsource.design.comparing import match_words
 from skinsource.design.design import Design
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
-from skinsource.engine.analysis_rules import Sensation
+from skinsource.engine.analysis_rules import SILENT_DB, Sensation
+from skinsource.limbs.locations import output_words
 from skinsource.perception.sensation import LIMITS
 from skinsource.perception.thresholds import AREA, PerceptionSettings, held, read_threshold_table
-from skinsource_gui.figure_panel import COMPUTING
-from skinsource_gui.panel import Panel
-from skinsource_gui.panels.perception.contact import (
-    Weighted,
-    contact_list,
-    contact_table,
-    contact_words,
-)
-from skinsource_gui.panels.perception.level_table import LevelTable
-from skinsource_gui.panels.perception.rows import header, rows, tab_separated
-from skinsource_gui.theme import UNIT_PX, set_tone
-from skinsource_gui.widgets.beside_or_below import BesideOrBelow
-from skinsource_gui.widgets.copy_button import CopyButton
-from skinsource_gui.widgets.empty_words import output_words
-from skinsource_gui.widgets.fields.number_field import NumberField
-from skinsource_gui.widgets.room.letter_width import LetterWidth
-from skinsource_gui.widgets.tool_button import tool_button
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.panels.figure_panel import COMPUTING
+from skinsource_gui.qt.asking import CopyButton, copied_level
+from skinsource_gui.qt.buttons import tool_button
+from skinsource_gui.qt.labels import SHORT_NAME, dress_table, give_names_the_rest
+from skinsource_gui.qt.labels import output_words as empty_words_output_words
+from skinsource_gui.qt.room import BesideOrBelow, LetterWidth
+from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.state.panel import Panel
+
+#: Weighted RMS of each place in use, m/s²; None: drives are no accelerations of the probe.
+Weighted = tuple[tuple[int, float], ...] | None
+
+_NO_WEIGHTED = "Wh: only where drives are accelerations of the probe"
+_MOST_SAID = 3
+# Word joiners: a line does not break at the slash.
+_UNIT = "m\u2060/\u2060s²"
+
+
+def contact_words(weighted: Weighted, *, as_stored: bool = False) -> str:
+    """A sentence; of many places it says the largest, and of the skin elsewhere nothing.
+
+    ``as_stored``: what else is shown has a gain that these have not.
+    """
+    if weighted is None:
+        return _NO_WEIGHTED
+    if not weighted:
+        return ""
+    if len(weighted) <= _MOST_SAID:
+        said = f"{_listed(weighted, ', ')} RMS"
+    else:
+        place, most = max(weighted, key=lambda one: one[1])
+        said = f"largest {most:.3g} {_UNIT} RMS at place {place}, of {len(weighted)} places"
+    stored = ", with the amplitudes that were stored" if as_stored else ""
+    return f"ISO 5349-1 Wh, a health weighting, not perception, of the probe itself: {said}{stored}"
+
+
+def contact_list(weighted: Weighted) -> str:
+    """All places, one a line; "" where the sentence says them all."""
+    if weighted is None or len(weighted) <= _MOST_SAID:
+        return ""
+    return "Wh, RMS\n" + _listed(weighted, "\n")
+
+
+def contact_table(weighted: Weighted) -> str:
+    """All places for a spreadsheet, below a line that is empty; "" where there are none."""
+    if not weighted:
+        return ""
+    lines = [f"{place}\t{value!r}" for place, value in weighted]
+    return "\n".join(["", "place\tiso_5349_1_wh_rms_m_per_s2", *lines]) + "\n"
+
+
+def _listed(weighted: tuple[tuple[int, float], ...], between: str) -> str:
+    return between.join(f"place {place}: {value:.3g} {_UNIT}" for place, value in weighted)
+
+
+# The table of levels above threshold.
+
+
+class LevelTable(QTableWidget):
+    """Texts in rows; the first column says which output, the others are numbers."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("perception_table")
+        self.setAccessibleName("Levels above threshold")
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        dress_table(self)
+
+    def fill(
+        self,
+        columns: Sequence[tuple[str, str]],
+        outputs: Sequence[int],
+        texts: Sequence[Sequence[str]],
+    ) -> None:
+        """Show rows of outputs under columns, of which each has a title and a hint."""
+        self.setColumnCount(len(columns))
+        self.setRowCount(len(texts))
+        give_names_the_rest(self)
+        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+        for k, (title, hint) in enumerate(columns):
+            item = QTableWidgetItem(title)
+            item.setToolTip(hint)
+            item.setTextAlignment(right if k else left)
+            self.setHorizontalHeaderItem(k, item)
+        for row, (output, line) in enumerate(zip(outputs, texts, strict=True)):
+            for k, text in enumerate(line):
+                item = QTableWidgetItem(text)
+                if k:
+                    item.setTextAlignment(right)
+                else:
+                    item.setData(SHORT_NAME, str(output))
+                    item.setToolTip(text)
+                self.setItem(row, k, item)
+
+
+# Levels above threshold as a table.
+
+_TITLES = {"P": "P\ndB", "NP I": "NP I\ndB", "own": "Own\ndB"}
+_HINTS = {
+    "P": "Above the threshold of the Pacinian channel, which governs fast vibrations",
+    "NP I": "Above the threshold of the channel NP I, which governs slow ones and the arm",
+    "own": "Above the thresholds of your own table",
+}
+
+
+def header(found: Sensation) -> list[tuple[str, str]]:
+    """Titles and hints of the columns."""
+    columns = [("Output", "Number and place"), ("Above\ndB", "Above the lowest threshold")]
+    columns += [(_TITLES[name], _HINTS[name]) for name in found.by_channel]
+    if found.strength is not None:
+        said = "Larger channel and half of the smaller one; only compares, on one limb"
+        columns.append(("Strength", said))
+    return columns
+
+
+def rows(found: Sensation, outputs: tuple[int, ...], limb: str = "") -> list[list[str]]:
+    """Texts of the rows, for outputs of a limb."""
+    return [
+        [
+            f"{output}  {output_words(output, limb).short_name}",
+            *map(_text, _numbers(found, output)),
+        ]
+        for output in outputs
+    ]
+
+
+def tab_separated(found: Sensation, outputs: tuple[int, ...], limb: str = "") -> str:
+    """The table for a spreadsheet; empty where a dash is shown."""
+    names = ["output", "place", "above_threshold_db"]
+    names += [f"{name.replace(' ', '_').lower()}_db" for name in found.by_channel]
+    names += ["strength"] if found.strength is not None else []
+    lines = ["\t".join(names)]
+    for output in outputs:
+        numbers = (copied_level(one) for one in _numbers(found, output))
+        lines.append("\t".join((str(output), output_words(output, limb).short_name, *numbers)))
+    return "\n".join(lines) + "\n"
+
+
+def _numbers(found: Sensation, output: int) -> list[float]:
+    k = output - 1
+    numbers = [float(found.level_db[k]), *(float(one[k]) for one in found.by_channel.values())]
+    if found.strength is None:
+        return numbers
+    # What is not felt at all has no strength either.
+    felt = found.level_db[k] > SILENT_DB
+    return [*numbers, float(found.strength[k]) if felt else SILENT_DB]
+
+
+def _text(value: float) -> str:
+    return "–" if value <= SILENT_DB else f"{value:z.1f}".replace("-", "−")
+
+
+# How far the selected outputs are above the threshold of detection, and Wh at the contact.
 
 _OWN_LIMITS = (
     "Thresholds are those of your table, the same at every output; sensors and force are not "
@@ -90,7 +232,7 @@ class PerceptionPanel(Panel):
         self._lay_out()
         self._connect()
         self.setFocusProxy(self.table)
-        self._say(output_words(self.in_sight))
+        self._say(empty_words_output_words(self.in_sight))
 
     @property
     def needs(self) -> frozenset[str]:
@@ -119,8 +261,8 @@ class PerceptionPanel(Panel):
         self.own.setToolTip(f"{name}. {_TAKE_OWN}" if own else _TAKE_OWN)
         self.limits.setText(_limits(self._settings, self._found, self._matched))
         if not view.outputs:
-            self._say(output_words(self.in_sight))
-        elif self.message.text() == output_words(self.in_sight):
+            self._say(empty_words_output_words(self.in_sight))
+        elif self.message.text() == empty_words_output_words(self.in_sight):
             self._say(COMPUTING)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
@@ -130,7 +272,7 @@ class PerceptionPanel(Panel):
         self.contact.setText(contact_words(self._weighted, as_stored=bool(self._matched)))
         self.contact.setToolTip(contact_list(self._weighted))
         if found.problem or not outputs:
-            self._say(found.problem or output_words(self.in_sight))
+            self._say(found.problem or empty_words_output_words(self.in_sight))
             return
         self._found, self._outputs, self._limb = found, outputs, results["limb_data"].name
         self.limits.setText(_limits(self._settings, self._found, self._matched))
@@ -155,10 +297,10 @@ class PerceptionPanel(Panel):
         self.contact.setToolTip("")
 
     def show_in_sight(self, names: frozenset[str]) -> None:
-        said = self.message.text() == output_words(self.in_sight)
+        said = self.message.text() == empty_words_output_words(self.in_sight)
         super().show_in_sight(names)
         if said:
-            self.message.setText(output_words(self.in_sight))
+            self.message.setText(empty_words_output_words(self.in_sight))
 
     def show_folder(self, folder: Path) -> None:
         self._folder = folder

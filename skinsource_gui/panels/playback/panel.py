@@ -1,14 +1,17 @@
-"""Panel of playback: device, channel map, levels, delay."""
+"""Fields of the device: which, at which rate, how late."""
 
 from dataclasses import replace
-from typing import ClassVar
+from functools import partial
+from typing import Any, ClassVar
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QObject, QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
+    QHBoxLayout,
     QLabel,
     QStyle,
+    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -16,14 +19,317 @@ from PySide6.QtWidgets import (
 from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.design import Design
 from skinsource.design.view import View
-from skinsource.lab.playing.devices import Output
-from skinsource_gui.panel import Panel
-from skinsource_gui.panels.playback.device_fields import DeviceFields
-from skinsource_gui.panels.playback.output_row import OutputRow
-from skinsource_gui.played import Played
-from skinsource_gui.theme import UNIT_PX, set_tone
-from skinsource_gui.widgets.keys import shortcut_text
-from skinsource_gui.widgets.room.steady_area import SteadyArea
+from skinsource.lab.playing.devices import (
+    LEAST_SHIFT_HZ,
+    LONGEST_LATENCY_S,
+    MOST_OUTPUTS,
+    MOST_SHIFT_HZ,
+    SHORTEST_LATENCY_S,
+    Output,
+)
+from skinsource.limbs.locations import PlaceWords, input_words
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.fields.rig_field import RigField
+from skinsource_gui.qt.keys import shortcut_text
+from skinsource_gui.qt.labels import FittingLabel, LevelMeter
+from skinsource_gui.qt.room import LetterWidth, SteadyArea
+from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
+from skinsource_gui.qt.tooltips import show_tooltip
+from skinsource_gui.state.panel import Panel
+from skinsource_gui.state.playing import Played
+
+_NUMBER_PX = 88
+_SYSTEM = "What the system plays on"
+_BETWEEN = "\n"
+_LATENCY = NumberSpec(
+    label="Delay asked for",
+    unit="s",
+    minimum=SHORTEST_LATENCY_S,
+    maximum=LONGEST_LATENCY_S,
+    step=0.001,
+    hint="The shorter, the sooner an edit is felt, and the sooner the device runs out of samples",
+)
+_SHIFT = NumberSpec(
+    label="Shift",
+    unit="Hz",
+    minimum=LEAST_SHIFT_HZ,
+    maximum=MOST_SHIFT_HZ,
+    step=10.0,
+    hint="How many hertz higher everything sounds",
+)
+
+
+class DeviceFields(QObject):
+    """Rows of a grid: words on the left, fields on the right."""
+
+    #: The `Output` that is wanted.
+    output_wanted = Signal(object)
+    devices_wanted = Signal()
+    #: The rig file that is wanted, `Path`, or None.
+    rig_wanted = Signal(object)
+
+    def __init__(self, grid: QGridLayout) -> None:
+        super().__init__()
+        self._output = Output()
+        self._shown: tuple[object, ...] = ()
+        self.device = ChoiceField(ChoiceSpec(label="Device", options=(("", _SYSTEM),)))
+        self.device.chosen.connect(self._choose_device)
+        self.look = QToolButton()
+        self.look.setText("Look again")
+        self.look.setObjectName("look_for_devices")
+        self.look.setToolTip("Look for devices that were connected since; ends what is played")
+        self.look.clicked.connect(self.devices_wanted)
+        self.rate = ChoiceField(ChoiceSpec(label="Sample rate", options=()))
+        self.rate.chosen.connect(self._choose_rate)
+        self.latency = NumberField(_LATENCY)
+        self.latency.setToolTip(_LATENCY.hint)
+        self.latency.edited.connect(self._choose_latency)
+        self.stand_in = QToolButton()
+        self.stand_in.setText("Stand-in for the ears")
+        self.stand_in.setCheckable(True)
+        self.stand_in.setObjectName("stand_in")
+        self.stand_in.setToolTip(
+            "For people without actuators: all channels, from left to right in their order, with "
+            "all frequencies shifted up by as many hertz"
+        )
+        self.stand_in.clicked.connect(self._choose_stand_in)
+        self.shift = NumberField(_SHIFT)
+        self.shift.setToolTip(_SHIFT.hint)
+        self.shift.edited.connect(self._choose_shift)
+        self.rig = RigField()
+        self.rig.wanted.connect(self.rig_wanted)
+        for widget, name in (
+            (self.device, "device"),
+            (self.rig, "rig"),
+            (self.rate, "sample_rate"),
+            (self.latency, "latency"),
+            (self.shift, "shift"),
+        ):
+            widget.setObjectName(f"{name}_field")
+            widget.setAccessibleName(name.replace("_", " ").capitalize())
+        for field in (self.latency, self.shift):
+            LetterWidth(field, _NUMBER_PX)
+        delay = _row(self.latency, self.look)
+        rows: tuple[tuple[str, QWidget], ...] = (
+            ("Device", self.device),
+            ("Sample rate", self.rate),
+            ("Delay asked for", delay),
+            ("Rig", self.rig),
+        )
+        for row, (words, part) in enumerate(rows):
+            grid.addWidget(QLabel(words), row, 0)
+            grid.addWidget(part, row, 1)
+        # A column of the grid would be as wide as these words: fields would have what is left.
+        grid.addWidget(_row(self.stand_in, QLabel("shift"), self.shift), 4, 0, 1, 2)
+
+    def show_played(self, played: Played) -> None:
+        """Take over what is chosen, and what can be."""
+        shown = played.output, played.devices, played.rates_hz, played.rig_title
+        if shown == self._shown:
+            return
+        self._shown, self._output = shown, played.output
+        options = [("", _SYSTEM)]
+        options += [(_key(one.name, one.host_api), one.title) for one in played.devices]
+        _fill(self.device, options, _key_of(played))
+        rates = sorted({*played.rates_hz, played.output.sample_rate_hz})
+        words = [(str(rate), f"{rate:,} Hz".replace(",", " ")) for rate in rates]
+        _fill(self.rate, words, str(played.output.sample_rate_hz))
+        self.rig.show_rig(played.rig_title or None)
+        self.latency.set_value(played.output.latency_s)
+        self.shift.set_value(played.output.shift_hz)
+        self.shift.setEnabled(played.output.stand_in)
+        self.stand_in.setChecked(played.output.stand_in)
+
+    def _choose_device(self, key: str, _gesture: int | None) -> None:
+        name, _, host_api = key.partition(_BETWEEN)
+        self._want(device=name, host_api=host_api)
+
+    def _choose_rate(self, rate: str, _gesture: int | None) -> None:
+        self._want(sample_rate_hz=int(rate))
+
+    def _choose_latency(self, latency_s: float, _gesture: int | None) -> None:
+        self._want(latency_s=latency_s)
+
+    def _choose_stand_in(self, on: bool) -> None:
+        self._want(stand_in=on)
+
+    def _choose_shift(self, shift_hz: float, _gesture: int | None) -> None:
+        self._want(shift_hz=shift_hz)
+
+    def _want(self, **changes: Any) -> None:
+        self.output_wanted.emit(replace(self._output, **changes))
+
+
+def _row(*parts: QWidget) -> QWidget:
+    """Widgets beside each other, as wide as they like to be."""
+    row = QWidget()
+    layout = QHBoxLayout(row)
+    layout.setContentsMargins(0, 0, 0, 0)
+    for part in parts:
+        layout.addWidget(part)
+    layout.addStretch(1)
+    return row
+
+
+def _key(name: str, host_api: str) -> str:
+    return f"{name}{_BETWEEN}{host_api}" if name else ""
+
+
+def _key_of(played: Played) -> str:
+    """That of the chosen device; where no system of it was chosen, of the first of its name."""
+    output = played.output
+    for one in played.devices:
+        if one.name == output.device and output.host_api in ("", one.host_api):
+            return _key(one.name, one.host_api)
+    return _key(output.device, output.host_api)
+
+
+def _fill(field: ChoiceField, options: list[tuple[str, str]], chosen: str) -> None:
+    """Offer other choices."""
+    with QSignalBlocker(field):
+        field.clear()
+        for option, words in options:
+            field.addItem(words, option)
+        field.set_value(chosen)
+
+
+# One place of the design: its output, how loud that is, and a tone to find it by.
+
+_METER_PX, _LEAST_METER_PX, _OUTPUT_ROW_NUMBER_PX = 8, 48, 56
+_WIDEST_LEVEL = "\u2212100.0 dBFS"
+_SILENT_DB = -200.0
+
+
+class OutputRow(QObject):
+    """Its widgets stand in one row of a grid.
+
+    Parameters
+    ----------
+    grid, row
+        Where.
+    place, output
+        Input place, and the output, from 1, that drives its actuator.
+    """
+
+    #: The place, and the output that shall drive it.
+    output_wanted = Signal(int, int)
+    #: The output that shall play a tone.
+    tone_wanted = Signal(int)
+
+    def __init__(self, grid: QGridLayout, row: int, place: int, output: int, limb: str) -> None:
+        super().__init__()
+        words = input_words(place, limb)
+        self.place = place
+        self.title = _Title(place, words)
+        spec = NumberSpec(
+            label=f"Output of place {place}", minimum=1, maximum=MOST_OUTPUTS, whole=True
+        )
+        self.output = NumberField(spec, widest_unit="")
+        self.output.setObjectName(f"output_of_{place}")
+        self.output.setAccessibleName(spec.label)
+        self.output.setToolTip("Number of the output of the device that its actuator is wired to")
+        LetterWidth(self.output, _OUTPUT_ROW_NUMBER_PX)
+        self.output.edited.connect(self._choose)
+        self.meter = LevelMeter()
+        self.meter.setFixedHeight(_METER_PX)
+        self.level = QLabel()
+        self.level.setFont(tabular(self.level.font()))
+        self.level.setObjectName(f"level_of_{place}")
+        self.level.hide()
+        self.loudness = _Loudness(self.meter, self.level)
+        self.tone = QToolButton()
+        self.tone.setText("Test tone")
+        self.tone.setObjectName(f"tone_of_{place}")
+        self.tone.clicked.connect(partial(self._ask_tone))
+        for column, widget in enumerate(self.widgets):
+            grid.addWidget(widget, row, column)
+        self.show_output(output)
+
+    @property
+    def widgets(self) -> tuple[QLabel, NumberField, QWidget, QToolButton]:
+        """From left to right."""
+        return self.title, self.output, self.loudness, self.tone
+
+    def show_output(self, output: int) -> None:
+        """Show another output."""
+        self.output.set_value(float(output))
+        self.tone.setAccessibleName(f"Test tone on output {output}, place {self.place}")
+
+    def show_played(self, played: Played) -> None:
+        """Show how loud its output is, and whether a tone can be heard on it."""
+        self._offer_tone(played.missing)
+        index = round(self.output.value_si) - 1
+        levels = played.levels
+        if levels is None or index >= levels.rms_db.size:
+            self.meter.show_level(_SILENT_DB, _SILENT_DB)
+            self._say_level("")
+            return
+        self.meter.show_level(float(levels.rms_db[index]), float(levels.peak_db[index]))
+        highest_db = float(levels.highest_db[index])
+        self._say_level(
+            "silent"
+            if highest_db <= _SILENT_DB
+            else f"{highest_db:z.1f} dBFS".replace("-", "\u2212")
+        )
+
+    def _choose(self, output: float, _gesture: int | None) -> None:
+        self.output_wanted.emit(self.place, round(output))
+
+    def _say_level(self, words: str) -> None:
+        # Alone, the bar stands in the middle.
+        self.level.setText(words)
+        self.level.setVisible(bool(words))
+
+    def _offer_tone(self, missing: str) -> None:
+        self.tone.setEnabled(not missing)
+        show_tooltip(
+            self.tone,
+            missing
+            or f"0.6 s of 100 Hz on output {round(self.output.value_si)} alone, at the gain above, "
+            f"to find the actuator of place {self.place}",
+        )
+
+    def _ask_tone(self) -> None:
+        self.tone_wanted.emit(round(self.output.value_si))
+
+
+class _Title(FittingLabel):
+    """A place and its name, which gives way to what is pressed and typed; the number stays."""
+
+    def __init__(self, place: int, words: PlaceWords) -> None:
+        super().__init__()
+        self._least = f"{place} · …"
+        self.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        self.show_phrases((f"{place} · {words.name}", f"{place} · {words.short_name}"))
+        self.setToolTip(words.name)
+
+    def minimumSizeHint(self) -> QSize:
+        least = self.fontMetrics().horizontalAdvance(self._least) + 4
+        return QSize(least, super().minimumSizeHint().height())
+
+
+class _Loudness(QWidget):
+    """A bar, and its level below: beside it there would be no room in a narrow panel."""
+
+    def __init__(self, meter: LevelMeter, level: QLabel) -> None:
+        super().__init__()
+        self._level = level
+        below = QVBoxLayout(self)
+        below.setContentsMargins(0, 0, 0, 0)
+        below.setSpacing(2)
+        below.addWidget(meter)
+        below.addWidget(level)
+
+    def minimumSizeHint(self) -> QSize:
+        # Kept while nothing is heard: rows would widen, and cut what is beside them.
+        room_px = self._level.fontMetrics().horizontalAdvance(_WIDEST_LEVEL)
+        return QSize(max(room_px, _LEAST_METER_PX), super().minimumSizeHint().height())
+
+
+# Panel of playback: device, channel map, levels, delay.
 
 _NO_INPUTS = "No place is in use: click one on the hand."
 _NOT_WIRED = "The rig wires no place that is in use."

@@ -1,44 +1,282 @@
-"""RMS levels by region: of snapshots side by side, and of the design on all people's limbs."""
+"""Columns of the table of regions."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import ClassVar
 
+import numpy as np
 from PySide6.QtCore import QEvent, QSize, Qt
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtGui import QFont, QResizeEvent
 from PySide6.QtWidgets import (
+    QAbstractItemView,
     QBoxLayout,
     QHBoxLayout,
     QSizePolicy,
+    QTableWidget,
+    QTableWidgetItem,
     QVBoxLayout,
     QWidget,
 )
 
-from skinsource.design.comparing import limbs_beside
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.design.comparing import (
+    REGION_OUTPUTS,
+    limbs_beside,
+    mean_and_spread,
+    region_levels_db,
+)
 from skinsource.design.design import Design
-from skinsource.design.labels import signal_words, span_words
+from skinsource.design.labels import LIMBS, signal_words, span_words, word_of
 from skinsource.design.view import View
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.own_limbs import missing_limb
-from skinsource_gui.compared import (
+from skinsource_gui.fields.units import minus
+from skinsource_gui.panels.figure_panel import COMPUTING
+from skinsource_gui.plots.figure import WordsLabel
+from skinsource_gui.qt.asking import CopyButton, copied_level
+from skinsource_gui.qt.labels import dress_table
+from skinsource_gui.qt.room import SteadyArea
+from skinsource_gui.qt.theme import UNIT_PX, scaled, tabular
+from skinsource_gui.state.compared import (
     LEVELS_MATCHED,
     Compared,
     alike_in_level,
+    gain_db,
     matched_text,
     shown_words,
 )
-from skinsource_gui.panel import Panel
-from skinsource_gui.panels.regions.columns import (
-    NO_REGIONS,
-    Column,
-    columns_of,
-    columns_of_people,
-    tab_separated,
-)
-from skinsource_gui.panels.regions.table import RegionTable
-from skinsource_gui.theme import UNIT_PX
-from skinsource_gui.widgets.copy_button import CopyButton
-from skinsource_gui.widgets.figure.words_label import WordsLabel
-from skinsource_gui.widgets.room.steady_area import SteadyArea
+from skinsource_gui.state.panel import Panel
+
+#: What is said of own limbs.
+NO_REGIONS = "Of an own limb it is not known which outputs lie in which region"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Column:
+    """A column: its title, what it is, and a text and a number for each region.
+
+    ``head`` is the title in two narrow lines, where it is not as narrow itself; ``spelt`` what the
+    table for a spreadsheet has in its place; ``computing``: there are no numbers yet.
+    """
+
+    title: str
+    hint: str
+    numbers: tuple[float, ...]
+    head: str = ""
+    synthetic: bool = False
+    computing: bool = False
+    spelt: str = ""
+
+    @property
+    def has_levels(self) -> bool:
+        """Whether there is any number: there is none of a limb that is missing, or of silence."""
+        return any(np.isfinite(one) and one > FLOOR_DB for one in self.numbers)
+
+    def texts(self) -> list[str]:
+        """As they are shown: a dash where there is no number, as for silence; dots until it is."""
+        if self.computing:
+            return ["…"] * len(self.numbers)
+        return [
+            "–" if not np.isfinite(one) or one <= FLOOR_DB else f"{one:z.1f}".replace("-", "−")
+            for one in self.numbers
+        ]
+
+
+def columns_of(snapshots: Sequence[Compared], *, matched: bool) -> list[Column]:
+    """Snapshots, where any is stored; ``matched``: they are shown as loud as each other."""
+    if len(snapshots) < 2:
+        return []
+    found = [_column(*_stored(one), one) for one in snapshots]
+    if not matched:
+        return found
+    said = [f", {LEVELS_MATCHED} ({minus(f'{gain_db(one):+z.1f}')} dB)" for one in snapshots]
+    return [
+        replace(column, hint=f"{column.hint}{words}") if column.has_levels else column
+        for column, words in zip(found, said, strict=True)
+    ]
+
+
+def columns_of_people(people: Sequence[Compared]) -> list[Column]:
+    """People, their mean, and their standard deviation."""
+    of_people = [_column(*_names(one), one) for one in people]
+    found = list(of_people)
+    known = [one.numbers for one in of_people if np.isfinite(one.numbers).all()]
+    # A mean of those that happen to be known already would change by itself.
+    computing = any(one.values is None and not one.problem for one in people)
+    if len(known) > 1 and not computing:
+        by_region = np.array(known).T
+        pairs = [mean_and_spread(levels) for levels in by_region]
+        # Silence is no level that others could lie about.
+        felt = [bool(np.all(levels > FLOOR_DB)) for levels in by_region]
+        what = f"over {len(known)} people, dB"
+        found.append(
+            Column(
+                title="Mean",
+                hint=f"Mean {what} re 1 m/s²",
+                numbers=tuple(mean for mean, _ in pairs),
+                spelt=f"Mean over {len(known)} people",
+            )
+        )
+        found.append(
+            Column(
+                title="± dB",
+                head="±\ndB",
+                hint=f"Standard deviation {what}",
+                spelt=f"Standard deviation {what}",
+                numbers=tuple(
+                    spread if heard else float("nan")
+                    for (_, spread), heard in zip(pairs, felt, strict=True)
+                ),
+            )
+        )
+    return found
+
+
+def _limb(one: Compared) -> str:
+    return one.snapshot.design.limb
+
+
+def _names(one: Compared) -> tuple[str, str]:
+    """Title and head of a limb; one that is computed is called so."""
+    number = _limb(one).rpartition("-")[2]
+    if _is_synthetic(one):
+        return f"Synthetic {number}", f"Syn.\n{number}"
+    return f"Limb {number}", f"Limb\n{number}"
+
+
+def _stored(one: Compared) -> tuple[str, str]:
+    """Title and head of a snapshot."""
+    return (f"{one.name}, synthetic", f"{one.name}\nsyn.") if _is_synthetic(one) else (one.name, "")
+
+
+def _is_synthetic(one: Compared) -> bool:
+    return _limb(one).startswith("synthetic-")
+
+
+def _column(title: str, head: str, one: Compared) -> Column:
+    kind = "synthetic" if _is_synthetic(one) else "measured"
+    spelt = title if kind in title.lower() else f"{title}, {kind}"
+    if _limb(one) not in PUBLISHED:
+        spelt = title
+    said = partial(Column, title=title, head=head, synthetic=_is_synthetic(one), spelt=spelt)
+    nothing = (float("nan"),) * len(REGION_OUTPUTS)
+    if one.values is None:
+        computing = not one.problem
+        return said(hint=one.problem or COMPUTING, numbers=nothing, computing=computing)
+    if _limb(one) not in PUBLISHED:
+        return said(hint=NO_REGIONS, numbers=nothing)
+    rms = 10.0 ** (one.values["output_levels_db"] / 20.0)
+    levels = region_levels_db(rms * one.gain)
+    limb = word_of(LIMBS, _limb(one)).title
+    return said(hint=f"{title}: dB re 1 m/s², {limb}", numbers=tuple(levels.values()))
+
+
+def tab_separated(columns: Sequence[Column]) -> str:
+    """The table for a spreadsheet; empty where a dash is shown."""
+    lines = [
+        "\t".join(
+            (
+                "region_db_re_1_m_per_s2",
+                *(one.spelt or one.title for one in columns),
+            )
+        )
+    ]
+    for row, region in enumerate(REGION_OUTPUTS):
+        lines.append("\t".join((region, *(copied_level(one.numbers[row]) for one in columns))))
+    return "\n".join(lines) + "\n"
+
+
+# One table of levels: a row for each region, as high as all of them.
+
+#: Size of its words: six columns beside the names of regions need it.
+_TEXT = 0.9
+# Of a row, besides what its name needs.
+_ROW_PX = 1
+#: Names where those of the table have too little room.
+_SHORT = {"Back of the hand": "Back", "Wrist, palm side": "W. palm"}
+
+
+class RegionTable(QTableWidget):
+    """Columns beside the names of regions; what is around it scrolls up and down."""
+
+    def __init__(self, name: str, title: str) -> None:
+        super().__init__(len(REGION_OUTPUTS), 0)
+        self.setObjectName(name)
+        self.setAccessibleName(title)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        dress_table(self)
+        # Names stay in sight where there are more columns than have room.
+        self.verticalHeader().show()
+        self.fit_words(self.font())
+
+    @property
+    def needed_px(self) -> int:
+        """Width that shows all columns beside whole names."""
+        return self._names_px() + self.horizontalHeader().length() + 2 * self.frameWidth()
+
+    def show_columns(self, columns: Sequence[Column]) -> None:
+        """Show them in this order."""
+        self.setColumnCount(len(columns))
+        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        for k, column in enumerate(columns):
+            head = QTableWidgetItem(column.head or column.title)
+            head.setToolTip(column.hint)
+            self.setHorizontalHeaderItem(k, head)
+            for row, text in enumerate(column.texts()):
+                item = QTableWidgetItem(text)
+                item.setTextAlignment(right)
+                item.setToolTip(column.hint)
+                self.setItem(row, k, item)
+        self.setVisible(bool(columns))
+        self._name_rows()
+        self._fit_height()
+
+    def fit_words(self, around: QFont) -> None:
+        """Take over the size of the words around."""
+        font = scaled(tabular(around), _TEXT)
+        for part in (self, self.horizontalHeader(), self.verticalHeader()):
+            part.setFont(font)
+        self._name_rows()
+        self._fit_height()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._name_rows()
+
+    def event(self, event: QEvent) -> bool:
+        done = super().event(event)
+        if event.type() == QEvent.Type.LayoutRequest:
+            self._fit_height()
+        return done
+
+    def _fit_height(self) -> None:
+        head = self.horizontalHeader().sizeHint().height()
+        bar = self.horizontalScrollBar()
+        below = bar.sizeHint().height() if bar.maximum() > 0 else 0
+        self.setFixedHeight(head + self.verticalHeader().length() + below + 2 * self.frameWidth())
+
+    def _names_px(self) -> int:
+        return max(map(self.fontMetrics().horizontalAdvance, REGION_OUTPUTS)) + 2 * UNIT_PX
+
+    def _name_rows(self) -> None:
+        """Call regions by their names, or shorter where the numbers need the room."""
+        names = list(REGION_OUTPUTS)
+        if self.needed_px > self.width():
+            names = [_SHORT.get(name, name) for name in names]
+        self.setVerticalHeaderLabels(names)
+        for row, name in enumerate(REGION_OUTPUTS):
+            item = self.verticalHeaderItem(row)
+            item.setToolTip(name)
+            # The header itself takes over the font around it once it is shown.
+            item.setFont(self.font())
+        rows = self.verticalHeader()
+        rows.setDefaultSectionSize(max(map(rows.sectionSizeHint, range(rows.count()))) + _ROW_PX)
+
+
+# RMS levels by region: of snapshots side by side, and of the design on all people's limbs.
 
 _NEEDS = frozenset({"output_levels_db"})
 

@@ -1,15 +1,72 @@
 """What maps side by side show."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any, ClassVar
 
 import numpy as np
 
 from skinsource.base.arrays import Floats
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.base.published import Axes
+from skinsource.base.quoting import printable
+from skinsource.design.comparing import (
+    EDITED,
+    MOST_BESIDE,
+    Snapshot,
+    difference_db,
+    end_db,
+    limbs_beside,
+    mean_and_spread_over,
+    nothing_to_compare,
+    same_outputs,
+    shown,
+)
 from skinsource.design.design import Design
-from skinsource_gui.widgets.fields.level_text import output_text
-from skinsource_gui.widgets.map.scale_row import SILENT, Scale
-from skinsource_gui.widgets.map.small_map import SmallMap
+from skinsource.design.labels import (
+    AXES,
+    limb_word,
+    short_limb_title,
+    signal_words,
+    span_words,
+    word_of,
+)
+from skinsource.design.view import View
+from skinsource.limbs.limb import PUBLISHED
+from skinsource.limbs.own_limbs import axes_on
+from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
+from skinsource.specs import fields
+from skinsource.specs.spec import ChoiceSpec, SwitchSpec, TextSpec
+from skinsource.studies import scenes
+from skinsource_gui.fields.units import output_text
+from skinsource_gui.plots.colour_maps import DIVERGING
+from skinsource_gui.plots.small_map import (
+    SILENT,
+    USUAL_LOOK,
+    LevelLook,
+    Range,
+    Scale,
+    SmallMap,
+    SmallMaps,
+    level_look,
+    scale_of_levels,
+    scale_of_own,
+    with_matched,
+)
+from skinsource_gui.qt.asking import copied_level
+from skinsource_gui.state.compared import (
+    ELSEWHERE,
+    LEVELS_MATCHED,
+    SILENCE,
+    Compared,
+    alike_in_level,
+    gain_db,
+    is_silent,
+    matched_text,
+    shown_words,
+)
+from skinsource_gui.state.compared import SILENT as COMPARED_SILENT
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -128,3 +185,565 @@ class Content:
         if any(cell.maximum_db is not None for cell in drawn):
             values = f"{values} re each map's maximum"
         return f"{output_text(output, drawn[0].limb)}: {values}"
+
+
+# The maps of designs side by side: their levels, their differences, their mean and spread.
+
+#: What something is called, in ever fewer words.
+Names = tuple[str, ...]
+
+
+class Cells:
+    """Makes the maps; the pixels of each are made once."""
+
+    def __init__(self) -> None:
+        self._maps: dict[str, SmallMaps] = {}
+        self._before: dict[str, SmallMaps] = {}
+
+    def of_levels(
+        self, compared: Sequence[Compared], names: Sequence[Names], look: LevelLook = USUAL_LOOK
+    ) -> tuple[Cell, ...]:
+        """A map of the levels of each, in the same colours over the same range."""
+        self._begin()
+        known = [_levels_db(one) for one in compared if one.values is not None]
+        loudest = np.array([levels.max() for levels in known])
+        scale = scale_of_levels(loudest, look)
+        return tuple(
+            self._levels(one, name, scale) for one, name in zip(compared, names, strict=True)
+        )
+
+    def of_own_maxima(
+        self,
+        compared: Sequence[Compared],
+        names: Sequence[Names],
+        look: LevelLook = USUAL_LOOK,
+    ) -> tuple[Cell, ...]:
+        """A map of the levels of each relative to its own loudest output, in colours of a look."""
+        self._begin()
+        scale, pairs = scale_of_own(look), zip(compared, names, strict=True)
+        return tuple(self._levels(one, name, scale, own=True) for one, name in pairs)
+
+    def of_differences(
+        self, compared: Sequence[Compared], names: Sequence[Names], reference: int
+    ) -> tuple[Cell, ...]:
+        """A map of how much louder each of the others is than the one at ``reference``."""
+        self._begin()
+        base, of_base = compared[reference], names[reference]
+        cells = [
+            self._difference(one, _minus(of_one, of_base), base)
+            for k, (one, of_one) in enumerate(zip(compared, names, strict=True))
+            if k != reference
+        ]
+        drawn = [cell.values_db for cell in cells if cell.values_db is not None]
+        end, reached = end_db(*drawn), _reached_db(drawn)
+        scale = Scale(
+            range_db=(-end, end), words="dB", colours=DIVERGING, signed=True, reached_db=reached
+        )
+        return tuple(cell if cell.small is None else replace(cell, scale=scale) for cell in cells)
+
+    def of_spread(
+        self,
+        compared: Sequence[Compared],
+        names: Sequence[Names],
+        reference: int,
+        look: LevelLook = USUAL_LOOK,
+    ) -> tuple[Cell, ...]:
+        """Mean and standard deviation over all whose outputs are at the places of ``reference``."""
+        self._begin()
+        base = compared[reference]
+        limb = _limb(base)
+        pairs = zip(compared, names, strict=True)
+        alike = [(one, words) for one, words in pairs if same_outputs(limb, _limb(one))]
+        # Silence is no level that others could lie about.
+        felt = [(one, words) for one, words in alike if one.values and not is_silent(one)]
+        known = [one for one, _ in felt]
+        # A mean of those that happen to be known already would change by itself.
+        computing = any(one.values is None and not one.problem for one, _ in alike)
+        if base.values is None or computing or len(known) < 2:
+            few = (
+                "A mean takes two at least that are not silent and have outputs at the same places."
+            )
+            problem = base.problem or next((one.problem for one, _ in alike if one.problem), few)
+            return (Cell(headings=("",), limb=limb, words="" if computing else problem),)
+        mean, spread = mean_and_spread_over([_levels_db(one) for one in known])
+        called = [words for _, words in felt]
+        what = _of_all(called, len(compared))
+        late = any(one.late for one in known)
+        noisy = _noisy(*known)
+        common: dict[str, Any] = {
+            "limb": limb,
+            "late": late,
+            "synthetic": any(_synthetic(one) for one in known),
+        }
+        of_mean = scale_of_levels(mean, look)
+        of_spread = Scale(
+            range_db=(0.0, end_db(spread)),
+            words="dB",
+            colours=look.colours,
+            reached_db=_reached_db([spread]),
+        )
+        return (
+            Cell(
+                headings=(*(f"Mean {one}" for one in what), "Mean"),
+                small=self._map("mean", base, mean, noisy),
+                scale=of_mean,
+                **common,
+            ),
+            Cell(
+                headings=(
+                    *(f"Standard deviation {one}" for one in what),
+                    *(f"Spread {one}" for one in what),
+                    "Spread",
+                ),
+                small=self._map("spread", base, spread, noisy),
+                scale=of_spread,
+                **common,
+            ),
+        )
+
+    def _difference(self, one: Compared, headings: Names, base: Compared) -> Cell:
+        cell = Cell(headings=headings, limb=_limb(one), late=one.late or base.late)
+        if problem := one.problem or base.problem:
+            return replace(cell, words=problem)
+        if not same_outputs(_limb(one), _limb(base)):
+            return replace(cell, words=ELSEWHERE)
+        if one.values is None or base.values is None:
+            return cell
+        if is_silent(one) or is_silent(base):
+            return replace(cell, words=SILENCE)
+        levels = difference_db(_levels_db(one), _levels_db(base))
+        both = _synthetic(one) or _synthetic(base)
+        small = self._map(headings[0], one, levels, _noisy(one, base))
+        return replace(cell, small=small, synthetic=both)
+
+    def _levels(self, one: Compared, names: Names, scale: Scale, *, own: bool = False) -> Cell:
+        cell = Cell(headings=names, limb=_limb(one), words=one.problem, late=one.late)
+        if one.values is None:
+            return cell
+        small, maximum_db = self._map(names[0], one, None, _noisy(one)), None
+        if own and not is_silent(one):
+            maximum_db = float(_levels_db(one).max())
+            small = _relative(small, maximum_db)
+        return replace(
+            cell,
+            small=small,
+            scale=scale,
+            maximum_db=maximum_db,
+            design=one.snapshot.design,
+            synthetic=_synthetic(one),
+        )
+
+    def _begin(self) -> None:
+        self._before, self._maps = self._maps, {}
+
+    def _map(
+        self, kept: str, one: Compared, levels_db: Floats | None, noisy: tuple[int, ...]
+    ) -> SmallMap:
+        """A map on the limb of ``one``: of its levels as they are shown, or of others."""
+        values: dict[str, Any] = dict(one.values or {})
+        if levels_db is not None:
+            values["output_levels_db"] = levels_db
+            values["surface_levels_db"] = values["surface"].interpolate(levels_db)
+        elif one.gain != 1.0:
+            values["output_levels_db"] = _levels_db(one)
+            values["surface_levels_db"] = values["surface_levels_db"] + gain_db(one)
+        self._maps[kept] = maps = self._before.pop(kept, None) or SmallMaps()
+        return replace(maps.map_of(values), noisy=noisy)
+
+
+def _relative(small: SmallMap, maximum_db: float) -> SmallMap:
+    """The same map with its levels re ``maximum_db``; what is silent stays so."""
+    levels, field = small.levels_db, small.field_levels_db
+    return replace(
+        small,
+        levels_db=None if levels is None else _below(levels, maximum_db),
+        field_levels_db=None if field is None else field - maximum_db,
+    )
+
+
+def _below(levels_db: Floats, maximum_db: float) -> Floats:
+    return np.where(levels_db > FLOOR_DB, levels_db - maximum_db, levels_db)
+
+
+def _of_all(called: Sequence[Names], n_compared: int) -> Names:
+    """Of how many and of which; where some cannot take part, of how many there are."""
+    number = f"of {len(called)}"
+    if len(called) < n_compared:
+        number += f" of {n_compared}"
+    listed = ", ".join(one[min(1, len(one) - 1)] for one in called)
+    return f"{number}: {listed}", number
+
+
+def _minus(one: Names, other: Names) -> Names:
+    """What a difference is called; as few words of both."""
+    n = max(len(one), len(other))
+    pairs = [(one[min(k, len(one) - 1)], other[min(k, len(other) - 1)]) for k in range(n)]
+    return tuple(f"{this} minus {that}" for this, that in pairs)
+
+
+def _reached_db(drawn: Sequence[Floats]) -> Range | None:
+    """The smallest and the largest of all values; None where there is none."""
+    known = [one for one in drawn if one.size]
+    if not known:
+        return None
+    return (min(float(one.min()) for one in known), max(float(one.max()) for one in known))
+
+
+def _levels_db(one: Compared) -> Floats:
+    """Levels as it is shown: as loud as the others, where that is wanted."""
+    levels: Floats = (one.values or {})["output_levels_db"]
+    return levels if one.gain == 1.0 else levels + gain_db(one)
+
+
+def _noisy(*compared: Compared) -> tuple[int, ...]:
+    """Numbers of the outputs that are mostly noise in any of them."""
+    known = [(one.values or {}).get("above_noise_db") for one in compared]
+    found = {
+        int(k) + 1
+        for levels in known
+        if levels is not None
+        for k in np.flatnonzero(levels < LEAST_ABOVE_NOISE_DB)
+    }
+    return tuple(sorted(found))
+
+
+def _limb(one: Compared) -> str:
+    return one.snapshot.design.limb
+
+
+def _synthetic(one: Compared) -> bool:
+    return one.values is not None and bool(one.values["limb_data"].synthetic)
+
+
+# What only the panel of maps side by side looks at.
+
+OF = ChoiceSpec(
+    label="Of",
+    options=(("limbs", "Limbs"), ("snapshots", "Snapshots"), ("axes", "Axes")),
+    hint="The present design on several limbs; snapshots: of this design, and designs of files; or "
+    "the present design along each axis of the sensors",
+)
+SHOWN = ChoiceSpec(
+    label="Shown",
+    options=(
+        ("levels", "Levels"),
+        ("difference", "Difference"),
+        ("mean", "Mean, spread"),
+    ),
+    hint="The levels of each, in the same colours; how much louder each of the others is than the "
+    "one in the window; or the mean of all and their standard deviation",
+)
+OWN_MAXIMUM = SwitchSpec(
+    label="Each to its maximum",
+    hint="Draw the levels of each map relative to its own loudest output: how far each reaches is "
+    "seen where the others are louder",
+)
+LIMBS = TextSpec(label="Limbs", longest=200, one_line=True)
+#: Fewer are not side by side.
+LEAST_BESIDE = 2
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SideBySideSettings:
+    """What is compared, and how.
+
+    Attributes
+    ----------
+    of
+        ``"limbs"``, ``"snapshots"`` or ``"axes"``.
+    shown
+        ``"levels"``, ``"difference"`` or ``"mean"``; of axes always the levels.
+    own_maximum
+        Whether the levels of each are drawn relative to its own loudest output.
+    limbs
+        Names of the chosen limbs with spaces between; empty: those that belong beside the one of
+        the design, see `skinsource.design.comparing.limbs_beside`.
+    """
+
+    of: str = fields.choice("limbs", OF)
+    shown: str = fields.choice("levels", SHOWN)
+    own_maximum: bool = fields.switch(False, OWN_MAXIMUM)
+    limbs: str = fields.text("", LIMBS)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+    def chosen(self, limb: str) -> tuple[str, ...]:
+        """Names of the limbs that are shown beside each other while a design is on ``limb``."""
+        if not self.limbs.strip():
+            return limbs_beside(limb)
+        return tuple(dict.fromkeys(self.limbs.split()))[:MOST_BESIDE]
+
+
+# What can stand side by side: where it comes from, and what is said of it.
+
+#: What a map of levels takes.
+LEVELS = frozenset(
+    {
+        "limb_map",
+        "limb_data",
+        "output_levels_db",
+        "above_noise_db",
+        "surface",
+        "surface_levels_db",
+    }
+)
+
+
+class Kind:
+    """One thing that is chosen under "Of"; it remembers nothing.
+
+    Attributes
+    ----------
+    fields
+        Which parts of the bar above the maps are about it, beside the choice itself.
+    needs, needs_of_snapshots
+        As of a panel.
+    own
+        Whether the sides come from the results of the design in the window.
+    """
+
+    fields: ClassVar[frozenset[str]] = frozenset()
+    needs: ClassVar[frozenset[str]] = LEVELS
+    needs_of_snapshots: ClassVar[frozenset[str]] = frozenset()
+    own: ClassVar[bool] = False
+
+    def needs_on_limbs(
+        self, settings: SideBySideSettings, limb: str
+    ) -> Mapping[str, frozenset[str]]:
+        """As of a panel, while the design is on ``limb``."""
+        del settings, limb
+        return {}
+
+    def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
+        """The sides, from results of the design in the window, which hold what it ``needs``."""
+        del design, results
+        return ()
+
+    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
+        """What the sides are called, each in ever fewer words."""
+        raise NotImplementedError
+
+    def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
+        """Which of them is the one in the window; the first where none is."""
+        del compared, design, view
+        return 0
+
+    def hindrance(self, compared: Sequence[Compared], view: View) -> str:
+        """Why nothing can be compared, in a sentence; empty where something can."""
+        del view
+        known = [one for one in compared if one.values is not None]
+        return COMPARED_SILENT if known and all(is_silent(one) for one in known) else ""
+
+    def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
+        """What the levels are."""
+        words = f"RMS of {signal_words(view.axes, view.method)} · {span_words(view.span)}"
+        without = "without inputs that cannot be played"
+        left_out = without if any(one.left_out for one in compared) else ""
+        return " · ".join(part for part in (words, shown_words(design, view), left_out) if part)
+
+    def shown(self, settings: SideBySideSettings) -> str:
+        """What is shown of the sides: the levels where there is no choice."""
+        return settings.shown if "shown" in self.fields else "levels"
+
+    def drawn(
+        self,
+        cells: Cells,
+        compared: Sequence[Compared],
+        design: Design,
+        view: View,
+        settings: SideBySideSettings,
+    ) -> tuple[Cell, ...]:
+        """The maps of the sides, made by ``cells``; scales say by how much levels are matched."""
+        found = self._cells(cells, compared, design, view, settings)
+        matched = matched_text(compared) or shown_words(design, view)
+        return tuple(
+            one if one.scale is None else replace(one, scale=with_matched(one.scale, matched))
+            for one in found
+        )
+
+    def _cells(
+        self,
+        cells: Cells,
+        compared: Sequence[Compared],
+        design: Design,
+        view: View,
+        settings: SideBySideSettings,
+    ) -> tuple[Cell, ...]:
+        shown = self.shown(settings)
+        names = self.names(compared, view, difference=shown == "difference")
+        if shown == "levels" and settings.own_maximum:
+            return cells.of_own_maxima(compared, names, level_look(view))
+        if shown == "levels":
+            return cells.of_levels(compared, names, level_look(view))
+        reference = self.reference(compared, design, view)
+        if shown == "difference":
+            return cells.of_differences(compared, names, reference)
+        return cells.of_spread(compared, names, reference, level_look(view))
+
+
+# The present design along each axis of the sensors.
+
+#: What is told axis by axis, and what a map calls it.
+_PER_AXIS = {
+    "axis_levels_db": "output_levels_db",
+    "axis_surface_levels_db": "surface_levels_db",
+    "axis_above_noise_db": "above_noise_db",
+}
+_COMMON = frozenset({"limb_map", "limb_data", "surface"})
+
+
+class OfAxes(Kind):
+    """All that the limb measures along, whichever of them are chosen in the window.
+
+    Levels alone: each sensor's x and y point their own way, so that neither a difference of axes
+    nor their mean says something of the skin.
+    """
+
+    needs: ClassVar[frozenset[str]] = _COMMON | frozenset(_PER_AXIS)
+    own: ClassVar[bool] = True
+
+    def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
+        common = {name: results[name] for name in _COMMON}
+        snapshot = Snapshot(design=design)
+        return [
+            Compared(
+                snapshot=snapshot,
+                values={**common, **{name: results[own][k] for own, name in _PER_AXIS.items()}},
+                axes=axis,
+            )
+            for k, axis in enumerate(results["limb_data"].axes)
+        ]
+
+    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
+        return [(f"Along {one.axes}", one.axes) for one in compared]
+
+    def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
+        words = f"RMS along each axis of the sensors · {span_words(view.span)}"
+        return " · ".join(part for part in (words, shown_words(design, view)) if part)
+
+
+# The present design on several limbs.
+
+ALONE = "There is no other limb with these outputs. Choose some under Limbs."
+
+
+class OfLimbs(Kind):
+    """The design in the window is one of the sides: it is predicted once, for all panels."""
+
+    fields: ClassVar[frozenset[str]] = frozenset({"shown", "limbs"})
+
+    def needs_on_limbs(
+        self, settings: SideBySideSettings, limb: str
+    ) -> Mapping[str, frozenset[str]]:
+        return dict.fromkeys(settings.chosen(limb), LEVELS)
+
+    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
+        """Those measured along other axes than those of the view say so."""
+        found: list[Names] = []
+        for one in compared:
+            limb = one.snapshot.design.limb
+            title = limb_word(limb).title
+            other = f" ({word_of(AXES, one.axes).title})" if one.axes not in ("", view.axes) else ""
+            number = title.split()[1] if limb in PUBLISHED else limb
+            found.append((f"{title}{other}", short_limb_title(limb), number))
+        return found
+
+    def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
+        found = [one.snapshot.design.limb == design.limb for one in compared]
+        return found.index(True) if True in found else 0
+
+    def hindrance(self, compared: Sequence[Compared], view: View) -> str:
+        if len(compared) == 1:
+            return compared[0].problem or ALONE
+        return super().hindrance(compared, view)
+
+
+# Snapshots: of the present design, and designs of files.
+
+
+class OfSnapshots(Kind):
+    """As loud as each other where that is wanted."""
+
+    fields: ClassVar[frozenset[str]] = frozenset({"shown", "file"})
+    needs_of_snapshots: ClassVar[frozenset[str]] = LEVELS
+
+    def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
+        return snapshot_names(compared, view.axes, with_limbs=difference)
+
+    def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
+        held = shown(view.snapshots, design)
+        number = EDITED if held is None else held.number
+        found = [one.snapshot.number == number for one in compared]
+        return found.index(True) if True in found else 0
+
+    def hindrance(self, compared: Sequence[Compared], view: View) -> str:
+        if len(compared) < 2:
+            return nothing_to_compare(view.snapshots)
+        return super().hindrance(compared, view)
+
+    def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
+        # Each has its own gain.
+        words = super().about(compared, None, view)
+        matched = alike_in_level(compared, matched=view.levels_matched)
+        return f"{words} · {LEVELS_MATCHED}" if matched else words
+
+
+def snapshot_names(
+    compared: Sequence[Compared], axes: Axes, *, with_limbs: bool = False
+) -> list[Names]:
+    """What the snapshots are called; those measured along other axes than ``axes`` say so.
+
+    ``with_limbs``: where they are on several limbs, they say on which.
+    """
+    found: list[Names] = []
+    titles = [printable(scenes.title_of(one.snapshot.design)).strip() for one in compared]
+    own_parts = _own_parts([each for each in titles if each])
+    several = with_limbs and len({one.snapshot.design.limb for one in compared}) > 1
+    for one, title in zip(compared, titles, strict=True):
+        along = axes_on(one.snapshot.design.limb, axes)
+        other = f" ({word_of(AXES, along).title})" if along != axes else ""
+        on_limb = f" on {short_limb_title(one.snapshot.design.limb)}" if several else ""
+        other += on_limb
+        edited = one.snapshot.number == EDITED
+        called = one.name if edited else f"Snapshot {one.name}"
+        parts = dict.fromkeys((title, own_parts.get(title, title)))
+        longest = tuple(f"{called} · {part}{other}" for part in parts if part and not edited)
+        if len(longest) > 1:
+            longest = (*longest, f"{one.name} · {own_parts[title]}{other}")
+        short = () if edited and not other else (f"{one.name}{on_limb}",)
+        found.append((*longest, f"{called}{other}", *short))
+    return found
+
+
+def _own_parts(titles: Sequence[str]) -> dict[str, str]:
+    """What each title says that the others do not: ``"Fig. 2B · 50 Hz"`` is ``"50 Hz"``.
+
+    Of titles whose parts, between middle dots, begin alike.
+    """
+    parts = [one.split(" · ") for one in titles]
+    alike = 0
+    while parts and all(len(one) > alike + 1 and one[alike] == parts[0][alike] for one in parts):
+        alike += 1
+    return {one: " · ".join(each[alike:]) for one, each in zip(titles, parts, strict=True)}
+
+
+# The numbers of maps side by side, for a spreadsheet.
+
+
+def tab_separated(content: Content) -> str:
+    """A row for each output, a column for each map; empty where there is no level."""
+    cells = [cell for cell in content.cells if cell.values_db is not None]
+    titles = [f"{cell.heading} ({_unit(cell)})" for cell in cells]
+    lines = ["\t".join(("output", *titles))]
+    values = [np.asarray(cell.values_db) for cell in cells]
+    for row in range(max((one.size for one in values), default=0)):
+        texts = (copied_level(one[row]) if row < one.size else "" for one in values)
+        lines.append("\t".join((str(row + 1), *texts)))
+    return "\n".join(lines) + "\n"
+
+
+def _unit(cell: Cell) -> str:
+    if cell.maximum_db is not None:
+        return f"dB re its maximum of {copied_level(cell.maximum_db)} dB re 1 m/s²"
+    return "" if cell.scale is None else cell.scale.words

@@ -1,29 +1,211 @@
-"""Maps of limbs, of snapshots or of axes side by side: one scale, one pointer, one selection."""
+"""All that can stand side by side, by its name in `settings.OF`."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any, ClassVar
 
-from PySide6.QtCore import QRectF, QSize
-from PySide6.QtGui import QColor, QPainter
-from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QPainter, QResizeEvent
+from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QVBoxLayout, QWidget
 
 from skinsource.design import edits
+from skinsource.design.comparing import MOST_BESIDE
 from skinsource.design.design import Design
+from skinsource.design.labels import limb_word
+from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
-from skinsource_gui.compared import Compared
-from skinsource_gui.panel import Panel
-from skinsource_gui.panels.side_by_side.cells import Cells
-from skinsource_gui.panels.side_by_side.choices_bar import ChoicesBar
-from skinsource_gui.panels.side_by_side.content import Cell, Content
-from skinsource_gui.panels.side_by_side.kinds import KINDS
-from skinsource_gui.panels.side_by_side.painter import paint_page
-from skinsource_gui.panels.side_by_side.table import tab_separated
-from skinsource_gui.panels.side_by_side.view import MapsView
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme, tabular
-from skinsource_gui.widgets.copy_button import CopyButton
-from skinsource_gui.widgets.figure.words_label import WordsLabel
-from skinsource_gui.widgets.paper import on_paper
+from skinsource.limbs.catalogue import available_limbs
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.panels.side_by_side.content import (
+    LEAST_BESIDE,
+    OF,
+    OWN_MAXIMUM,
+    SHOWN,
+    Cell,
+    Cells,
+    Content,
+    Kind,
+    OfAxes,
+    OfLimbs,
+    OfSnapshots,
+    SideBySideSettings,
+    tab_separated,
+)
+from skinsource_gui.panels.side_by_side.view import MapsView, paint_page
+from skinsource_gui.plots.figure import WordsLabel
+from skinsource_gui.qt.asking import CopyButton
+from skinsource_gui.qt.buttons import tool_button
+from skinsource_gui.qt.room import FoldingRow, HeightInSight, fonts_of
+from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper, tabular
+from skinsource_gui.state.compared import Compared
+from skinsource_gui.state.panel import Panel
+
+KINDS: dict[str, Kind] = {"limbs": OfLimbs(), "snapshots": OfSnapshots(), "axes": OfAxes()}
+
+
+# The button with which limbs are chosen to stand side by side.
+
+
+class LimbsButton(QToolButton):
+    """Opens a list of all limbs, of which two to four are ticked.
+
+    Attributes
+    ----------
+    menu_of_limbs
+        What it opens.
+    """
+
+    #: Names of the limbs that are chosen; none: those that belong beside the one of the design.
+    limbs_chosen = Signal(object)
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._chosen: tuple[str, ...] = ()
+        self._usual = True
+        self.setObjectName("side_by_side_limbs")
+        self.setText("Limbs…")
+        # The dots say that something opens.
+        self.setStyleSheet("QToolButton::menu-indicator { image: none; }")
+        self.setToolTip("Which limbs are shown, two to four")
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.menu_of_limbs = QMenu(self)
+        self.menu_of_limbs.aboutToShow.connect(self.fill)
+        self.setMenu(self.menu_of_limbs)
+
+    def show_chosen(self, chosen: Sequence[str], *, usual: bool) -> None:
+        """Take over which limbs are shown, and whether these are the usual ones."""
+        self._chosen, self._usual = tuple(chosen), usual
+
+    def fill(self) -> None:
+        """Offer the limbs that there are now."""
+        menu = self.menu_of_limbs
+        menu.clear()
+        usual = menu.addAction("Those that belong together")
+        usual.setToolTip("The four of one kind, or own limbs with the same outputs")
+        usual.setCheckable(True)
+        usual.setChecked(self._usual)
+        usual.triggered.connect(partial(self.limbs_chosen.emit, ()))
+        menu.addSeparator()
+        known = available_limbs()
+        # One that has gone can be taken out of the choice.
+        for name in (*known, *(one for one in self._chosen if one not in known)):
+            action = menu.addAction(limb_word(name).title)
+            action.setCheckable(True)
+            ticked = name in self._chosen
+            action.setChecked(ticked)
+            full = len(self._chosen) >= MOST_BESIDE
+            action.setEnabled(len(self._chosen) > LEAST_BESIDE if ticked else not full)
+            action.triggered.connect(partial(self._toggle, name))
+
+    def _toggle(self, name: str) -> None:
+        without = tuple(one for one in self._chosen if one != name)
+        self.limbs_chosen.emit(without if name in self._chosen else (*self._chosen, name))
+
+
+# What is chosen above the maps: of what, what of it, and on which limbs.
+
+# A panel that shows fewer lines of text has no room for many rows: so many choices stand in each.
+_LINES_WITH_ROOM, _BESIDE = 14, 2
+
+
+class ChoicesBar(QWidget):
+    """Turns choices into another view.
+
+    Where the maps below need the room its words are written smaller until two stand in each row.
+
+    Attributes
+    ----------
+    settings
+        Those of the present view.
+    of, shown, own_maximum, limbs, file
+        Its parts; of all but the first those that are about what is compared.
+    """
+
+    #: The new `View`.
+    view_changed = Signal(object)
+    #: A design of a file is to stand beside the others.
+    file_wanted = Signal()
+
+    def __init__(self, panel_name: str, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._panel_name = panel_name
+        self._view, self.settings = View(), SideBySideSettings()
+        self._has_room = True
+        self.of, self.shown = ChoiceField(OF, self), ChoiceField(SHOWN, self)
+        self.of.setObjectName("side_by_side_of")
+        self.shown.setObjectName("side_by_side_shown")
+        self.of.chosen.connect(lambda of, _: self._change(of=of))
+        self.shown.chosen.connect(lambda what, _: self._change(shown=what))
+        own = OWN_MAXIMUM
+        self.own_maximum = tool_button(
+            self, "side_by_side_own_maximum", own.label, own.hint, checkable=True
+        )
+        self.own_maximum.clicked.connect(lambda on: self._change(own_maximum=on))
+        self.limbs = LimbsButton(self)
+        self.limbs.limbs_chosen.connect(lambda limbs: self._change(limbs=" ".join(limbs)))
+        hint = "Keep the design of a file as a snapshot, and show it here"
+        self.file = tool_button(self, "side_by_side_file", "From file…", hint)
+        self.file.clicked.connect(self.file_wanted)
+        self._parts = self.of, self.shown, self.own_maximum, self.limbs, self.file
+        self._row = FoldingRow(self._parts, UNIT_PX // 2)
+        self._in_sight = HeightInSight(parent)
+        self._in_sight.changed.connect(self._look_for_room)
+        around = QVBoxLayout(self)
+        around.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
+        around.addWidget(self._row)
+
+    def show_state(self, design: Design, view: View) -> None:
+        """Take over the present design and view."""
+        self._view = view
+        self.settings = settings = settings_of(view, self._panel_name, SideBySideSettings)
+        self.of.set_value(settings.of)
+        self.shown.set_value(settings.shown)
+        self.own_maximum.setChecked(settings.own_maximum)
+        kind = KINDS[settings.of]
+        fields = kind.fields
+        # A difference has no maximum that others are measured by, and a mean is one map.
+        self.own_maximum.setVisible(kind.shown(settings) == "levels")
+        for name, part in (("shown", self.shown), ("limbs", self.limbs), ("file", self.file)):
+            part.setVisible(name in fields)
+        if "limbs" in fields:
+            usual = not settings.limbs.strip()
+            self.limbs.show_chosen(settings.chosen(design.limb), usual=usual)
+        self._fit()
+
+    def _look_for_room(self) -> None:
+        has_room = self._in_sight.px >= _LINES_WITH_ROOM * self.fontMetrics().lineSpacing()
+        if has_room != self._has_room:
+            self._has_room = has_room
+            self._fit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            self._fit()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._fit()
+
+    def _fit(self) -> None:
+        """Write as large as leaves few rows, where there shall be no more; else as usual."""
+        around = self.contentsMargins().left() + self.contentsMargins().right() + UNIT_PX
+        for font in fonts_of(self.font()) if not self._has_room else (self.font(),):
+            for one in self._parts:
+                one.setFont(font)
+            self._row.fold()
+            if self._row.px_of(_BESIDE) <= self.width() - around:
+                return
+
+    def _change(self, **changes: Any) -> None:
+        settings = replace(self.settings, **changes)
+        self.view_changed.emit(with_settings(self._view, self._panel_name, settings))
+
+
+# Maps of limbs, of snapshots or of axes side by side: one scale, one pointer, one selection.
 
 # In letters of any size, px.
 _LEAST = QSize(240, 230)

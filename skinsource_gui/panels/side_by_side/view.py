@@ -1,21 +1,380 @@
-"""Maps side by side as a widget: what is pointed at in one of them is marked in all."""
+"""Where maps side by side and their scales lie."""
 
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
 from math import ceil
 
 import numpy as np
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QFocusEvent,
+    QFont,
+    QFontMetricsF,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+)
 from PySide6.QtWidgets import QWidget
 
-from skinsource_gui.panels.side_by_side.content import Content
-from skinsource_gui.panels.side_by_side.headings import places_for
-from skinsource_gui.panels.side_by_side.layout import least_height
-from skinsource_gui.panels.side_by_side.painter import paint_view
-from skinsource_gui.panels.side_by_side.seen_maps import SeenMaps
-from skinsource_gui.theme import current_theme, tabular
-from skinsource_gui.widgets.focus_frame import paint_focus_frame
-from skinsource_gui.widgets.keys import KEYS, claims_shortcut, meaning_of
-from skinsource_gui.widgets.outputs.picker import OutputPicker
+from skinsource.base.arrays import Floats
+from skinsource_gui.panels.side_by_side.content import Cell, Content
+from skinsource_gui.plots.colour_maps import colour_table
+from skinsource_gui.plots.figure import shrunk
+from skinsource_gui.plots.outputs import OutputPicker
+from skinsource_gui.plots.small_map import (
+    paint_rings,
+    paint_scale_row,
+    paint_small_bar,
+    paint_small_map,
+    scale_row_px,
+    small_frame,
+)
+from skinsource_gui.qt.frames import paint_focus_frame
+from skinsource_gui.qt.keys import KEYS, claims_shortcut, meaning_of
+from skinsource_gui.qt.theme import Theme, current_theme, tabular
+
+# Height of a map over its width: hand and arm.
+_HIGH = 2.3
+_LEAST_MAP_PX = 70.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CellPlace:
+    """Areas of one map, px.
+
+    Attributes
+    ----------
+    whole
+        All of it.
+    heading, value
+        Some lines of words, and one.
+    map
+        Room for the map.
+    scale
+        Its own scale; empty where all have one in common.
+    """
+
+    whole: QRectF
+    heading: QRectF
+    value: QRectF
+    map: QRectF
+    scale: QRectF
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Places:
+    """Areas of all maps, px.
+
+    Attributes
+    ----------
+    head
+        A line of words above.
+    cells
+        Of the maps.
+    scale
+        The scale of all of them; empty where each has its own.
+    """
+
+    head: QRectF
+    cells: tuple[CellPlace, ...]
+    scale: QRectF
+
+
+def places_of(room: QRectF, n: int, line: float, *, common: bool, heading_lines: int = 1) -> Places:
+    """Lay ``n`` maps out in ``room``, in as many rows as give the largest maps.
+
+    Parameters
+    ----------
+    room
+        In which.
+    n
+        How many maps.
+    line
+        Height of a line of words.
+    common
+        Whether one scale serves all of them.
+    heading_lines
+        How many lines the heading of each has; below it is one for a value.
+    """
+    edge = 0.3 * line
+    scale_height = scale_row_px(line)
+    inner = room.adjusted(edge, 0.0, -edge, -edge)
+    head = QRectF(inner.left(), inner.top(), inner.width(), 1.2 * line)
+    foot = scale_height if common else 0.0
+    scale = QRectF(inner.left(), inner.bottom() - foot, inner.width(), foot)
+    maps = QRectF(inner.left(), head.bottom(), inner.width(), scale.top() - head.bottom())
+    beside = (heading_lines + 1.0) * line + (0.0 if common else scale_height) + edge
+    rows = _rows(maps, n, beside)
+    columns = ceil(n / rows) if n else 1
+    width, height = maps.width() / columns, maps.height() / rows
+    cells = tuple(
+        _cell(
+            QRectF(
+                maps.left() + width * (k % columns),
+                maps.top() + height * (k // columns),
+                width,
+                height,
+            ),
+            line,
+            0.0 if common else scale_height,
+            heading_lines * line,
+        )
+        for k in range(n)
+    )
+    return Places(head=head, cells=cells, scale=scale)
+
+
+def least_height(line: float) -> float:
+    """Height in which maps in one row can be told apart, with lines of that height."""
+    return 1.2 * line + 3.0 * line + 0.9 * line + scale_row_px(line) + _LEAST_MAP_PX
+
+
+def _rows(room: QRectF, n: int, beside: float) -> int:
+    """In how many rows maps are largest; as few as give that."""
+
+    def map_width(rows: int) -> float:
+        wide = room.width() / ceil(n / rows)
+        return min(wide, (room.height() / rows - beside) / _HIGH) - 1e-6 * rows
+
+    return max(range(1, n + 1), key=map_width, default=1)
+
+
+def _cell(whole: QRectF, line: float, scale_height: float, heading: float) -> CellPlace:
+    top = whole.top() + heading + line
+    bottom = whole.bottom() - scale_height
+    edge = 0.3 * line
+    return CellPlace(
+        whole=whole,
+        heading=QRectF(whole.left(), whole.top(), whole.width(), heading),
+        value=QRectF(whole.left(), whole.top() + heading, whole.width(), line),
+        map=QRectF(whole.left() + edge, top, whole.width() - 2 * edge, bottom - top - edge),
+        scale=QRectF(whole.left(), bottom, whole.width(), scale_height),
+    )
+
+
+# What stands above the maps: on several lines where there is no room for it on one.
+
+_CENTRE = Qt.AlignmentFlag.AlignCenter
+_MOST_LINES = 4
+# A number stays with what it numbers.
+_BEFORE_NUMBER = re.compile(r" (?=\d)")
+# Of a line of letters broken anywhere, so much is surely filled.
+_FILLED = 0.9
+
+
+def places_for(room: QRectF, content: Content, font: QFont) -> Places:
+    """Lay out the maps of ``content``, whose words are written in ``font``."""
+    line, n = QFontMetricsF(font).height(), len(content.cells)
+    common = content.common_scale is not None
+    metrics = QFontMetricsF(bold(font))
+    for lines in range(1, _MOST_LINES + 1):
+        places = places_of(room, n, line, common=common, heading_lines=lines)
+        pairs = zip(content.cells, places.cells, strict=True)
+        if all(_fits(metrics, cell.headings, place.heading) for cell, place in pairs):
+            break
+    return places
+
+
+def paint_heading(painter: QPainter, wordings: Sequence[str], room: QRectF) -> None:
+    """Write the first of some wordings, each shorter than the one before, that has room."""
+    metrics = QFontMetricsF(painter.font())
+    wraps = _CENTRE | Qt.TextFlag.TextWordWrap
+    inner = _inner(metrics, room)
+    found = next((one for one in wordings if _fits(metrics, (one,), room)), None)
+    if found is not None:
+        painter.drawText(inner, wraps, _kept(found))
+        return
+    lines = max(round(room.height() / metrics.height()), 1)
+    width = inner.width() * (1.0 if lines == 1 else _FILLED * lines)
+    words = metrics.elidedText(wordings[-1], Qt.TextElideMode.ElideRight, width)
+    painter.drawText(inner, _CENTRE | Qt.TextFlag.TextWrapAnywhere, words)
+
+
+def bold(font: QFont) -> QFont:
+    """The font of headings among words in ``font``."""
+    found = QFont(font)
+    found.setBold(True)
+    return found
+
+
+def _fits(metrics: QFontMetricsF, wordings: Sequence[str], room: QRectF) -> bool:
+    """Whether one of some wordings has room, at the breaks between words that it has."""
+    inner = _inner(metrics, room)
+    flags = int(_CENTRE.value) | int(Qt.TextFlag.TextWordWrap.value)
+    for words in wordings:
+        taken = metrics.boundingRect(inner, flags, _kept(words))
+        if taken.width() <= inner.width() and taken.height() <= inner.height() + 1.0:
+            return True
+    return False
+
+
+def _inner(metrics: QFontMetricsF, room: QRectF) -> QRectF:
+    edge = 0.25 * metrics.height()
+    return room.adjusted(edge, 0.0, -edge, 0.0)
+
+
+def _kept(words: str) -> str:
+    return _BEFORE_NUMBER.sub("\N{NO-BREAK SPACE}", words)
+
+
+# Maps side by side as they lie in a widget: which is where, and where their outputs are.
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class SeenMaps:
+    """What is shown, and where that is."""
+
+    content: Content
+    places: Places
+
+    def points_of(self, index: int) -> Floats:
+        """Where the outputs are drawn in one of the maps, (n_outputs, 2); NaN: they are not."""
+        cells = self.content.cells
+        small = cells[index].small if index < len(cells) else None
+        if small is None or self.content.message:
+            return np.full((1, 2), np.nan)
+        limb_map = small.limb_map
+        return small_frame(limb_map, self.places.cells[index].map).to_screen(
+            limb_map.output_positions
+        )
+
+    def map_at(self, point: QPointF, before: int) -> int:
+        """The map under a point; where there is none the one before."""
+        cells = enumerate(self.places.cells)
+        return next((k for k, place in cells if place.whole.contains(point)), before)
+
+
+# Draws maps side by side, what is selected and pointed at in all of them, and their scales.
+
+_PALE, _BAND_ALPHA = 0.5, 0.15
+
+
+def paint_view(
+    painter: QPainter,
+    seen: SeenMaps,
+    theme: Theme,
+    pointed_at: int | None,
+    *,
+    outdated: bool,
+    band: QRectF | None,
+) -> None:
+    """Draw what a widget shows; the painter's font is that of all words.
+
+    Parameters
+    ----------
+    painter, seen, theme, pointed_at
+        As for `paint_content`.
+    outdated
+        Whether it belongs to an older design.
+    band
+        What is dragged around outputs, if anything.
+    """
+    content, places = seen.content, seen.places
+    if outdated:
+        painter.setPen(QColor(theme.dim))
+        painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, "Computing…")
+    if any(cell.synthetic for cell in content.cells):
+        painter.setPen(QColor(theme.warning))
+        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        painter.drawText(places.head, right, "SYNTHETIC")
+    painter.setOpacity(_PALE if outdated else 1.0)
+    paint_content(painter, content, places, theme, pointed_at)
+    painter.setOpacity(1.0)
+    if band is not None:
+        fill = QColor(theme.accent)
+        painter.setPen(fill)
+        fill.setAlphaF(_BAND_ALPHA)
+        painter.setBrush(fill)
+        painter.drawRect(band)
+
+
+def paint_content(
+    painter: QPainter,
+    content: Content,
+    places: Places,
+    theme: Theme,
+    pointed_at: int | None = None,
+) -> None:
+    """Draw ``content``; the painter's font is that of all words.
+
+    Parameters
+    ----------
+    painter, places, theme
+        On what, where, in which colours.
+    content
+        What is shown.
+    pointed_at
+        Number of the output that is marked in every map; None: none is.
+    """
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    common = content.common_scale
+    for cell, place in zip(content.cells, places.cells, strict=True):
+        _paint_cell(painter, cell, place, content, theme, pointed_at)
+        if common is None and cell.scale is not None:
+            paint_scale_row(painter, place.scale, cell.scale, theme)
+    if common is not None:
+        paint_scale_row(painter, places.scale, common, theme)
+
+
+def paint_page(painter: QPainter, content: Content, room: QRectF, theme: Theme) -> None:
+    """Draw ``content`` into ``room``, with a line that says of what it is."""
+    painter.setPen(QColor(theme.text))
+    line = painter.fontMetrics().height()
+    if content.message or not content.cells:
+        painter.drawText(room, _CENTRE, content.message)
+        return
+    synthetic = any(cell.synthetic for cell in content.cells)
+    words = f"{content.about} · SYNTHETIC" if synthetic else content.about
+    painter.drawText(QRectF(0, 0, room.width(), 1.5 * line), _CENTRE, words)
+    below = room.adjusted(0, 1.5 * line, 0, 0)
+    paint_content(painter, content, places_for(below, content, painter.font()), theme)
+
+
+def _paint_cell(
+    painter: QPainter,
+    cell: Cell,
+    place: CellPlace,
+    content: Content,
+    theme: Theme,
+    pointed_at: int | None,
+) -> None:
+    plain = QFont(painter.font())
+    painter.setFont(bold(plain))
+    painter.setPen(QColor(theme.text))
+    paint_heading(painter, cell.headings, place.heading)
+    painter.setFont(plain)
+    if cell.small is None or cell.scale is None:
+        painter.setPen(QColor(theme.dim))
+        flags = _CENTRE | Qt.TextFlag.TextWordWrap
+        words = cell.words or "Computing…"
+        painter.setFont(shrunk(plain, words.split(), place.map.width()))
+        painter.drawText(place.map, flags, words)
+        painter.setFont(plain)
+        return
+    painter.setPen(QColor(theme.text if pointed_at is not None else theme.dim))
+    values, width = cell.value_texts(pointed_at), place.value.width()
+    painter.setFont(shrunk(plain, values[-1:], width - 0.5 * painter.fontMetrics().height()))
+    painter.drawText(place.value, _CENTRE, fitting(painter, values, width))
+    painter.setFont(plain)
+    table = colour_table(cell.scale.colours)
+    paint_small_map(painter, place.map, cell.small, cell.design, theme, cell.scale.range_db, table)
+    paint_rings(painter, cell.small, place.map, content.outputs, theme, pointed_at)
+    paint_small_bar(painter, place.map, cell.small, cell.limb, theme)
+
+
+def fitting(painter: QPainter, wordings: Sequence[str], width: float) -> str:
+    """The first of some wordings, each shorter than the one before, for which there is room."""
+    metrics = painter.fontMetrics()
+    width -= 0.5 * metrics.height()
+    fits = (words for words in wordings if metrics.horizontalAdvance(words) <= width)
+    shortest = metrics.elidedText(wordings[-1], Qt.TextElideMode.ElideRight, int(width))
+    return next(fits, shortest)
+
+
+# Maps side by side as a widget: what is pointed at in one of them is marked in all.
 
 # Those keys of the skin map that are about outputs.
 _KEYS = frozenset({"go", "select", "toggle", "select_all", "select_none"})

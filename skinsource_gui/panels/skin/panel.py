@@ -1,30 +1,643 @@
-"""Panel of the dorsal heat map."""
+"""What is chosen on the skin map and around it."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from typing import Any, ClassVar
 
-from PySide6.QtCore import QPoint, QSize, QSizeF
-from PySide6.QtGui import QImage, QPainter, QResizeEvent
-from PySide6.QtWidgets import QGridLayout, QWidget
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRectF, QSize, QSizeF, Qt, Signal
+from PySide6.QtGui import (
+    QActionGroup,
+    QGuiApplication,
+    QIcon,
+    QImage,
+    QPainter,
+    QPainterPath,
+    QResizeEvent,
+)
+from PySide6.QtWidgets import QButtonGroup, QGridLayout, QHBoxLayout, QMenu, QToolButton, QWidget
 
+from skinsource.design import edits
+from skinsource.design.comparing import match_words
 from skinsource.design.design import Design
+from skinsource.design.edits.edit import Refusal
+from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
-from skinsource.limbs.own_limbs import facts_of
-from skinsource_gui.panel import Panel
-from skinsource_gui.panels.skin.inputs.marks import marks_of
-from skinsource_gui.panels.skin.map_choices import MapChoices
-from skinsource_gui.panels.skin.map_controls import MapControls
-from skinsource_gui.panels.skin.map_display import MapDisplay
-from skinsource_gui.panels.skin.map_menu import open_map_menu
-from skinsource_gui.panels.skin.map_picture import heading_of, paint_picture
-from skinsource_gui.panels.skin.map_results import MapResults
-from skinsource_gui.panels.skin.map_toolbar import MapToolbar
-from skinsource_gui.panels.skin.settings import SKIN
-from skinsource_gui.panels.skin.time.time_view import TimeView
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
-from skinsource_gui.widgets.pictures.caption import with_caption
+from skinsource.limbs.own_limbs import facts_of, own_map
+from skinsource.limbs.surface.operator import SurfaceOperator
+from skinsource_gui.panels.skin import picture
+from skinsource_gui.panels.skin.layout import HAND
+from skinsource_gui.panels.skin.map import NoteLine, ReadoutLines, SkinMap, selection_readout
+from skinsource_gui.panels.skin.painting import (
+    MapContent,
+    drawn_note_of,
+    marks_of,
+    note_of,
+    px_per_mm_of,
+)
+from skinsource_gui.panels.skin.picture import heading_of, in_short, paint_picture
+from skinsource_gui.panels.skin.scale import ColourBar
+from skinsource_gui.panels.skin.settings import (
+    LEVELS,
+    SENSATION,
+    SKIN,
+    STILL,
+    MapQuantity,
+    SkinSettings,
+    Z,
+)
+from skinsource_gui.panels.skin.time import TimeView
+from skinsource_gui.plots.pictures import with_caption
+from skinsource_gui.plots.small_map import COLOURS, field_image
+from skinsource_gui.qt.buttons import tool_button
+from skinsource_gui.qt.keys import key_text
+from skinsource_gui.qt.overlays import Lateness
+from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, current_theme, drawn_icon
+from skinsource_gui.qt.wheel import WHOLE
+from skinsource_gui.state.panel import Panel
+
+#: Told where what is to be removed was selected last, and is none.
+NO_OUTPUTS = Refusal(
+    sentence="Outputs cannot be removed; click an input, a dashed ring on the map, to remove it."
+)
+
+
+class MapChoices(QObject):
+    """Turns what map, toolbar and colour bar tell into another choice of outputs, or settings.
+
+    Attributes
+    ----------
+    settings
+        Those of the present view.
+    """
+
+    #: `Edit` or `Refusal`, None: no gesture.
+    edited = Signal(object, object)
+    #: The new `View`.
+    view_changed = Signal(object)
+
+    def __init__(self, panel_name: str, parent: QObject) -> None:
+        super().__init__(parent)
+        self._panel_name = panel_name
+        self._design: Design | None = None
+        self._view = View()
+        self.settings = SkinSettings()
+
+    def show_playhead(self, view: View) -> None:
+        """Take over a view in which the playhead alone has moved."""
+        self._view = view
+
+    def show_state(self, design: Design, view: View) -> None:
+        """Take over the present design and view."""
+        self._design, self._view = design, view
+        self.settings = settings_of(view, self._panel_name, SkinSettings)
+
+    def choose_outputs(self, outputs: tuple[int, ...]) -> None:
+        """Select these outputs."""
+        if self._design is not None:
+            self.edited.emit(edits.select_outputs(self._design, self._view, outputs), None)
+
+    def choose_inputs(self, ids: tuple[int, ...]) -> None:
+        """Select inputs."""
+        if self._design is not None:
+            self.edited.emit(edits.select_inputs(self._design, self._view, ids), None)
+
+    def remove_inputs(self, outputs_meant: bool) -> None:
+        """Remove those that are selected; where none is, or outputs are meant, say so."""
+        if self._design is not None:
+            removed = edits.remove_inputs(self._design, self._view, self._view.selected_inputs)
+            self.edited.emit(NO_OUTPUTS if outputs_meant else removed, None)
+
+    @property
+    def chosen_range(self) -> tuple[float, float] | None:
+        """Ends of the colours that were chosen for what is shown; None: they follow it."""
+        settings = self.settings
+        if settings.quantity not in STILL:
+            return settings.moving_range_db
+        felt = settings.quantity == SENSATION
+        return settings.sensation_range_db if felt else settings.map_range_db
+
+    def choose_range(self, range_db: tuple[float, float] | None) -> None:
+        """Let colours span these levels, or follow the loudest output."""
+        if self.settings.quantity == LEVELS:
+            self._change(map_range_db=range_db)
+        elif self.settings.quantity == SENSATION:
+            self._change(sensation_range_db=range_db)
+        else:
+            self._change(moving_range_db=range_db)
+
+    def choose_limits(self, limits: tuple[float, float] | None) -> None:
+        """Let colours span these accelerations along z, or follow the design."""
+        self._change(z_limits=limits)
+
+    def choose_quantity(self, name: str) -> None:
+        """Show levels, or the skin in time."""
+        self._change(quantity=name)
+
+    def choose_window(self, window_s: float) -> None:
+        """Take the sliding RMS over another time."""
+        self._change(rms_window_s=window_s)
+
+    def choose_colours(self, name: str) -> None:
+        """Show levels in other colours."""
+        self._change(colours=name)
+
+    def choose_pace(self, slow_motion: float) -> None:
+        """Play so many times slower than it happens."""
+        if self._design is not None:
+            self.edited.emit(edits.play_slower(self._design, self._view, slow_motion), None)
+
+    def choose_style(self, style: str) -> None:
+        """Colour the skin, or the sensors alone."""
+        self._change(map_style=style)
+
+    def switch_sensors(self, shown: bool) -> None:
+        """Show or hide the sensors on the interpolated map."""
+        self._change(sensors_shown=shown)
+
+    def _change(self, **changes: Any) -> None:
+        settings = replace(self.settings, **changes)
+        self.view_changed.emit(with_settings(self._view, self._panel_name, settings))
+
+
+# What the right button offers on the map.
+
+
+def open_map_menu(
+    shown: SkinMap,
+    at: QPoint,
+    picture: Callable[[], QImage],
+    save: Callable[[], None],
+    export: Callable[[], None],
+    colours: tuple[str, Callable[[str], None]],
+) -> None:
+    """Offer fits and pictures of a map at a point of the screen.
+
+    Parameters
+    ----------
+    shown
+        The map.
+    at
+        Where on the screen.
+    picture, save, export
+        Make a picture of it; ask where to, and save one; ask where to, and save its numbers.
+    colours
+        Name of the colour map of levels, and who is told of another one.
+    """
+    menu = QMenu(shown)
+    menu.setObjectName("skin_menu")
+    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    for words, fit, key in (("Fit hand", HAND, "hand"), ("Fit hand and arm", WHOLE, "whole")):
+        menu.addAction(f"{words}\t{key_text('skin', key)}", partial(shown.stage.pan_zoom.show, fit))
+    menu.addSeparator()
+    _add_colours(menu.addMenu("Colours"), *colours)
+    menu.addSeparator()
+    # What is written to a file is waited for; the clipboard gets what is drawn.
+    menu.addAction("Copy picture", partial(_copy, picture)).setEnabled(not shown.content.outdated)
+    menu.addAction("Save picture as…", save)
+    menu.addAction("Export data…", export)
+    menu.popup(at)
+
+
+def open_colours_menu(
+    over: QWidget, at: QPoint, chosen: str, choose: Callable[[str], None]
+) -> None:
+    """Offer the colour maps of levels over a widget, at a point of the screen."""
+    menu = QMenu(over)
+    menu.setObjectName("colours_menu")
+    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    _add_colours(menu, chosen, choose)
+    menu.popup(at)
+
+
+def _add_colours(menu: QMenu, chosen: str, choose: Callable[[str], None]) -> None:
+    group = QActionGroup(menu)
+    for name, title in COLOURS.options:
+        action = menu.addAction(title, partial(choose, name))
+        action.setCheckable(True)
+        action.setChecked(name == chosen)
+        group.addAction(action)
+
+
+def _copy(picture: Callable[[], QImage]) -> None:
+    QGuiApplication.clipboard().setImage(picture())
+
+
+# Icons of the map's buttons, drawn in the colours of the theme.
+
+
+def sensors_icon() -> QIcon:
+    """A few dots."""
+    dots = QPainterPath()
+    for x, y in (
+        (3.5, 4),
+        (8, 2.8),
+        (12.5, 4.5),
+        (5, 8.5),
+        (10.5, 8.8),
+        (4.2, 13),
+        (8.2, 12.4),
+        (12.4, 13),
+    ):
+        dots.addEllipse(QPointF(x, y), 1.5, 1.5)
+    return drawn_icon(dots, current_theme(), filled=True, greyed=False)
+
+
+def fit_icon() -> QIcon:
+    """An arm between the corners of a frame."""
+    path = QPainterPath()
+    for x, y, dx, dy in ((2, 2, 1, 1), (14, 2, -1, 1), (2, 14, 1, -1), (14, 14, -1, -1)):
+        path.moveTo(x + 3 * dx, y)
+        path.lineTo(x, y)
+        path.lineTo(x, y + 3 * dy)
+    path.addRoundedRect(QRectF(6, 4.5, 4, 7), 1.8, 1.8)
+    return drawn_icon(path, current_theme(), greyed=False)
+
+
+def hand_icon() -> QIcon:
+    """An open hand, thumb to the left."""
+    path = QPainterPath(QPointF(5, 14.5))
+    for x, y in ((2.2, 9.4), (3.4, 8.4), (5.3, 9.8)):
+        path.lineTo(x, y)
+    for left, top in ((5.3, 3.4), (7.4, 2.2), (9.5, 2.8), (11.6, 4.6)):
+        path.lineTo(left, top + 0.6)
+        path.quadTo(left + 0.9, top - 1.0, left + 1.8, top + 0.6)
+        path.lineTo(left + 1.8, 8.2)
+        path.lineTo(left + 2.1, 8.2)
+    path.lineTo(13.4, 10.5)
+    path.quadTo(13.4, 13, 11.6, 14.5)
+    path.closeSubpath()
+    return drawn_icon(path, current_theme(), greyed=False)
+
+
+# Buttons of the map.
+
+# As narrow as they are, all buttons fit into the narrowest panel.
+_ICON_BUTTON_PX = 33
+
+
+class MapToolbar(QWidget):
+    """Style of the map, its sensors, and what part of it is seen."""
+
+    #: ``"interpolated"`` or ``"sensors"``.
+    style_chosen = Signal(str)
+    sensors_switched = Signal(bool)
+    #: `WHOLE` or `HAND`.
+    fit_chosen = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.interpolated = self._button(
+            "map_interpolated", "Interpolated", "Colours over the skin"
+        )
+        self.sensors_only = self._button(
+            "map_sensors_only", "Sensors only", "Colours at the outputs alone"
+        )
+        self.sensors = self._button("map_sensors_shown", "", "Mark the outputs on the map")
+        whole, hand = (key_text("skin", name) for name in ("whole", "hand"))
+        fit = f"Fit hand and arm ({whole}, or double-click)"
+        self.all = self._button("map_fit_all", "", fit, False)
+        self.hand = self._button("map_fit_hand", "", f"Fit the hand ({hand})", False)
+        self.sensors.setAccessibleName("Sensors")
+        self.all.setAccessibleName("Fit")
+        self.hand.setAccessibleName("Hand")
+        for button in (self.sensors, self.all, self.hand):
+            button.setFixedWidth(_ICON_BUTTON_PX)
+        self._show_icons()
+        styles = QButtonGroup(self)
+        styles.addButton(self.interpolated)
+        styles.addButton(self.sensors_only)
+        self._row = row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(1)
+        row.addWidget(self.interpolated)
+        row.addWidget(self.sensors_only)
+        row.addSpacing(UNIT_PX // 4)
+        row.addWidget(self.sensors)
+        row.addStretch(1)
+        row.addWidget(self.all)
+        row.addWidget(self.hand)
+        self.interpolated.clicked.connect(self._choose_interpolated)
+        self.sensors_only.clicked.connect(self._choose_sensors)
+        self.sensors.clicked.connect(self.sensors_switched)
+        self.all.clicked.connect(self._choose_all)
+        self.hand.clicked.connect(self._choose_hand)
+
+    def show_settings(self, settings: SkinSettings) -> None:
+        """Show the present choice."""
+        interpolated = settings.map_style == "interpolated"
+        self.interpolated.setChecked(interpolated)
+        self.sensors_only.setChecked(not interpolated)
+        self.sensors.setEnabled(interpolated)
+        self.sensors.setChecked(settings.sensors_shown or not interpolated)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._show_icons()
+
+    def _show_icons(self) -> None:
+        self.sensors.setIcon(sensors_icon())
+        self.all.setIcon(fit_icon())
+        self.hand.setIcon(hand_icon())
+
+    def minimumSizeHint(self) -> QSize:
+        # Without the fits, which go where there is no room for them.
+        every = (self.interpolated, self.sensors_only, self.sensors)
+        width = sum(part.minimumSizeHint().width() for part in every) + UNIT_PX
+        return QSize(width, super().minimumSizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        # Where there is no room for all, the fits are left to the menu and to keys.
+        row, every = self._row, (self.interpolated, self.sensors_only, self.sensors)
+        fits = (self.all, self.hand)
+        needed = sum(part.sizeHint().width() for part in every) + len(fits) * _ICON_BUTTON_PX
+        roomy = self.width() >= needed + row.spacing() * (row.count() + 1)
+        for part in fits:
+            part.setVisible(roomy)
+
+    def _button(self, name: str, text: str, hint: str, checkable: bool = True) -> QToolButton:
+        button = tool_button(self, name, text, hint, checkable=checkable)
+        button.setIconSize(QSize(16, 16))
+        return button
+
+    def _choose_interpolated(self) -> None:
+        self.style_chosen.emit("interpolated")
+
+    def _choose_sensors(self) -> None:
+        self.style_chosen.emit("sensors")
+
+    def _choose_all(self) -> None:
+        self.fit_chosen.emit(WHOLE)
+
+    def _choose_hand(self) -> None:
+        self.fit_chosen.emit(HAND)
+
+
+# The controls around the map: they show the settings, and what they tell is chosen.
+
+
+class MapControls:
+    """Connects the controls around the map to what is chosen, and shows them what was."""
+
+    def __init__(
+        self, choices: MapChoices, toolbar: MapToolbar, time: TimeView, colour_bar: ColourBar
+    ) -> None:
+        self._choices = choices
+        self._toolbar, self._time, self._colour_bar = toolbar, time, colour_bar
+        toolbar.style_chosen.connect(choices.choose_style)
+        toolbar.sensors_switched.connect(choices.switch_sensors)
+        colour_bar.range_chosen.connect(choices.choose_range)
+        colour_bar.strip.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        colour_bar.strip.customContextMenuRequested.connect(self._open_colours)
+        time.bar.limits_chosen.connect(choices.choose_limits)
+        time.row.quantity_chosen.connect(choices.choose_quantity)
+        time.row.window_chosen.connect(choices.choose_window)
+        time.row.pace_chosen.connect(choices.choose_pace)
+
+    def show_settings(self, view: View) -> None:
+        """Show what is chosen; of the two colour bars the one for it."""
+        settings = self._choices.settings
+        signed = settings.quantity == Z
+        self._toolbar.show_settings(settings)
+        self._time.show_state(settings, view)
+        self._time.bar.setVisible(signed)
+        self._colour_bar.setVisible(not signed)
+        self._colour_bar.choose(self._choices.chosen_range)
+
+    def _open_colours(self, at: QPoint) -> None:
+        strip, choices = self._colour_bar.strip, self._choices
+        over = strip.mapToGlobal(at)
+        open_colours_menu(strip, over, choices.settings.colours, choices.choose_colours)
+
+
+# What the map shows, on all that shows it.
+
+
+class MapDisplay(QObject):
+    """Keeps `MapContent`, and shows it on the map, in colour bar, note and readout.
+
+    Parameters
+    ----------
+    parent, lateness
+        The panel that it is in, and whether what is known belongs to an older design.
+
+    Attributes
+    ----------
+    content
+        What is known, also while it is covered.
+    map, colour_bar, note, readout
+        Who shows it.
+    """
+
+    def __init__(self, parent: QWidget, lateness: Lateness) -> None:
+        super().__init__(parent)
+        self.content = MapContent()
+        self._covered = False
+        self._lateness = lateness
+        self._lateness.changed.connect(self._mark_outdated)
+        self.map, self.colour_bar = SkinMap(parent), ColourBar(parent)
+        self.note, self.readout = NoteLine(parent), ReadoutLines(parent)
+        self.map.setObjectName("skin_map")
+        self.colour_bar.setObjectName("skin_colour_bar")
+        self.note.setObjectName("skin_note")
+        self.readout.setObjectName("skin_readout")
+        self.readout.setAccessibleName("Under the pointer")
+        self.map.readout_changed.connect(self._show_readout)
+        self._show_readout("")
+
+    def change(self, **changes: Any) -> None:
+        """Take over other fields of the content; they are seen from `show` on."""
+        self.content = replace(self.content, **changes)
+
+    def show(self) -> None:
+        """Show what is known now."""
+        self.colour_bar.strip.show_quantity(self.content.quantity, self.content.colours)
+        self._show_marks()
+        self.show_map()
+        self.note.show_text(self.content.note, in_short(self.content.note))
+        self._show_readout(self.map.readout())
+
+    def show_map(self) -> None:
+        """Show what is known now on the map alone."""
+        self.map.show_content(self.content.covered if self._covered else self.content)
+
+    def cover(self, covered: bool) -> None:
+        """Hide what was computed, or reveal it."""
+        self._covered = covered
+        self.show()
+
+    def set_stale(self, stale: bool) -> None:
+        """Say whether what is known belongs to an older design; once it is late, that is seen."""
+        self._lateness.set_stale(stale)
+
+    def _mark_outdated(self, late: bool) -> None:
+        self.change(outdated=late)
+        self.show_map()
+
+    def _show_marks(self) -> None:
+        """Mark the levels of the selected outputs in the colour bar."""
+        levels = None if self._covered else self.content.coloured_values
+        if levels is None:
+            self.colour_bar.show_marks(())
+            return
+        self.colour_bar.show_marks(
+            tuple(
+                (float(levels[number - 1]), rank)
+                for rank, number in enumerate(self.content.outputs)
+                if number <= levels.size
+            )
+        )
+
+    def _show_readout(self, words: str) -> None:
+        self.readout.show_text(words or selection_readout(self.content.outputs))
+
+
+# From results to what the map shows.
+
+
+class MapResults:
+    """Makes of results what is chosen to be seen of them: what stays, or what is at the playhead.
+
+    Parameters
+    ----------
+    choices
+        What is chosen.
+    time
+        Who makes frames.
+    display
+        Who is told.
+    """
+
+    def __init__(self, choices: MapChoices, time: TimeView, display: MapDisplay) -> None:
+        self._choices, self._time, self._display = choices, time, display
+        self._surface: SurfaceOperator | None = None
+        self._matched = ""
+
+    @property
+    def needs(self) -> frozenset[str]:
+        """Names of the quantities that `take` reads."""
+        settings = self._choices.settings
+        moving, shown = self._time.needs(settings), settings.quantity
+        always = frozenset({"limb_map", "limb_data", "match_gain"}) | (
+            moving or picture.needs_of(shown)
+        )
+        if settings.map_style == "sensors":
+            return always
+        on_surface = always | {"surface"}
+        return on_surface if moving else on_surface | {picture.over_skin(shown)}
+
+    @property
+    def moves(self) -> bool:
+        """Whether what is shown is another thing at another time."""
+        return self._choices.settings.quantity not in STILL
+
+    def take(self, results: Mapping[str, Any], design: Design | None, view: View) -> None:
+        """Take over what was computed for a design and view."""
+        settings = self._choices.settings
+        surface = results.get("surface") if "surface" in self.needs else None
+        self._matched = match_words(results["match_gain"])
+        self._time.bar.strip.show_matched(self._matched)
+        self._take_limb(results, surface, design)
+        self._time.take(results, settings, view)
+        if self.moves:
+            frames = self._time.frames
+            self._display.colour_bar.follow(self._time.levels_of_largest())
+            self._display.change(message="" if frames.largest > 0.0 else picture.SILENT)
+            self._time.show_state(settings, view)
+        else:
+            on_skin = surface is not None
+            still = picture.changes_of(settings.quantity, results, interpolated=on_skin)
+            self._display.change(**still)
+        self.follow(view)
+
+    def follow(self, view: View) -> None:
+        """Take the skin at the playhead, or let the range follow what stays."""
+        settings, values = self._choices.settings, self._display.content.values
+        if self.moves:
+            self._take_frame(view)
+        elif values is not None:
+            self._display.colour_bar.follow(values)
+        if settings.map_style == "sensors":
+            # Kept, it would belong to an older design when it is shown again.
+            self._display.change(field_values=None)
+
+    def show_choice(self, design: Design | None, view: View) -> None:
+        """Show what is known, as design, view and settings say it is to be seen."""
+        settings, display = self._choices.settings, self._display
+        limbs = (display.content.limb, "" if design is None else design.limb)
+        still: dict[str, Any] = {}
+        if not self.moves:
+            still = {
+                "quantity": MapQuantity(
+                    name=settings.quantity, span=view.span, matched=self._matched
+                ),
+                "value_range": display.colour_bar.range_db,
+                "fixed": self._choices.chosen_range is not None,
+                "colours": settings.colours,
+            }
+        display.change(
+            outputs=view.outputs,
+            inputs=() if design is None else marks_of(design, view),
+            sensors_shown=settings.sensors_shown,
+            synthetic=any(facts_of(limb).synthetic for limb in limbs),
+            **still,
+        )
+        display.show()
+
+    def forget(self, message: str = "") -> None:
+        """Nothing is known any more; ``message`` says why, where that is to be said."""
+        self._time.frames.forget()
+        nothing = {"values": None, "field_values": None}
+        self._display.change(**nothing, message=message)
+
+    def show_bare(self, design: Design | None) -> None:
+        """Where nothing is computed for an own limb, show its places, not those of another.
+
+        Of one that is missing there is nothing to show.
+        """
+        limb = "" if design is None else design.limb
+        own, missing = own_map(limb), facts_of(limb).missing
+        if not missing and (own is None or limb == self._display.content.limb):
+            return
+        self._surface = None
+        self._display.change(
+            limb_map=own,
+            limb=limb,
+            px_per_mm=own.hand_length_px / facts_of(limb).hand_length_mm if own else 0.0,
+            field=None,
+            noisy=(),
+        )
+
+    def _take_limb(
+        self, results: Mapping[str, Any], surface: SurfaceOperator | None, design: Design | None
+    ) -> None:
+        limb, shown = results["limb_data"], self._choices.settings.quantity
+        if surface is not None and surface is not self._surface:
+            self._surface = surface
+            self._display.change(field=field_image(surface, limb))
+        self._display.change(
+            limb_map=results["limb_map"],
+            limb="" if design is None else design.limb,
+            px_per_mm=px_per_mm_of(limb),
+            note=picture.limits_and(note_of(surface, limb), shown),
+            drawn_note=picture.limits_and(drawn_note_of(surface), shown),
+        )
+
+    def _take_frame(self, view: View) -> None:
+        """Take the skin at the playhead; where it is not known yet, what was shown is late."""
+        settings = self._choices.settings
+        surface = self._surface if settings.map_style == "interpolated" else None
+        changes = self._time.changes(settings, view, surface)
+        if changes is not None:
+            quantity = replace(changes["quantity"], matched=self._matched)
+            self._display.change(**{**changes, "quantity": quantity})
+        elif self._time.frames.known:
+            self._display.set_stale(True)
+
+
+# Panel of the dorsal heat map.
 
 #: Width and height of a picture for which none is asked, px.
 PICTURE_PX = (1200, 1800)

@@ -1,11 +1,16 @@
-"""The spectrogram of one of the selected outputs."""
+"""The spectrogram as a picture with axes, a colour scale, a cursor and the playhead."""
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
+import numpy as np
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
 from PySide6.QtWidgets import QComboBox, QLabel, QSizePolicy, QWidget
 
+from skinsource.base.arrays import Floats
+from skinsource.base.decibels import decibels
 from skinsource.design.comparing import match_words
 from skinsource.design.design import Design
 from skinsource.design.labels import signal_words
@@ -20,16 +25,207 @@ from skinsource.design.panel_settings import (
 from skinsource.design.view import View
 from skinsource.limbs.locations import output_words
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.specs.fields import ChoiceSpec
-from skinsource_gui.figure_panel import SILENT, FigurePanel
-from skinsource_gui.panels.spectrogram.picture import Shown, SpectrogramPicture
-from skinsource_gui.theme import UNIT_PX
-from skinsource_gui.widgets.beside_or_below import BesideOrBelow
-from skinsource_gui.widgets.fields.choice_field import ChoiceField
-from skinsource_gui.widgets.fields.level_text import output_text
-from skinsource_gui.widgets.fields.number_field import NumberField
-from skinsource_gui.widgets.plot.ranges import Range
-from skinsource_gui.widgets.room.letter_width import LetterWidth
+from skinsource.signals.analysis.spectrogram import Spectrogram
+from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.fields.units import axis_unit, minus, output_text
+from skinsource_gui.panels.figure_panel import SILENT, FigurePanel
+from skinsource_gui.plots.colour_maps import colour_indices, colour_table
+from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
+from skinsource_gui.plots.ranges import HeldRange, Range
+from skinsource_gui.qt.room import BesideOrBelow, LetterWidth
+from skinsource_gui.qt.theme import UNIT_PX, current_theme
+
+#: How far below its loudest the colours go.
+SPAN_DB = 60.0
+_SCALE_PX = 10.0
+# What levels are relative to stands below the highest where the scale is so many lines high.
+_REFERENCE, _ROOM_LINES = "re 1 m/s²", 5.0
+_FLAGS = Qt.AlignmentFlag.AlignVCenter
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Shown:
+    """What the picture shows.
+
+    Attributes
+    ----------
+    found
+        The spectrogram.
+    first_s
+        Time of the first sample of the record.
+    band_hz
+        Floor and ceiling.
+    matched
+        By how much it is louder or softer than it was stored, or "".
+    """
+
+    found: Spectrogram
+    first_s: float
+    band_hz: Range
+    matched: str = ""
+
+
+class SpectrogramPicture(Figure):
+    """Amplitude as colour, over time and frequency."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__("spectrogram_picture", "Spectrogram", parent)
+        self.shown: Shown | None = None
+        self.axes: Axes | None = None
+        self.range_db: Range = (-SPAN_DB, 0.0)
+        self._playhead_s: float | None = None
+        self._held = HeldRange()
+        self._table = colour_table()
+        self._pixels: np.ndarray | None = None
+        self._image = QImage()
+
+    def begin_anew(self) -> None:
+        """Decide the range of the next picture without a look at the one before."""
+        self._held.let_go()
+
+    def show_spectrogram(self, shown: Shown) -> None:
+        """Take over what to show."""
+        self.shown = shown
+        rows = _rows_within(shown)
+        levels = decibels(shown.found.amplitude[rows])
+        top = self._held.follow(float(levels.min()), float(levels.max()), "level")[1]
+        self.range_db = (top - SPAN_DB, top)
+        codes = colour_indices(levels, self.range_db)
+        self._pixels = np.ascontiguousarray(self._table[codes[::-1]])
+        height, width = self._pixels.shape
+        self._image = QImage(
+            self._pixels.data, width, height, 4 * width, QImage.Format.Format_RGB32
+        )
+        self.say("")
+        self.read_again()
+
+    def show_playhead(self, time_s: float) -> None:
+        """Take over where the playhead stands."""
+        self._playhead_s = time_s
+        self.update()
+
+    def draw(self, painter: QPainter, room: QRectF) -> None:
+        shown = self.shown
+        if shown is None:
+            return
+        metrics = QFontMetricsF(painter.font())
+        said = scale_words(-100.0, top=True, matched=shown.matched)
+        widest = max(map(metrics.horizontalAdvance, said))
+        scale_px = widest + _SCALE_PX + 2 * UNIT_PX
+        inner = room.adjusted(0, 0, -scale_px, 0)
+        self.axes = axes = fitted_axes(inner, _time_axis(shown), _frequency_axis(shown), metrics)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.save()
+        painter.setClipRect(axes.frame)
+        painter.fillRect(axes.frame, QColor(int(self._table[0])))
+        painter.drawImage(self._image_place(axes, shown), self._image)
+        self._draw_lines(painter, axes)
+        painter.restore()
+        axes.paint(painter, current_theme(), grid=False)
+        self._draw_scale(painter, axes, room, metrics)
+
+    def read(self, at: QPointF) -> str:
+        axes = self.axes
+        place = None if axes is None else axes.value_at(at)
+        if axes is None or place is None or self.shown is None:
+            return ""
+        time_s, frequency_hz = place
+        level = float(decibels(self.shown.found.at(time_s - self.shown.first_s, frequency_hz)))
+        long = axes.x.factor == 1.0
+        when = f"{time_s:.4f} s" if long else f"{time_s * 1e3:.1f} ms"
+        return minus(f"{when} · {frequency_hz:.1f} Hz · {level:z.1f} dB re 1 m/s²")
+
+    def keys_area(self) -> QRectF:
+        return QRectF() if self.axes is None or self.message else self.axes.frame
+
+    def _image_place(self, axes: Axes, shown: Shown) -> QRectF:
+        """Columns and rows stand for the middles of their cells."""
+        time_s, frequency_hz = shown.found.time_s, _rows_frequency(shown)
+        x, y = _edges(time_s + shown.first_s), _edges(frequency_hz)
+        corners = axes.to_screen(np.array(x), np.array(y))
+        return QRectF(QPointF(*corners[0]), QPointF(*corners[1])).normalized()
+
+    def _draw_lines(self, painter: QPainter, axes: Axes) -> None:
+        frame = axes.frame
+        if self._playhead_s is not None:
+            x = float(axes.to_screen(np.array([self._playhead_s]), np.zeros(1))[0, 0])
+            line = QLineF(x, frame.top(), x, frame.bottom())
+            # In the colour of every playhead, on a ground on which it is seen in dark colours too.
+            for colour, width_px in ((current_theme().base, 3.5), (current_theme().error, 1.5)):
+                painter.setPen(QPen(QColor(colour), width_px))
+                painter.drawLine(line)
+        if self.cursor_at is not None:
+            pen = QPen(QColor("#ffffff"), 1, Qt.PenStyle.DashLine)
+            painter.setPen(pen)
+            painter.drawLine(
+                QLineF(self.cursor_at.x(), frame.top(), self.cursor_at.x(), frame.bottom())
+            )
+            painter.drawLine(
+                QLineF(frame.left(), self.cursor_at.y(), frame.right(), self.cursor_at.y())
+            )
+
+    def _draw_scale(
+        self, painter: QPainter, axes: Axes, room: QRectF, metrics: QFontMetricsF
+    ) -> None:
+        frame, line = axes.frame, metrics.height()
+        ramp = QRectF(frame.right() + 2 * UNIT_PX, frame.top(), _SCALE_PX, frame.height())
+        colours = np.ascontiguousarray(self._table[::-1, None])
+        image = QImage(colours.data, 1, len(colours), 4, QImage.Format.Format_RGB32)
+        painter.drawImage(ramp, image)
+        painter.setPen(QPen(QColor(current_theme().border), 1))
+        painter.drawRect(ramp)
+        painter.setPen(QColor(current_theme().dim))
+        low, high = self.range_db
+        matched = "" if self.shown is None else self.shown.matched
+        for part in (0.0, 0.5, 1.0):
+            y = ramp.bottom() - part * ramp.height()
+            place = QRectF(ramp.right() + 4, y - line / 2, room.right() - ramp.right() - 4, line)
+            told = matched or ramp.height() > _ROOM_LINES * line
+            top = bool(told) and part == 1.0
+            for words in scale_words(low + part * (high - low), top=top, matched=matched):
+                painter.drawText(place, _FLAGS, words)
+                place.translate(0.0, line)
+
+
+def scale_words(level_db: float, *, top: bool, matched: str = "") -> tuple[str, ...]:
+    """A level beside the scale; at its ``top``, and below it, what levels are relative to."""
+    words = minus(f"{level_db:.0f} dB")
+    below = matched.rsplit(" ", 1) if matched else ()
+    return (words, _REFERENCE, *below) if top else (words,)
+
+
+def _rows_within(shown: Shown) -> slice:
+    frequency_hz, (low, high) = shown.found.frequency_hz, shown.band_hz
+    first = int(np.searchsorted(frequency_hz, low, "left"))
+    end = int(np.searchsorted(frequency_hz, high, "right"))
+    # One beyond each end: the picture is cut at the frame, not before it.
+    return slice(max(first - 1, 0), min(max(end, first + 1) + 1, frequency_hz.size))
+
+
+def _rows_frequency(shown: Shown) -> Floats:
+    return shown.found.frequency_hz[_rows_within(shown)]
+
+
+def _edges(middles: Floats) -> Range:
+    half = 0.5 * float(middles[1] - middles[0]) if middles.size > 1 else 0.5e-3
+    return float(middles[0]) - half, float(middles[-1]) + half
+
+
+def _time_axis(shown: Shown) -> Axis:
+    time_s = shown.found.time_s + shown.first_s
+    first, last = float(time_s[0]), float(time_s[-1])
+    last = last if last > first else first + 1e-3
+    unit, factor = axis_unit(last)
+    return Axis(shown=(first, last), title=f"Time ({unit})", factor=factor)
+
+
+def _frequency_axis(shown: Shown) -> Axis:
+    return Axis(shown=shown.band_hz, title="Frequency (Hz)")
+
+
+# The spectrogram of one of the selected outputs.
 
 _NARROWEST_HZ, _MOST_NUMBER_PX = 5.0, 84
 

@@ -1,10 +1,21 @@
-"""Figures of the selected outputs, as a table that can be copied."""
+"""Figures of outputs as a table."""
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QKeySequence
+import numpy as np
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QEvent,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    QSize,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QColor, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
@@ -15,20 +26,168 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from skinsource.base.arrays import Floats
 from skinsource.design.comparing import match_words
 from skinsource.design.design import Design
 from skinsource.design.labels import signal_words, span_words
 from skinsource.design.view import View
-from skinsource_gui.figure_panel import COMPUTING
-from skinsource_gui.panel import Panel
-from skinsource_gui.panels.statistics.rows import NOISE_WORDS, rows_of, tab_separated
-from skinsource_gui.panels.statistics.table_model import TableModel
-from skinsource_gui.theme import UNIT_PX, set_tone
-from skinsource_gui.widgets.copy_button import CopyButton
-from skinsource_gui.widgets.empty_words import output_words
-from skinsource_gui.widgets.figure.words_label import WordsLabel
-from skinsource_gui.widgets.keys import claims_shortcut
-from skinsource_gui.widgets.name_column import dress_table, give_names_the_rest
+from skinsource.limbs.locations import output_words
+from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
+from skinsource.signals.analysis.statistics import BEGUN_SHARE, Statistics
+from skinsource_gui.panels.figure_panel import COMPUTING
+from skinsource_gui.plots.figure import WordsLabel
+from skinsource_gui.qt.asking import CopyButton, copied
+from skinsource_gui.qt.keys import claims_shortcut
+from skinsource_gui.qt.labels import SHORT_NAME, dress_table, give_names_the_rest
+from skinsource_gui.qt.labels import output_words as empty_words_output_words
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
+from skinsource_gui.state.panel import Panel
+
+#: Titles, as narrow as they can be, and what they mean.
+COLUMNS = (
+    ("Output", "Number and place of the output"),
+    ("RMS\nm/s²", "RMS over what the choice Levels says"),
+    ("Peak\nm/s²", "Largest magnitude of the signal, over the whole record"),
+    ("Crest", "Peak over RMS"),
+    ("Main\nHz", "Frequency with the most power along the chosen axes"),
+    (
+        "Delay\nms",
+        f"From the start of the first input to where the output first reaches {BEGUN_SHARE:.0%} of "
+        "its peak; the pre-trigger counts unless it is removed",
+    ),
+)
+NOISE_MARK = "≈"
+NOISE_WORDS = f"{NOISE_MARK} less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Row:
+    """One output: its name, its figures, and whether they are mostly those of noise."""
+
+    number: int
+    name: str
+    values: tuple[float, ...]
+    noisy: bool
+
+    def texts(self) -> tuple[str, ...]:
+        """As they are shown; a dash where there is no number."""
+        mark = f" {NOISE_MARK}" if self.noisy else ""
+        written = (
+            format(value, style).removesuffix(".") if np.isfinite(value) else "–"
+            for value, style in zip(self.shown, ("#.3g", "#.3g", ".2f", ".1f", ".1f"), strict=True)
+        )
+        return (f"{self.number}  {self.name}{mark}", *(one.replace("-", "−") for one in written))
+
+    @property
+    def short_name(self) -> str:
+        """Its name where there is little room: the number."""
+        return f"{self.number} {NOISE_MARK}" if self.noisy else str(self.number)
+
+    @property
+    def shown(self) -> tuple[float, ...]:
+        """Values in the units of the table."""
+        *others, delay_s = self.values
+        return (*others, delay_s * 1e3)
+
+
+def rows_of(
+    outputs: tuple[int, ...], figures: Statistics, above_noise_db: Floats | None, limb: str = ""
+) -> tuple[Row, ...]:
+    """A row for each selected output of a limb."""
+    found = []
+    columns = (
+        figures.rms,
+        figures.peak,
+        figures.crest,
+        figures.dominant_hz,
+        figures.delay_s,
+    )
+    for rank, output in enumerate(outputs):
+        above = np.inf if above_noise_db is None else above_noise_db[output - 1]
+        found.append(
+            Row(
+                number=output,
+                name=output_words(output, limb).short_name,
+                values=tuple(float(column[rank]) for column in columns),
+                noisy=bool(above < LEAST_ABOVE_NOISE_DB),
+            )
+        )
+    return tuple(found)
+
+
+def tab_separated(rows: tuple[Row, ...]) -> str:
+    """The table for a spreadsheet: a header, then numbers that read back exactly."""
+    header: tuple[str, ...] = ("output", "place", "rms_m_per_s2", "peak_m_per_s2")
+    header += ("crest", "dominant_hz", "delay_ms", "mostly_noise")
+    lines = ["\t".join(header)]
+    for row in rows:
+        numbers = map(copied, row.shown)
+        lines.append("\t".join((str(row.number), row.name, *numbers, "yes" if row.noisy else "no")))
+    return "\n".join(lines) + "\n"
+
+
+# Rows of figures, as Qt asks for them.
+
+_Index = QModelIndex | QPersistentModelIndex
+_Role = Qt.ItemDataRole
+
+
+class TableModel(QAbstractTableModel):
+    """Figures of the selected outputs, one row each."""
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.rows: tuple[Row, ...] = ()
+
+    def show_rows(self, rows: tuple[Row, ...]) -> None:
+        """Take over other rows; where they are the same outputs, the selection stays."""
+        same = [row.number for row in rows] == [row.number for row in self.rows]
+        if not same:
+            self.beginResetModel()
+        self.rows = rows
+        if not same:
+            self.endResetModel()
+        elif rows:
+            end = self.index(len(rows) - 1, len(COLUMNS) - 1)
+            self.dataChanged.emit(self.index(0, 0), end)
+
+    def rowCount(self, parent: _Index | None = None) -> int:
+        return 0 if parent is not None and parent.isValid() else len(self.rows)
+
+    def columnCount(self, parent: _Index | None = None) -> int:
+        return 0 if parent is not None and parent.isValid() else len(COLUMNS)
+
+    def data(self, index: _Index, role: int = _Role.DisplayRole) -> object:
+        row, column = self.rows[index.row()], index.column()
+        if role == _Role.DisplayRole:
+            return row.texts()[column]
+        if role == _Role.TextAlignmentRole and column:
+            return int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        if role == _Role.ForegroundRole:
+            if column == 0:
+                return current_theme().output_colour(index.row())
+            return QColor(current_theme().dim if row.noisy else current_theme().text)
+        if role == SHORT_NAME and column == 0:
+            return row.short_name
+        if role == _Role.ToolTipRole and (row.noisy or not column):
+            return f"{row.texts()[0]}: {NOISE_WORDS}" if row.noisy else row.texts()[0]
+        return None
+
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = _Role.DisplayRole
+    ) -> object:
+        if orientation != Qt.Orientation.Horizontal:
+            return None
+        if role == _Role.DisplayRole:
+            return COLUMNS[section][0]
+        if role == _Role.ToolTipRole:
+            return COLUMNS[section][1]
+        if role == _Role.TextAlignmentRole and section == 0:
+            return int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        return None
+
+
+# Figures of the selected outputs, as a table that can be copied.
 
 
 class FigureTable(QTableView):
@@ -89,7 +248,7 @@ class StatisticsPanel(Panel):
     @property
     def no_outputs(self) -> str:
         """What it says while no output is selected."""
-        return output_words(self.in_sight)
+        return empty_words_output_words(self.in_sight)
 
     def sizeHint(self) -> QSize:
         return QSize(460, 260)

@@ -1,22 +1,369 @@
-"""What the timeline shows."""
+"""Lanes and the clips in them, in pixels."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from enum import Enum
 from functools import cached_property
 
-from PySide6.QtCore import QPointF
+import numpy as np
+from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QPainter, QWheelEvent
 
 from skinsource.base.arrays import Floats
+from skinsource.base.decibels import decibels
 from skinsource.base.published import SAMPLE_RATE_HZ
-from skinsource.design.design import Design
-from skinsource.design.edits.edit import clip_of
+from skinsource.design.clips import Clip
+from skinsource.design.design import MAX_INPUTS, Design, Input
+from skinsource.design.edits.cutting import fades_of
+from skinsource.design.edits.edit import Edit, clip_of
+from skinsource.design.effects.breakpoints import Points, curve_at
+from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
-from skinsource_gui.panels.timeline.clip_lengths import ClipLengths
-from skinsource_gui.panels.timeline.gain.gain_strip import GainStrip, top_of
-from skinsource_gui.panels.timeline.lane import Box, Lane, box_at, boxes_of, lane_at
-from skinsource_gui.panels.timeline.overlaps import Overlaps, boxes_at
-from skinsource_gui.widgets.time.snapping import REACH_PX, grid_step_s
-from skinsource_gui.widgets.time.time_scale import Range, TimeScale
+from skinsource.specs import fields
+from skinsource.specs.numbers import ListSpec, NumberSpec
+from skinsource_gui.fields.units import value_text
+from skinsource_gui.plots.ranges import number_text
+from skinsource_gui.plots.time_scale import REACH_PX as SNAPPING_REACH_PX
+from skinsource_gui.plots.time_scale import (
+    Range,
+    TimeScale,
+    grid_step_s,
+    range_by_wheel,
+    within,
+    zoomed,
+)
+from skinsource_gui.qt.keys import MOUSE, key_text
+from skinsource_gui.qt.theme import Theme
+from skinsource_gui.qt.tooltips import tooltip
+
+#: Free space above and below a clip, px.
+MARGIN_PX = 3.0
+#: No clip is painted narrower, so that one can be seen and caught.
+NARROWEST_PX = 3.0
+#: How far outside a clip its ends can be caught, px.
+REACH_PX = 4.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Lane:
+    """The strip of one track.
+
+    Attributes
+    ----------
+    track
+        The track.
+    top_px, height_px
+        Where it lies.
+    silent
+        Why it is not heard, or "".
+    problem
+        Why it cannot be played, or "".
+    selected
+        Whether its track is selected.
+    """
+
+    track: Input
+    top_px: float
+    height_px: float
+    silent: str
+    selected: bool
+    problem: str = ""
+
+    @property
+    def bottom_px(self) -> float:
+        """Where the next one begins."""
+        return self.top_px + self.height_px
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Box:
+    """A clip where it is painted, and how far its fades reach, px."""
+
+    clip: Clip
+    lane: Lane
+    rect: QRectF
+    fades_px: tuple[float, float] = (0.0, 0.0)
+
+
+def boxes_of(
+    lanes: Sequence[Lane], scale: TimeScale, durations_s: Mapping[int, float]
+) -> list[Box]:
+    """The clips that can be seen between the ends of ``scale``, lane by lane, in painting order.
+
+    Parameters
+    ----------
+    lanes
+        Lanes that can be seen.
+    durations_s
+        Length of each clip, by its id.
+    """
+    found = []
+    first, last = scale.left_px, scale.right_px
+    for lane in lanes:
+        top, height = lane.top_px + MARGIN_PX, lane.height_px - 2 * MARGIN_PX
+        for clip in lane.track.clips:
+            left = scale.x(clip.onset_s)
+            width = max(durations_s[clip.id] * scale.px_per_s, NARROWEST_PX)
+            if left < last and left + width > first:
+                rect = QRectF(left, top, width, height)
+                in_s, out_s = fades_of(clip) if clip.effects else (0.0, 0.0)
+                fades_px = (in_s * scale.px_per_s, out_s * scale.px_per_s)
+                found.append(Box(clip=clip, lane=lane, rect=rect, fades_px=fades_px))
+    return found
+
+
+def lane_at(lanes: Sequence[Lane], y_px: float) -> Lane | None:
+    """The lane at this height."""
+    return next((lane for lane in lanes if lane.top_px <= y_px < lane.bottom_px), None)
+
+
+def box_at(boxes: Sequence[Box], at: QPointF) -> Box | None:
+    """The uppermost clip at this place, or else one of which an end is within reach."""
+    for reach in (0.0, REACH_PX):
+        for box in reversed(boxes):
+            if box.rect.adjusted(-reach, 0, reach, 0).contains(at):
+                return box
+    return None
+
+
+# Where the gain curve of a track is on its lane.
+
+Curve = tuple[tuple[float, float], ...]
+
+#: How far away from a point, and from the line, the pointer catches it, px.
+POINT_PX, LINE_PX = 8.0, 5.0
+# Gains up to this have room at least; free space above and below, px.
+_LEAST_TOP, _ROOM = 2.0, 1.15
+_MARGIN_PX = 4.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GainStrip:
+    """A gain curve, and where its values lie.
+
+    Attributes
+    ----------
+    lane, scale
+        Where it is.
+    top
+        The gain at the upper edge of the lane.
+    shown
+        Whether it is shown for editing; else it is only hinted at.
+    """
+
+    lane: Lane
+    scale: TimeScale
+    top: float
+    shown: bool
+
+    @property
+    def points(self) -> Points:
+        """Its breakpoints."""
+        return points_of(self.lane.track.gain_curve)
+
+    @property
+    def height_px(self) -> float:
+        """From a gain of 0 up to the largest one, px."""
+        return max(self.lane.height_px - 2 * _MARGIN_PX, 1.0)
+
+    def at(self, time_s: float, gain: float) -> QPointF:
+        """Where a gain at a time lies, px."""
+        return QPointF(self.scale.x(time_s), self.y(gain))
+
+    def y(self, gain: float) -> float:
+        """Where a gain lies, px."""
+        return self.lane.bottom_px - _MARGIN_PX - gain / self.top * self.height_px
+
+    def gain_at(self, time_s: float) -> float:
+        """The gain at a time."""
+        points = self.points or ((0.0, 1.0, "straight"),)
+        return float(curve_at(points, np.array([time_s]))[0])
+
+    def point_at(self, at: QPointF) -> int | None:
+        """The point within reach."""
+        away = [
+            (max(abs(one.x() - at.x()), abs(one.y() - at.y())), k)
+            for k, one in enumerate(self.at(x, y) for x, y, _ in self.points)
+        ]
+        found = min(away, default=None)
+        return None if found is None or found[0] > POINT_PX else found[1]
+
+    def is_on_line(self, at: QPointF) -> bool:
+        """Whether the curve passes here."""
+        return abs(self.y(self.gain_at(self.scale.time(at.x()))) - at.y()) <= LINE_PX
+
+    def around(self, time_s: float) -> tuple[int, ...]:
+        """The points between which the curve is at a time; beyond its ends the one there."""
+        points = self.points
+        before = sum(x <= time_s for x, _, _ in points)
+        return tuple(k for k in (before - 1, before) if 0 <= k < len(points))
+
+
+def points_of(curve: Curve) -> Points:
+    """A gain curve as breakpoints."""
+    return tuple((x, y, "straight") for x, y in curve)
+
+
+def curve_of(points: Points) -> Curve:
+    """Breakpoints as a gain curve, with no more digits than anybody wants to read."""
+    return tuple((round(x, 9), round(y, 6)) for x, y, _ in points)
+
+
+def top_of(curve: Curve) -> float:
+    """The largest gain that a lane has room for."""
+    return max(_LEAST_TOP, _ROOM * max((y for _, y in curve), default=0.0))
+
+
+def gain_words(time_s: float, gain: float) -> str:
+    """A point in words: ``"120 ms · × 0.5 · −6.0 dB"``."""
+    level = f"{number_text(float(decibels(np.array([gain]))[0]), 1)} dB" if gain > 0.0 else "silent"
+    return f"{value_text(time_s, 's', digits=5)} · × {gain:.4g} · {level}"
+
+
+# How long clips are, and all of them together.
+
+#: Behind the last clip, so much of the time can be seen; at least so much in all.
+AFTER_S, LEAST_S = 0.4, 0.5
+
+
+class ClipLengths:
+    """Lengths of the clips of a design; those of clips that are as they were are not asked again.
+
+    Parameters
+    ----------
+    design
+        Whose clips.
+    before
+        What was known of an earlier design.
+
+    Attributes
+    ----------
+    design
+        Whose clips.
+    asked
+        How many clips were asked.
+    """
+
+    def __init__(self, design: Design, before: "ClipLengths | None" = None) -> None:
+        self.design, self.asked = design, 0
+        known: Mapping[int, tuple[Clip, float]] = {} if before is None else before._known
+        self._known: Mapping[int, tuple[Clip, float]] = {
+            clip.id: self._known_or_asked(clip, known) for clip in design.clips
+        }
+        self._durations_s = {id: duration_s for id, (_, duration_s) in self._known.items()}
+        ends = [clip.onset_s + duration_s for clip, duration_s in self._known.values()]
+        self._whole_s = (0.0, max(max(ends, default=0.0) + AFTER_S, LEAST_S))
+
+    @property
+    def durations_s(self) -> Mapping[int, float]:
+        """Length of each clip, by its id."""
+        return self._durations_s
+
+    @property
+    def whole_s(self) -> Range:
+        """From 0 to a little behind the last clip."""
+        return self._whole_s
+
+    def of(self, design: Design) -> "ClipLengths":
+        """Those of a design, most of whose clips are the same."""
+        return self if design is self.design else ClipLengths(design, self)
+
+    def _known_or_asked(
+        self, clip: Clip, known: Mapping[int, tuple[Clip, float]]
+    ) -> tuple[Clip, float]:
+        found = known.get(clip.id)
+        if found is not None and found[0] is clip:
+            return found
+        self.asked += 1
+        return clip, clip.duration_s
+
+
+# Where clips of a track lie over each other, and which of them are at a place.
+
+_MARK_PX = 4.0
+_ALPHA = 190
+# What is shorter is rounding of two clips that follow each other, s.
+_LEAST_S = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Stretch:
+    """From when to when clips overlap, s."""
+
+    start_s: float
+    end_s: float
+
+
+class Overlaps:
+    """Finds where clips of tracks overlap; of a track that stays the same, once."""
+
+    def __init__(self) -> None:
+        self._known: dict[int, tuple[Input, tuple[Stretch, ...]]] = {}
+
+    def of(self, track: Input) -> tuple[Stretch, ...]:
+        """Stretches of time with two clips or more, rising."""
+        known = self._known.get(track.id)
+        if known is None or known[0] is not track:
+            known = self._known[track.id] = (track, stretches(track.clips))
+        return known[1]
+
+
+def stretches(clips: Iterable[Clip]) -> tuple[Stretch, ...]:
+    """Stretches of time in which two of these clips or more play."""
+    found: list[Stretch] = []
+    last_s = float("-inf")
+    for start_s, end_s in sorted((one.onset_s, one.end_s) for one in clips):
+        if min(last_s, end_s) - start_s > _LEAST_S:
+            both = Stretch(start_s, min(last_s, end_s))
+            if found and both.start_s <= found[-1].end_s:
+                both = Stretch(found[-1].start_s, max(found[-1].end_s, both.end_s))
+                found.pop()
+            found.append(both)
+        last_s = max(last_s, end_s)
+    return tuple(found)
+
+
+def paint_overlaps(
+    painter: QPainter, lane: Lane, found: Sequence[Stretch], scale: TimeScale, theme: Theme
+) -> None:
+    """Mark at the foot of a lane where its clips overlap."""
+    colour = QColor(theme.text)
+    colour.setAlpha(_ALPHA)
+    top = lane.bottom_px - MARGIN_PX - _MARK_PX
+    for one in found:
+        left, right = max(scale.x(one.start_s), -10.0), min(scale.x(one.end_s), 1e5)
+        if right > left:
+            painter.fillRect(QRectF(left, top, max(right - left, 2.0), _MARK_PX), colour)
+
+
+def boxes_at(boxes: Sequence[Box], at: QPointF) -> list[Box]:
+    """All clips at a place, in the order in which their track lists them."""
+    found = [box for box in boxes if box.rect.contains(at)]
+    return sorted(found, key=lambda box: box.lane.track.clips.index(box.clip))
+
+
+def after(ids: Sequence[int], one: int | None) -> int | None:
+    """The next of several, the first after the last; None where there is no other."""
+    if len(ids) < 2:
+        return None
+    return ids[(ids.index(one) + 1) % len(ids)] if one in ids else ids[0]
+
+
+def overlapping(track: Input, clip: Clip) -> tuple[int, ...]:
+    """Ids of the clips of a track that play while one of them does, with that one."""
+    return tuple(
+        one.id
+        for one in sorted(track.clips, key=lambda each: (each.onset_s, each.id))
+        if min(one.end_s, clip.end_s) - max(one.onset_s, clip.onset_s) > _LEAST_S or one is clip
+    )
+
+
+def clip_words(clip: Clip) -> str:
+    """A clip in a list: ``"Tone · 120 ms"``."""
+    return f"{clip.label or clip.waveform.title} · {value_text(clip.onset_s, 's', digits=5)}"
+
+
+# What the timeline shows.
 
 #: How high the ruler is where words have their usual size, px.
 RULER_PX = 26.0
@@ -153,7 +500,7 @@ class Content:
     @property
     def reach_s(self) -> float:
         """From how far away an edge snaps."""
-        return REACH_PX / self.scale.px_per_s
+        return SNAPPING_REACH_PX / self.scale.px_per_s
 
     @property
     def grid_s(self) -> float:
@@ -195,3 +542,177 @@ def chosen_clips(design: Design, view: View) -> tuple[int, ...]:
 def ruler_px(line_px: float) -> float:
     """How high the ruler is where a line of text is so high, px."""
     return max(RULER_PX, line_px + 10.0)
+
+
+# What only the timeline looks at.
+
+#: Name of the panel, under which a view keeps its settings.
+TIMELINE = "timeline"
+GAIN_CURVES = ListSpec(
+    label="Gain curves",
+    of=NumberSpec(label="Id of an input", minimum=1, maximum=2**31 - 1, whole=True),
+    most=MAX_INPUTS,
+    different=True,
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TimelineSettings:
+    """What lanes show besides clips: ``gain_curves``, ids of the tracks that show theirs."""
+
+    gain_curves: tuple[int, ...] = fields.field(GAIN_CURVES, ())
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+
+def shown_gain_curves(view: View) -> frozenset[int]:
+    """Ids of the tracks whose gain curve is shown for editing."""
+    return frozenset(settings_of(view, TIMELINE, TimelineSettings).gain_curves)
+
+
+def show_gain_curves(view: View, ids: Iterable[int]) -> View:
+    """The view in which these tracks, and no others, show their gain curve."""
+    settings = settings_of(view, TIMELINE, TimelineSettings)
+    shown = replace(settings, gain_curves=tuple(sorted(set(ids))))
+    return with_settings(view, TIMELINE, shown)
+
+
+def toggle_gain_curves(design: Design, view: View, ids: Iterable[int]) -> Edit:
+    """Show the gain curves of tracks; if all of them are shown, hide them."""
+    wanted, shown = set(ids) & set(design.ids), shown_gain_curves(view) & set(design.ids)
+    after = shown - wanted if wanted <= shown else shown | wanted
+    return Edit(label="Show gain curves", design=design, view=show_gain_curves(view, after))
+
+
+# Which part of a clip the pointer is on.
+
+_EDGE_PX, _CORNER_PX = 6.0, 11.0
+# A clip narrower than this is only moved by its inside; its ends are caught from beside it.
+_NARROW_PX = 26.0
+
+
+class Part(Enum):
+    """Parts that are dragged to different ends."""
+
+    BODY = "body"
+    START = "start"
+    END = "end"
+    FADE_IN = "fade in"
+    FADE_OUT = "fade out"
+
+
+CURSORS = {
+    Part.BODY: Qt.CursorShape.OpenHandCursor,
+    Part.START: Qt.CursorShape.SizeHorCursor,
+    Part.END: Qt.CursorShape.SizeHorCursor,
+    Part.FADE_IN: Qt.CursorShape.SizeFDiagCursor,
+    Part.FADE_OUT: Qt.CursorShape.SizeBDiagCursor,
+}
+
+
+def part_at(rect: QRectF, at: QPointF, fades_px: tuple[float, float] = (0.0, 0.0)) -> Part:
+    """The part of a clip painted in ``rect`` that lies at ``at``.
+
+    Its fades are caught where they end, ``fades_px`` from its ends.
+    """
+    from_start, from_end = at.x() - rect.left(), rect.right() - at.x()
+    if from_start < 0 or from_end < 0:
+        return Part.START if from_start < 0 else Part.END
+    if rect.width() < _NARROW_PX:
+        return Part.BODY
+    if at.y() - rect.top() < _CORNER_PX:
+        for part, away, reach in (
+            (Part.FADE_IN, from_start, fades_px[0]),
+            (Part.FADE_OUT, from_end, fades_px[1]),
+        ):
+            if max(reach - _CORNER_PX / 2, 0.0) <= away < reach + _CORNER_PX:
+                return part
+    if from_start < _EDGE_PX:
+        return Part.START
+    return Part.END if from_end < _EDGE_PX else Part.BODY
+
+
+# Which part of the time the lanes show.
+
+
+class SeenTime(QObject):
+    """Zooms and pans, by asking for another view.
+
+    Parameters
+    ----------
+    content
+        Gives what the lanes show at present.
+    """
+
+    #: The view to look at.
+    looked = Signal(object)
+
+    def __init__(self, content: Callable[[], Content], parent: QObject) -> None:
+        super().__init__(parent)
+        self._content = content
+        self._held_s: Range | None = None
+
+    def range_s(self, view: View, whole_s: Range) -> Range:
+        """What to show of the whole."""
+        return view.time_range_s or self._held_s or whole_s
+
+    def hold(self) -> None:
+        """Something is dragged: what is seen stays, though the design may become longer."""
+        self._held_s = self._content().scale.shown_s
+
+    def let_go(self) -> None:
+        """The drag has ended."""
+        self._held_s = None
+
+    def zoom(self, factor: float, anchor_s: float | None = None) -> None:
+        """See a part so many times narrower: around a time, the playhead, or the middle."""
+        content = self._content()
+        shown, playhead_s = content.scale.shown_s, content.view.playhead_s
+        if anchor_s is None:
+            inside = shown[0] <= playhead_s <= shown[1]
+            anchor_s = playhead_s if inside else sum(shown) / 2
+        self._look_at(zoomed(shown, anchor_s, factor, content.whole_s))
+
+    def turn(self, event: QWheelEvent) -> None:
+        """Follow the wheel."""
+        content = self._content()
+        self._look_at(range_by_wheel(event, content.scale, content.whole_s))
+
+    def show_range(self, wanted_s: Range) -> None:
+        """See this part."""
+        self._look_at(within(wanted_s, self._content().whole_s))
+
+    def show_everything(self) -> None:
+        """See all of it."""
+        self._look_at(None)
+
+    def _look_at(self, shown_s: Range | None) -> None:
+        self._held_s = None
+        view = self._content().view
+        if shown_s != view.time_range_s:
+            self.looked.emit(replace(view, time_range_s=shown_s))
+
+
+# What is said of the part of a clip under the pointer.
+
+_NEXT = key_text("timeline", "below")
+_END = ("trim", "stretch")
+_CORNER = ("fade",)
+_GESTURES = {
+    Part.START: _END,
+    Part.END: _END,
+    Part.FADE_IN: _CORNER,
+    Part.FADE_OUT: _CORNER,
+}
+
+
+def hover_words(content: Content, at: QPointF) -> str:
+    """Why the clip here cannot be played, what can be dragged, how many clips lie here; or ""."""
+    box = content.box_at(at)
+    if box is None:
+        return ""
+    count = len(content.boxes_at(at))
+    several = f"{count} clips here: click again, or {_NEXT}, for the next" if count > 1 else ""
+    names = _GESTURES.get(part_at(box.rect, at, box.fades_px), ())
+    return tooltip(box.lane.problem, several, *MOUSE["clips"].sentences(*names))

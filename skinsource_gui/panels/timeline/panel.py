@@ -1,27 +1,621 @@
-"""Tracks and their clips over time."""
+"""Clips on the clipboard: for this studio and others, and as text for people."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QPoint, QPointF, QRectF, QSize, Qt
-from PySide6.QtWidgets import QLabel, QStackedLayout, QVBoxLayout, QWidget
+from PySide6.QtCore import (
+    QEvent,
+    QMimeData,
+    QObject,
+    QPoint,
+    QPointF,
+    QRectF,
+    QSignalBlocker,
+    QSize,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import (
+    QApplication,
+    QGridLayout,
+    QHBoxLayout,
+    QInputDialog,
+    QLabel,
+    QMenu,
+    QScrollBar,
+    QStackedLayout,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from skinsource.base.arrays import Floats
-from skinsource.design.clips import Clip
-from skinsource.design.design import Design
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.quoting import sentence
+from skinsource.design import edits
+from skinsource.design.clips import Clip, Fragment
+from skinsource.design.design import Design, Input, audible_inputs
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.view import View
-from skinsource_gui.panel import Panel
-from skinsource_gui.panels.timeline.gestures.gesture import Shown
-from skinsource_gui.panels.timeline.heads.heads import Heads
-from skinsource_gui.panels.timeline.heads.row_places import heads_px, row_places
-from skinsource_gui.panels.timeline.lanes_menu import LanesMenu
-from skinsource_gui.panels.timeline.timeline_edits import TimelineEdits
-from skinsource_gui.panels.timeline.track_table import TrackTable
-from skinsource_gui.theme import UNIT_PX, set_tone
-from skinsource_gui.widgets.drop_place import DropPlace
-from skinsource_gui.widgets.empty_words import add_words
-from skinsource_gui.widgets.inputs.clip_waveforms import waveforms_of
+from skinsource.design.waveform import Waveform
+from skinsource.limbs.locations import input_words
+from skinsource.limbs.own_limbs import facts_of
+from skinsource_gui.fields.inputs import waveforms_of
+from skinsource_gui.panels.timeline.content import (
+    Box,
+    Content,
+    GainStrip,
+    Lane,
+    chosen_clips,
+    clip_words,
+    toggle_gain_curves,
+)
+from skinsource_gui.panels.timeline.gain import GainPoints
+from skinsource_gui.panels.timeline.gestures import Shown
+from skinsource_gui.panels.timeline.head_row import InputRow, heads_px, row_places
+from skinsource_gui.panels.timeline.heads import Heads, InputList
+from skinsource_gui.panels.timeline.lanes import LanesView, marker_at
+from skinsource_gui.plots.time_scale import Range
+from skinsource_gui.qt.frames import DropPlace
+from skinsource_gui.qt.keys import KEYS, key_text
+from skinsource_gui.qt.labels import add_words
+from skinsource_gui.qt.room import RoomOrWords, fitting_font, write_in
+from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.state.panel import Panel
+
+_MIME = "application/x-skinsource-clips"
+# Any text that could hold clips says so in its first words.
+_SIGN, _BEGINNING = "skinsource clips", 2000
+
+
+def copy(fragment: Fragment) -> None:
+    """Put clips on the clipboard.
+
+    Raises
+    ------
+    InvalidInputError
+        They hold more samples than a text may.
+    """
+    text = edits.fragment_text(fragment)
+    data = QMimeData()
+    data.setData(_MIME, text.encode())
+    data.setText(text)
+    QApplication.clipboard().setMimeData(data)
+
+
+def pasted() -> Fragment | None:
+    """The clips on the clipboard, also where they travelled as text; None: there are none.
+
+    Raises
+    ------
+    FileFormatError
+        They are damaged, or from a newer version.
+    """
+    data = QApplication.clipboard().mimeData()
+    if data is None:
+        return None
+    if data.hasFormat(_MIME):
+        return edits.fragment_from(bytes(data.data(_MIME).data()).decode(errors="replace"))
+    text = data.text() if data.hasText() else ""
+    return edits.fragment_from(text) if _SIGN in text[:_BEGINNING] else None
+
+
+# What the timeline does to clips by menu, keys and clipboard.
+
+_NO_CLIPS = Refusal(sentence="No clip is selected; click one in the timeline.")
+_NOTHING_TO_PASTE = Refusal(
+    sentence=f"The clipboard holds no clips; copy some first, with {key_text('timeline', 'copy')}."
+)
+
+
+class TimelineEdits(QObject):
+    """Edits of the selected clips; new ones are of the kind that was selected last."""
+
+    edited = Signal(object, object)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._design, self._view = Design(limb=""), View()
+        self._last: Waveform = Clip().waveform
+
+    def show_state(self, design: Design, view: View) -> None:
+        """Take over the present design and view."""
+        self._design, self._view = design, view
+        chosen = view.selected_clips[-1:]
+        for track in design.inputs:
+            for clip in track.clips:
+                if (clip.id,) == chosen:
+                    self._last = clip.waveform
+
+    def add(self, track: int, at_s: float) -> None:
+        """Add a clip of the last used kind to a track."""
+        self._emit(edits.add_clip(self._design, self._view, track, at_s, self._last))
+
+    def add_marker(self, at_s: float) -> None:
+        """Add a marker with a number for a name."""
+        name = str(len(self._design.markers) + 1)
+        self._emit(edits.add_marker(self._design, self._view, at_s, name))
+
+    def copy(self) -> bool:
+        """Put the selected clips on the clipboard; whether they are there."""
+        fragment = edits.fragment_of(self._design, chosen_clips(self._design, self._view))
+        if fragment is None:
+            self._emit(_NO_CLIPS)
+            return False
+        try:
+            copy(fragment)
+        except SkinSourceError as error:
+            self._emit(Refusal(sentence=sentence(str(error))))
+            return False
+        return True
+
+    def cut(self) -> None:
+        """Move the selected clips to the clipboard; what cannot be there stays."""
+        if self.copy():
+            chosen = chosen_clips(self._design, self._view)
+            self._emit(edits.cut_clips(self._design, self._view, chosen))
+
+    def paste(self) -> None:
+        """Put the clips of the clipboard at the playhead."""
+        try:
+            fragment = pasted()
+        except SkinSourceError as error:
+            self._emit(Refusal(sentence=sentence(str(error))))
+            return
+        if fragment is None:
+            self._emit(_NOTHING_TO_PASTE)
+        else:
+            at_s = self._view.playhead_s
+            self._emit(edits.paste_fragment(self._design, self._view, fragment, at_s))
+
+    def _emit(self, outcome: Edit | Refusal) -> None:
+        self.edited.emit(outcome, None)
+
+
+# What the right button offers on clips, on the ground and on the ruler.
+
+AnyEdit = Callable[..., Edit | Refusal]
+_PLACE = "timeline"
+
+
+class LanesMenu(QObject):
+    """Opens the menu of what lies under the pointer.
+
+    Parameters
+    ----------
+    content
+        Returns what is shown now.
+    clips, gain
+        Do what the keys do too.
+    parent
+        Over which it opens.
+    """
+
+    edited = Signal(object, object)
+    looked = Signal(object)
+    opened = Signal(int)
+
+    def __init__(
+        self,
+        content: Callable[[], Content],
+        clips: TimelineEdits,
+        gain: GainPoints,
+        parent: QWidget,
+    ) -> None:
+        super().__init__(parent)
+        self._content, self._clips, self._gain, self._parent = content, clips, gain, parent
+
+    def open(self, at: QPoint, place: QPointF) -> None:
+        """Open the menu of a place, at a place of the screen."""
+        content = self._content()
+        box = content.box_at(place)
+        menu = QMenu(self._parent)
+        menu.setObjectName("lanes_menu")
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        time_s = max(content.scale.time(place.x()), 0.0)
+        if place.y() < content.ruler_px:
+            self._fill_ruler(menu, content, place, time_s)
+        elif (strip := self._gain.strip_at(place)) is not None:
+            self._fill_curve(menu, strip, place)
+        elif box is not None:
+            if box.clip.id not in content.view.selected_clips:
+                self.looked.emit(
+                    edits.select_clips(content.design, content.view, (box.clip.id,)).view
+                )
+            self._fill_clips_here(menu, content.boxes_at(place))
+            self._fill_clip(menu, box.clip.id)
+        else:
+            self._fill_ground(menu, content, place, time_s)
+        menu.popup(at)
+
+    def _fill_clips_here(self, menu: QMenu, boxes: Sequence[Box]) -> None:
+        """Where clips lie over each other, offer to select each of them."""
+        if len(boxes) < 2:
+            return
+        here = menu.addMenu("Clips here")
+        here.setObjectName("clips_here")
+        for box in boxes:
+            line = here.addAction(clip_words(box.clip))
+            line.setCheckable(True)
+            line.setChecked(box.clip.id in self._content().view.selected_clips)
+            line.triggered.connect(partial(self._select, box.clip.id))
+        menu.addSeparator()
+
+    def _select(self, clip: int, _checked: bool = False) -> None:
+        content = self._content()
+        self.looked.emit(edits.select_clips(content.design, content.view, (clip,)).view)
+
+    def _fill_clip(self, menu: QMenu, clip: int) -> None:
+        content = self._content()
+        chosen = content.view.selected_clips
+        several = len(chosen) > 1
+        what = f"{len(chosen)} clips" if several else "clip"
+        self._line(menu, "Edit clip", "open", lambda: self.opened.emit(clip))
+        menu.addSeparator()
+        self._act(menu, "Split at playhead", "split", edits.split_clips, content.view.playhead_s)
+        if several:
+            self._act(menu, "Join parts of a clip", "", edits.join_clips)
+            self._act(menu, "Make one clip of them", "", edits.group_clips)
+        else:
+            self._act(menu, "Take layers apart", "", edits.ungroup_clips)
+        self._act(menu, f"Repeat {what}", "repeat", edits.repeat_clips, 2)
+        self._act(menu, f"Duplicate {what}", "duplicate", edits.duplicate_clips)
+        self._act(menu, f"Mute {what}", "mute", edits.toggle_mute_clips)
+        menu.addSeparator()
+        self._fill_places(menu, f"Move {what} to")
+        self._line(menu, "Copy", "copy", self._clips.copy)
+        self._line(menu, "Cut", "cut", self._clips.cut)
+        self._act(menu, f"Remove {what}", "remove", edits.remove_clips)
+
+    def _fill_places(self, menu: QMenu, words: str) -> None:
+        places = menu.addMenu(words)
+        places.setObjectName("lanes_places")
+        design = self._content().design
+        taken = {one.location for one in design.inputs}
+        for number in range(1, facts_of(design.limb).n_inputs + 1):
+            track = "" if number in taken else " (new track)"
+            title = f"{number} · {input_words(number, design.limb).name}{track}"
+            self._act(places, title, "", edits.move_clips_to_place, number)
+
+    def _fill_ground(self, menu: QMenu, content: Content, place: QPointF, time_s: float) -> None:
+        lane = content.lane_at(place.y())
+        if lane is not None:
+            track = lane.track.id
+            self._line(menu, "Add clip here", "", lambda: self._clips.add(track, time_s))
+            shown = track in content.gain_shown
+            words = "Hide gain curve" if shown else "Show gain curve"
+            self._line(menu, words, "gain_curve", lambda: self._toggle_gain(track))
+        self._line(menu, "Paste at playhead", "paste", self._clips.paste)
+        menu.addSeparator()
+        self._fill_time(menu, content)
+
+    def _fill_curve(self, menu: QMenu, strip: GainStrip, place: QPointF) -> None:
+        track, near = strip.lane.track.id, strip.point_at(place)
+        if near is not None:
+            self._gain.choose((track, near))
+            self._line(menu, "Remove point", "remove", lambda: self._gain.remove(track, (near,)))
+        else:
+            self._line(menu, "Add point here", "", lambda: self._gain.double_click(place))
+        everything = tuple(range(len(strip.points)))
+        self._line(menu, "Remove gain curve", "", lambda: self._gain.remove(track, everything))
+        self._line(menu, "Hide gain curve", "gain_curve", lambda: self._toggle_gain(track))
+
+    def _toggle_gain(self, track: int) -> None:
+        content = self._content()
+        self.looked.emit(toggle_gain_curves(content.design, content.view, (track,)).view)
+
+    def _fill_ruler(self, menu: QMenu, content: Content, place: QPointF, time_s: float) -> None:
+        marker = marker_at(content, place)
+        if marker is None:
+            self._line(menu, "Add marker here", "", lambda: self._clips.add_marker(time_s))
+        else:
+            index = content.design.markers.index(marker)
+            self._line(menu, "Rename marker…", "", lambda: self._rename(index))
+            self._edit_line(menu, "Remove marker", edits.remove_marker, index)
+        menu.addSeparator()
+        ends = _ends_of_chosen(content)
+        if ends is not None:
+            self._edit_line(menu, "Loop the selected clips", edits.set_loop, ends)
+        if content.design.loop_s is not None:
+            self._edit_line(menu, "No loop", edits.set_loop, None)
+        self._fill_time(menu, content)
+
+    def _fill_time(self, menu: QMenu, content: Content) -> None:
+        if content.design.loop_s is None:
+            return
+        start_s, end_s = content.design.loop_s
+        menu.addSeparator()
+        insert = edits.insert_time
+        self._edit_line(menu, "Insert the loop's time before it", insert, start_s, end_s - start_s)
+        self._edit_line(menu, "Remove the loop's time", edits.remove_time, start_s, end_s)
+
+    def _act(self, menu: QMenu, words: str, key: str, edit: AnyEdit, *more: object) -> None:
+        """Add a line that edits the clips which are selected when it is chosen."""
+
+        def act() -> None:
+            content = self._content()
+            chosen = content.view.selected_clips
+            self.edited.emit(edit(content.design, content.view, chosen, *more), None)
+
+        self._line(menu, words, key, act)
+
+    def _edit_line(self, menu: QMenu, words: str, edit: AnyEdit, *more: object) -> None:
+        def act() -> None:
+            content = self._content()
+            outcome: Edit | Refusal = edit(content.design, content.view, *more)
+            self.edited.emit(outcome, None)
+
+        self._line(menu, words, "", act)
+
+    def _line(self, menu: QMenu, words: str, key: str, act: Callable[[], object]) -> None:
+        # A tab makes the key stand at the right; it is the widget's, no shortcut of the menu.
+        shown = f"{words}\t{key_text(_PLACE, key)}" if key else words
+        menu.addAction(shown).triggered.connect(lambda _=False: act())
+
+    def _rename(self, index: int) -> None:
+        content = self._content()
+        name, sure = QInputDialog.getText(
+            self._parent, "Rename marker", "Name", text=content.design.markers[index].name
+        )
+        if sure:
+            outcome = edits.rename_marker(content.design, content.view, index, name)
+            self.edited.emit(outcome, None)
+
+
+def _ends_of_chosen(content: Content) -> tuple[float, float] | None:
+    clips = [one for one in content.design.clips if one.id in content.view.selected_clips]
+    if not clips:
+        return None
+    return (min(one.onset_s for one in clips), max(one.end_s for one in clips))
+
+
+# A scroll bar over the time.
+
+_STEPS_PER_S = 10_000
+
+
+class TimeBar(QScrollBar):
+    """Shows which part of the time is seen; hidden where it is all."""
+
+    #: The part to see.
+    range_wanted = Signal(object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(Qt.Orientation.Horizontal, parent)
+        self.setObjectName("time_bar")
+        self.setAccessibleName("Time shown")
+        self._shown_s: Range = (0.0, 1.0)
+        self._taking = False
+        self.valueChanged.connect(self._tell)
+        self.hide()
+
+    def show_range(self, shown_s: Range, whole_s: Range) -> None:
+        """Show a part of the whole."""
+        self._taking, self._shown_s = True, shown_s
+        length = round((shown_s[1] - shown_s[0]) * _STEPS_PER_S)
+        whole = round((whole_s[1] - whole_s[0]) * _STEPS_PER_S)
+        self.setRange(0, max(whole - length, 0))
+        self.setPageStep(max(length, 1))
+        self.setSingleStep(max(length // 10, 1))
+        self.setValue(round((shown_s[0] - whole_s[0]) * _STEPS_PER_S))
+        self.setVisible(whole > length)
+        self._taking = False
+
+    def _tell(self, value: int) -> None:
+        if not self._taking:
+            length = self._shown_s[1] - self._shown_s[0]
+            start = value / _STEPS_PER_S
+            self.range_wanted.emit((start, start + length))
+
+
+# Buttons beside the ruler.
+
+_ZOOM = 1.5
+
+
+class TimelineToolbar(QWidget):
+    """Snapping and zoom."""
+
+    snaps_wanted = Signal(bool)
+    zoom_wanted = Signal(float)
+    everything_wanted = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setStyleSheet("QToolButton { padding: 1px 6px; }")
+        self._row = row = QHBoxLayout(self)
+        row.setContentsMargins(4, 1, 4, 1)
+        row.setSpacing(2)
+        self._snap = self._button(
+            "Snap", "Edges snap to the grid, to ends of clips and to the playhead"
+        )
+        self._snap.setCheckable(True)
+        self._snap.clicked.connect(self.snaps_wanted)
+        self._closer = self._button("+", _hint("zoom_in"))
+        self._closer.clicked.connect(self._zoom_in)
+        self._wider = self._button("\u2212", _hint("zoom_out"))
+        self._wider.clicked.connect(self._zoom_out)
+        self._all = self._button("Fit", _hint("whole"))
+        self._all.clicked.connect(self._see_all)
+        self._buttons = (self._snap, self._wider, self._closer, self._all)
+        for button in self._buttons:
+            row.addWidget(button)
+        row.addStretch(1)
+        RoomOrWords(self).changed.connect(self._fit)
+
+    def show_state(self, *, snaps: bool, zoomed: bool) -> None:
+        """Whether edges snap; whether less than everything is seen."""
+        self._snap.setChecked(snaps)
+        self._all.setEnabled(zoomed)
+        self._wider.setEnabled(zoomed)
+
+    def _fit(self) -> None:
+        # Heads do not become as wide as the largest letters, so that lanes have room.
+        around = self._row.contentsMargins()
+        gaps = around.left() + around.right() + self._row.spacing() * len(self._buttons)
+        room = self.width() - gaps
+        write_in(fitting_font((self._buttons,), self.font(), room), self._buttons)
+
+    def _button(self, text: str, hint: str) -> QToolButton:
+        button = QToolButton(self)
+        button.setObjectName(f"timeline_{text.lower()}")
+        button.setText(text)
+        button.setToolTip(hint)
+        button.setAccessibleName(hint)
+        button.setAutoRaise(True)
+        return button
+
+    def _zoom_in(self) -> None:
+        self.zoom_wanted.emit(_ZOOM)
+
+    def _zoom_out(self) -> None:
+        self.zoom_wanted.emit(1 / _ZOOM)
+
+    def _see_all(self) -> None:
+        self.everything_wanted.emit()
+
+
+def _hint(name: str) -> str:
+    gesture = KEYS["timeline"].gestures[name]
+    return f"{gesture.effect[:1].upper()}{gesture.effect[1:]} ({gesture.shown})"
+
+
+# Heads, lanes, ruler and scroll bars, which move together.
+
+_ROWS_PER_NOTCH = 3
+
+
+class TrackTable(QWidget):
+    """Lays out the parts of the timeline, and scrolls them together.
+
+    Attributes
+    ----------
+    lanes, toolbar, time_bar
+        Its parts, beside the list of heads.
+    """
+
+    def __init__(self, heads: InputList, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._heads = heads
+        heads.setFixedWidth(heads_px(self.fontMetrics().height()))
+        heads.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._design, self._view = Design(limb=""), View()
+        self._problems: Mapping[int, str] = {}
+        self.lanes, self.toolbar, self.time_bar = LanesView(), TimelineToolbar(), TimeBar()
+        self._bar = QScrollBar(Qt.Orientation.Vertical)
+        self._bar.setAccessibleName("Tracks shown")
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setSpacing(0)
+        grid.addWidget(self.toolbar, 0, 0)
+        grid.addWidget(heads, 1, 0)
+        grid.addWidget(self.lanes, 0, 1, 2, 1)
+        grid.addWidget(self._bar, 0, 2, 2, 1)
+        grid.addWidget(self.time_bar, 2, 1)
+        grid.setColumnStretch(1, 1)
+        grid.setRowStretch(1, 1)
+        bar = heads.verticalScrollBar()
+        bar.rangeChanged.connect(self._follow_heads)
+        bar.valueChanged.connect(self._follow_heads)
+        bar.valueChanged.connect(self.place_lanes)
+        self._bar.valueChanged.connect(bar.setValue)
+        self.lanes.scroll_wanted.connect(self._scroll)
+        self.time_bar.range_wanted.connect(self.lanes.seen.show_range)
+
+    def show_state(self, design: Design, view: View) -> None:
+        """Show the lanes of a design; its heads are there already."""
+        self._design, self._view = design, view
+        self.toolbar.show_state(snaps=self.lanes.snaps, zoomed=view.time_range_s is not None)
+        self.place_lanes()
+
+    def show_problems(self, problems: Mapping[int, str]) -> None:
+        """Mark tracks that cannot be played: why, by the ids of their inputs."""
+        if problems != self._problems:
+            self._problems = problems
+            self.place_lanes()
+
+    def show_playhead(self, view: View) -> None:
+        """Show a view in which the playhead alone has moved."""
+        self._view = view
+        self.lanes.show_playhead(view)
+
+    def place_lanes(self) -> None:
+        """Put each lane beside its head."""
+        self._heads.setFixedWidth(heads_px(self.fontMetrics().height()))
+        self.toolbar.setFixedSize(self._heads.width(), int(self.lanes.ruler_px))
+        top = int(self.lanes.ruler_px) - self._heads.verticalScrollBar().value()
+        rows = self._heads.rows.rows
+        lanes = lanes_of(self._design, self._view, rows, top, self._problems)
+        self.lanes.show_state(self._design, self._view, lanes)
+        content = self.lanes.content
+        self.time_bar.show_range(content.scale.shown_s, content.whole_s)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.place_lanes()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self.place_lanes()
+
+    def _scroll(self, notches: float) -> None:
+        bar = self._heads.verticalScrollBar()
+        bar.setValue(round(bar.value() - notches * bar.singleStep() * _ROWS_PER_NOTCH))
+
+    def _follow_heads(self) -> None:
+        bar = self._heads.verticalScrollBar()
+        with QSignalBlocker(self._bar):
+            self._bar.setRange(bar.minimum(), bar.maximum())
+            self._bar.setPageStep(bar.pageStep())
+            self._bar.setValue(bar.value())
+        self._bar.setVisible(bar.maximum() > bar.minimum())
+
+
+def lanes_of(
+    design: Design,
+    view: View,
+    rows: Sequence[InputRow],
+    top_px: float,
+    problems: Mapping[int, str],
+) -> tuple[Lane, ...]:
+    """The lanes of a design, each as high as its head; the first begins at ``top_px``.
+
+    ``problems``: why inputs cannot be played, by their ids.
+    """
+    audible = {one.id for one in audible_inputs(design.inputs)}
+    lanes = []
+    # A list that takes over other heads scrolls before the lanes know of them; they come next.
+    for track, row in zip(design.inputs, rows, strict=False):
+        heard = track.id in audible
+        # What is muted meanwhile has no problem any more.
+        problem = problems.get(track.id, "") if heard else ""
+        lanes.append(
+            Lane(
+                track=track,
+                top_px=float(top_px),
+                height_px=float(row.height()),
+                silent="cannot be played" if problem else _why_silent(track, heard=heard),
+                problem=problem,
+                selected=track.id in view.selected_inputs,
+            )
+        )
+        top_px += row.height()
+    return tuple(lanes)
+
+
+def _why_silent(track: Input, *, heard: bool) -> str:
+    if track.muted:
+        return "muted"
+    if not heard:
+        return "another track is solo"
+    return "" if track.clips else "no clips: double click to add one"
+
+
+# Tracks and their clips over time.
 
 _LEAST_LANES_PX, _BARS_PX = 140, 12
 

@@ -1,7 +1,7 @@
-"""Acceleration of the selected outputs over time."""
+"""What only the traces look at."""
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cache, partial
 from typing import Any
 
@@ -17,15 +17,56 @@ from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.resampling import finer
-from skinsource_gui.panels.traces.settings import FITTED, RELATIVE, TracesSettings
-from skinsource_gui.signal_panel import SignalPanel
-from skinsource_gui.widgets.fields.units import axis_unit
-from skinsource_gui.widgets.plot.axis_spec import XAxis
-from skinsource_gui.widgets.plot.curves import Curves, output_names
-from skinsource_gui.widgets.plot.provenance import NEEDS, heading_of, lines_later
-from skinsource_gui.widgets.plot.wave import Wave
-from skinsource_gui.widgets.time.playhead_moves import moved_playhead
-from skinsource_gui.widgets.tooltips import tooltip
+from skinsource.specs import fields
+from skinsource.specs.spec import ChoiceSpec, SwitchSpec
+from skinsource_gui.fields.units import axis_unit
+from skinsource_gui.panels.signal_panel import SignalPanel
+from skinsource_gui.plots.curves import Curves, output_names
+from skinsource_gui.plots.plot import moved_playhead
+from skinsource_gui.plots.ranges import Wave, XAxis
+from skinsource_gui.plots.signal_view import NEEDS, heading_of, lines_later
+from skinsource_gui.qt.tooltips import tooltip
+
+LAYOUT = ChoiceSpec(
+    label="Layout",
+    options=(("overlaid", "Overlaid"), ("stacked", "Stacked")),
+    hint="All curves over each other, or each in its own row",
+)
+RELATIVE = SwitchSpec(
+    label="Each to its peak",
+    hint="Draw each curve relative to its own peak: shapes are seen where all others would be flat",
+)
+
+FITTED = SwitchSpec(
+    label="Fit to what is seen",
+    hint="Zoomed in, the range of values is that of the part in sight, not of the whole: what is "
+    "weak there is no flat line",
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TracesSettings:
+    """How traces are drawn.
+
+    Attributes
+    ----------
+    layout
+        ``"overlaid"`` or ``"stacked"``.
+    relative
+        Whether each is drawn relative to its own peak.
+    fitted
+        Whether values fit the part of time that is seen.
+    """
+
+    layout: str = fields.choice("overlaid", LAYOUT)
+    relative: bool = fields.switch(False, RELATIVE)
+    fitted: bool = fields.switch(False, FITTED)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+
+# Acceleration of the selected outputs over time.
 
 # Readings tell samples of 1300 Hz apart.
 _DECIMALS = {"ms": 2, "s": 5}

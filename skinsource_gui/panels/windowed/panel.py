@@ -15,18 +15,18 @@ from skinsource.design.design import Design
 from skinsource.design.labels import limb_word, signal_words
 from skinsource.design.view import WINDOW_COUNT, WINDOW_LENGTH, WINDOWS_CUT, View
 from skinsource.limbs.own_limbs import facts_of
-from skinsource_gui.panel import Panel
-from skinsource_gui.panels.windowed.content import WindowedContent
-from skinsource_gui.panels.windowed.strip_layout import strip_layout
-from skinsource_gui.panels.windowed.strip_painter import paint_strip
-from skinsource_gui.panels.windowed.strip_view import StripView
-from skinsource_gui.panels.windowed.window_titles import head_words
-from skinsource_gui.theme import LIGHT, UNIT_PX, Theme
-from skinsource_gui.widgets.beside_or_below import BesideOrBelow
-from skinsource_gui.widgets.fields.field_cell import FieldCell
-from skinsource_gui.widgets.map.level_look import level_look
-from skinsource_gui.widgets.map.small_map import SmallMaps
-from skinsource_gui.widgets.paper import on_paper
+from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.panels.windowed.view import (
+    StripView,
+    WindowedContent,
+    head_words,
+    paint_strip,
+    strip_layout,
+)
+from skinsource_gui.plots.small_map import SmallMaps, level_look
+from skinsource_gui.qt.room import BesideOrBelow
+from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper
+from skinsource_gui.state.panel import Panel
 
 # In a flat picture letters are so small that maps and plot have room beside the words.
 _LINES_OF_PICTURE = 26

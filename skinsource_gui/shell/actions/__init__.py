@@ -3,13 +3,13 @@
 Each menu has a module here, whose table holds its entries in their order.
 """
 
-from skinsource_gui.shell.action_spec import ActionSpec
+from skinsource_gui.qt.keys import SHORTCUTS
 from skinsource_gui.shell.actions.edit_menu import EDIT
 from skinsource_gui.shell.actions.file_menu import FILE
 from skinsource_gui.shell.actions.help_menu import HELP
 from skinsource_gui.shell.actions.play_menu import PLAY
+from skinsource_gui.shell.actions.spec import ActionSpec
 from skinsource_gui.shell.actions.view_menu import VIEW
-from skinsource_gui.widgets.keys import SHORTCUTS
 
 MENUS = ("File", "Edit", "View", "Play", "Help")
 ACTIONS: tuple[ActionSpec, ...] = (*FILE, *EDIT, *VIEW, *PLAY, *HELP)

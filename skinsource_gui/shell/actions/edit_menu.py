@@ -1,23 +1,143 @@
-"""What the Edit menu does."""
+"""What the Edit menu does with clips and the clipboard.
+
+The usual keys are those of the timeline: elsewhere they belong to texts and tables.
+"""
 
 from collections.abc import Callable, Iterable
 
 from skinsource.design import edits
+from skinsource.design.comparing import NUMBERS
 from skinsource.design.design import Design, Input
-from skinsource.design.edits import Edit, Refusal
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
-from skinsource_gui.shell.action_spec import ActionSpec, action
-from skinsource_gui.shell.actions.clipboard_actions import CLIPBOARD
-from skinsource_gui.shell.actions.snapshot_actions import SNAPSHOTS
-from skinsource_gui.state.wavelet_levelling import selected_train
-from skinsource_gui.widgets.keys import key_text
+from skinsource_gui.qt.keys import key_text
+from skinsource_gui.shell.actions.spec import ActionSpec, action
+from skinsource_gui.state.job_runner import selected_train
+
+
+def _has_clips(design: Design, view: View) -> bool:
+    return bool(design.clips)
+
+
+def _hint(words: str, name: str) -> str:
+    return f"{words} ({key_text('timeline', name)}, in the timeline)"
+
+
+CLIPBOARD: tuple[ActionSpec, ...] = (
+    action(
+        "cut_clips",
+        "Edit",
+        "Cut clips",
+        _hint("Move the selected clips to the clipboard", "cut"),
+        command="clips.cut",
+        key_elsewhere=key_text("timeline", "cut"),
+        enabled=_has_clips,
+        keywords="clipboard remove move",
+        separated=True,
+    ),
+    action(
+        "copy_clips",
+        "Edit",
+        "Copy clips",
+        _hint("Put the selected clips on the clipboard", "copy"),
+        command="clips.copy",
+        key_elsewhere=key_text("timeline", "copy"),
+        enabled=_has_clips,
+        keywords="clipboard",
+    ),
+    action(
+        "paste_clips",
+        "Edit",
+        "Paste clips at playhead",
+        _hint("Put the clips of the clipboard at the playhead", "paste"),
+        command="clips.paste",
+        key_elsewhere=key_text("timeline", "paste"),
+        keywords="clipboard insert",
+    ),
+)
+
+
+# What the Edit menu does with snapshots of the design.
+
+
+def _has_snapshots(design: Design, view: View) -> bool:
+    return bool(view.snapshots)
+
+
+def _toggle_match(design: Design, view: View) -> Edit | Refusal:
+    return edits.match_levels(design, view, not view.levels_matched)
+
+
+def _has_match_gain(design: Design, view: View) -> bool:
+    return view.match_gain(design) != 1.0
+
+
+def _matched(design: Design, view: View) -> bool:
+    return view.levels_matched
+
+
+SNAPSHOTS: tuple[ActionSpec, ...] = (
+    *(
+        ActionSpec(
+            name=f"store_snapshot_{number}",
+            menu="Edit",
+            text=f"Store snapshot {number}",
+            hint="Keep the design as it is now, to compare others with it",
+            keys=(f"Ctrl+{number}",),
+            keywords="a/b compare keep variant version",
+            command="comparison.store",
+            argument=str(number),
+            separated=number == NUMBERS[0],
+        )
+        for number in NUMBERS
+    ),
+    action(
+        "take_snapshot",
+        "Edit",
+        "Snapshot from a file…",
+        "Keep the design of a file as a snapshot, to compare this one with it",
+        command="files.take_snapshot",
+        keywords="a/b compare design file side by side open",
+    ),
+    action(
+        "toggle_snapshots",
+        "Edit",
+        "Compare with the one before",
+        "Show the other one of the last two snapshots that were shown",
+        "X",
+        command="comparison.toggle",
+        enabled=_has_snapshots,
+        keywords="a/b toggle switch exchange snapshot",
+    ),
+    action(
+        "match_levels",
+        "Edit",
+        "Match levels of snapshots",
+        "Show snapshots as loud as each other at their loudest output",
+        edit=_toggle_match,
+        checked=_matched,
+        keywords="a/b loudness gain equal snapshot",
+    ),
+    action(
+        "keep_match_gain",
+        "Edit",
+        "Keep the match gain",
+        "Give the design the amplitudes that it is shown with to match another snapshot",
+        edit=edits.keep_match_gain,
+        enabled=_has_match_gain,
+        keywords="a/b loudness level snapshot amplitude",
+    ),
+)
+
+
+# What the Edit menu does.
 
 
 def _has_inputs(design: Design, view: View) -> bool:
     return bool(design.inputs)
 
 
-def _has_clips(design: Design, view: View) -> bool:
+def _edit_menu_has_clips(design: Design, view: View) -> bool:
     return any(one.clips for one in design.inputs)
 
 
@@ -93,7 +213,7 @@ EDIT: tuple[ActionSpec, ...] = (
         "Save to library…",
         "Keep the selected clips, a track or the whole design as a preset",
         command="library.ask_and_save",
-        enabled=_has_clips,
+        enabled=_edit_menu_has_clips,
         keywords="preset keep store template reuse",
     ),
     action(

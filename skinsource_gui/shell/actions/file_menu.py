@@ -2,8 +2,8 @@
 
 from skinsource.design.design import Design, audible_inputs
 from skinsource.design.view import View
-from skinsource_gui.files.exports import EXPORTS
-from skinsource_gui.shell.action_spec import ActionSpec, action
+from skinsource_gui.pages.files.exports import EXPORTS
+from skinsource_gui.shell.actions.spec import ActionSpec, action
 
 
 def _is_heard(design: Design, view: View) -> bool:

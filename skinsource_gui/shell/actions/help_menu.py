@@ -1,7 +1,7 @@
 """What the Help menu does."""
 
-from skinsource_gui.dataset_page.title import TITLE
-from skinsource_gui.shell.action_spec import ActionSpec, action
+from skinsource_gui.pages.dataset import TITLE
+from skinsource_gui.shell.actions.spec import ActionSpec, action
 
 HELP: tuple[ActionSpec, ...] = (
     action(

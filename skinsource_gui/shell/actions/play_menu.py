@@ -1,7 +1,7 @@
 """What the Play menu does."""
 
-from skinsource_gui.shell.action_spec import ActionSpec, action
-from skinsource_gui.widgets.keys import KEYS
+from skinsource_gui.qt.keys import KEYS
+from skinsource_gui.shell.actions.spec import ActionSpec, action
 
 PLAY: tuple[ActionSpec, ...] = (
     action(

@@ -4,15 +4,14 @@ from functools import partial
 
 from skinsource.design import edits
 from skinsource.design.design import Design
-from skinsource.design.edits import Edit, Refusal
-from skinsource.design.edits.edit import clip_of
+from skinsource.design.edits.edit import Edit, Refusal, clip_of
 from skinsource.design.view import View
 from skinsource_gui.panels.skin.settings import has_colours, use_colours
-from skinsource_gui.shell.action_spec import ActionSpec, action
-from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS
-from skinsource_gui.theme import theme_words
-from skinsource_gui.widgets.keys import KEYS, key_text
-from skinsource_gui.widgets.map.level_look import COLOURS
+from skinsource_gui.plots.small_map import COLOURS
+from skinsource_gui.qt.keys import KEYS, key_text
+from skinsource_gui.qt.theme import theme_words
+from skinsource_gui.shell.actions.spec import ActionSpec, action
+from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS
 
 
 def _presenting(name: str) -> str:

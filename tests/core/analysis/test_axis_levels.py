@@ -7,7 +7,8 @@ import pytest
 
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import evaluate
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.signals.spectra import rms

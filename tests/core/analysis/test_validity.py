@@ -8,7 +8,7 @@ import pytest
 
 import skinsource as ss
 from skinsource.design import edits
-from skinsource.design.edits import Edit, Refusal
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.export.stimulus_export.sidecar import about_validity

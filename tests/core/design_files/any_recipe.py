@@ -13,25 +13,20 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import LIMB_NAMES
 from skinsource.design.design import Design, Input
 from skinsource.specs import fields
-from skinsource.specs.fields import (
-    SEGMENTS,
-    BreakpointsSpec,
-    BytesSpec,
-    ChoiceSpec,
+from skinsource.specs.breakpoints import SEGMENTS, BreakpointsSpec
+from skinsource.specs.models import specs_of
+from skinsource.specs.numbers import (
     CurveSpec,
     ListSpec,
     NumberSpec,
     OptionalSpec,
-    PlainSpec,
     PointsSpec,
     RangeSpec,
     RecipeSpec,
     SamplesSpec,
-    SwitchSpec,
-    TextSpec,
-    specs_of,
 )
 from skinsource.specs.samples import Samples
+from skinsource.specs.spec import BytesSpec, ChoiceSpec, PlainSpec, SwitchSpec, TextSpec
 
 
 def numbers(spec: NumberSpec) -> st.SearchStrategy:

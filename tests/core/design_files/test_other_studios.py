@@ -14,8 +14,9 @@ from skinsource.design.design import Input
 from skinsource.design.design_file import DesignFile, open_design, save_design
 from skinsource.design.view import View
 from skinsource.specs import fields, image, models
-from skinsource.specs.fields import NumberSpec, SamplesSpec, TextSpec
+from skinsource.specs.numbers import NumberSpec, SamplesSpec
 from skinsource.specs.samples import Samples
+from skinsource.specs.spec import TextSpec
 from tests.core.design_files.bench import DESIGN, VIEW
 
 

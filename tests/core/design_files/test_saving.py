@@ -15,9 +15,10 @@ from skinsource.design.clips import Clip, Marker
 from skinsource.design.design import MAX_INPUTS, Design, Input, track
 from skinsource.design.design_file import DesignFile, open_design, save_design
 from skinsource.design.view import View
-from skinsource.design.waveforms import KINDS, Tone
+from skinsource.design.waveforms.kinds import KINDS
+from skinsource.design.waveforms.tones import Tone
 from skinsource.specs import image
-from skinsource.specs.fields import specs_of
+from skinsource.specs.models import specs_of
 from tests.core.design_files.any_recipe import recipes
 from tests.core.design_files.bench import DESIGN, LAYOUT, VIEW
 

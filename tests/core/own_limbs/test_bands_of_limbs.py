@@ -13,7 +13,9 @@ from skinsource.design import edits
 from skinsource.design.design import Design, track
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tone, WaveletTrain
+from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.engine import stimulus
 from skinsource.engine.analysis_rules import Sensation
 from skinsource.engine.evaluation import Evaluator
@@ -22,7 +24,7 @@ from skinsource.limbs.limb_import import LimbSource, import_limb
 from skinsource.limbs.limb_layout import export_limb
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.perception.thresholds import PerceptionSettings, held
-from skinsource.specs.fields import specs_of
+from skinsource.specs.models import specs_of
 from tests.core.own_limbs.lab_bench import installed, own_limb
 from tests.core.own_limbs.mutants import whole_file
 

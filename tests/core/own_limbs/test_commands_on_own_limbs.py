@@ -9,7 +9,8 @@ from skinsource.cli.command_line import main
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import save_design
 from skinsource.design.view import View, view_on
-from skinsource.design.waveforms import Impulse, Noise, Tone
+from skinsource.design.waveforms.pulses import Impulse, Noise
+from skinsource.design.waveforms.tones import Tone
 from tests.core.own_limbs.lab_bench import installed, keep
 
 

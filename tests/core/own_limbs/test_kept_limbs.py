@@ -14,7 +14,8 @@ from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
 from skinsource.design.labels import limb_word
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone, WaveletTrain
+from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.engine.evaluation import evaluate
 from skinsource.engine.levelling import wavelet_levels_db
 from skinsource.export.map_files import export_map
@@ -31,7 +32,7 @@ from skinsource.limbs.own_limbs import (
     own_limb_path,
     remove_limb,
 )
-from skinsource.studies.sweeps import sweep
+from skinsource.studies.sweeps.running import sweep
 from tests.core.own_limbs.lab_bench import (
     N_INPUTS,
     N_OUTPUTS,

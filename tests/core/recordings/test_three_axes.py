@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from skinsource.base.errors import InvalidInputError, RecordingError
-from skinsource.design.recordings import Found, ImportChoice, Series, suggested, take, taken
-from skinsource.readers.reader import dft321, other_axes
+from skinsource.design.recordings import ImportChoice, suggested, take, taken
+from skinsource.readers.reader import Found, Series, dft321, other_axes
 
 WORDS = "(DFT321, Landin et al. 2010)"
 

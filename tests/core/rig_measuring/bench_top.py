@@ -10,7 +10,7 @@ import scipy
 from scipy.signal import fftconvolve
 
 import skinsource as ss
-from skinsource.lab.rig_measuring import MeasuringSetup
+from skinsource.lab.rig_measuring.measurement import MeasuringSetup
 from tests.core.playing.made_up_sound import CallbackStop, PortAudioError
 
 RATE_HZ = 8_000

@@ -15,8 +15,9 @@ import scipy
 from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.lab.playing.devices import Output
 from skinsource.lab.playing.mix import factor_of, fade_samples
-from skinsource.lab.rig_measuring import duplex, measure
+from skinsource.lab.rig_measuring import duplex
 from skinsource.lab.rig_measuring.duplex import Duplex
+from skinsource.lab.rig_measuring.measurement import measure
 
 sys.path.insert(0, str(Path(__file__).parents[3]))
 from tests.core.playing.file_card import configure_duplex

@@ -19,7 +19,7 @@ from scipy.signal import fftconvolve
 
 from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.lab.playing.devices import Output
-from skinsource.lab.rig_measuring import measure
+from skinsource.lab.rig_measuring.measurement import measure
 
 sys.path.insert(0, str(Path(__file__).parents[3]))
 from tests.core.playing.file_card import ALSA_SETTINGS

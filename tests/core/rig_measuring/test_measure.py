@@ -12,7 +12,7 @@ from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.base.errors import InvalidInputError, PlaybackError, Stopped
 from skinsource.cli.command_line import main
 from skinsource.lab.playing.devices import Output
-from skinsource.lab.rig_measuring import kept, measure
+from skinsource.lab.rig_measuring.measurement import kept, measure
 from tests.core.rig_measuring.bench_top import (
     BLOCK_S,
     COIL,

@@ -10,7 +10,8 @@ from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.base.errors import InvalidInputError, PlaybackError, Stopped
 from skinsource.lab.playing.devices import Output
 from skinsource.lab.playing.mix import Ending
-from skinsource.lab.rig_measuring import duplex, measure
+from skinsource.lab.rig_measuring import duplex
+from skinsource.lab.rig_measuring.measurement import measure
 from tests.core.rig_measuring.bench_top import (
     COIL,
     DELAY_S,

@@ -8,7 +8,8 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.errors import SkinSourceError
-from skinsource.studies.sweeps import Plan, Sweep, run
+from skinsource.studies.sweeps.plan import Plan
+from skinsource.studies.sweeps.running import Sweep, run
 
 distributed = pytest.importorskip("distributed", reason="the extra cluster is not installed")
 cluster = pytest.importorskip("skinsource.studies.sweeps.cluster")

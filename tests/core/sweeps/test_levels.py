@@ -13,9 +13,10 @@ from skinsource.actuators.prediction import Limits
 from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.lab.matching import MatchingRun, Procedure
 from skinsource.perception.sensation import sensation_levels_db
-from skinsource.studies.sweeps import Measurer, Plan, read_sweep
+from skinsource.studies.sweeps.measuring import Measurer
 from skinsource.studies.sweeps.metrics import ACTUATOR_METRICS
-from skinsource.studies.sweeps.plan import plan_of
+from skinsource.studies.sweeps.plan import Plan, plan_of
+from skinsource.studies.sweeps.running import read_sweep
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.3)
 DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE), ss.track(3, TONE, amplitude=0.5)))

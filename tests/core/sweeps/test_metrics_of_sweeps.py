@@ -8,7 +8,8 @@ from scipy.signal import fftconvolve
 
 import skinsource as ss
 from skinsource.signals.spectra import share_outside_band
-from skinsource.studies.sweeps import Measurer, Plan
+from skinsource.studies.sweeps.measuring import Measurer
+from skinsource.studies.sweeps.plan import Plan
 
 RATE_HZ = 1300.0
 

@@ -6,11 +6,11 @@ import pytest
 import skinsource as ss
 from skinsource.base.job import never
 from skinsource.engine.shared import Shared
-from skinsource.studies.sweeps import Measurer, Plan, neighbours
-from skinsource.studies.sweeps.measuring import METRICS
+from skinsource.studies.sweeps import neighbours
+from skinsource.studies.sweeps.measuring import METRICS, Measurer
 from skinsource.studies.sweeps.metrics import Preparing, main_axes
 from skinsource.studies.sweeps.neighbours import Together
-from skinsource.studies.sweeps.plan import TOGETHER
+from skinsource.studies.sweeps.plan import TOGETHER, Plan
 
 PLACES = (3, 7, 7, 18)
 FREQUENCIES = (40.0, 75.0, 110.0, 240.0, 390.0)

@@ -8,8 +8,7 @@ import pytest
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError
-from skinsource.studies.sweeps import Order, Plan, trials, varied
-from skinsource.studies.sweeps.plan import plan_of
+from skinsource.studies.sweeps.plan import Order, Plan, plan_of, trials, varied
 
 
 def design(*locations):

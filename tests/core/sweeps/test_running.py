@@ -14,7 +14,8 @@ import pytest
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError, Stopped, StorageError
 from skinsource.base.lock import Lock
-from skinsource.studies.sweeps import Order, Plan, Sweep, run
+from skinsource.studies.sweeps.plan import Order, Plan
+from skinsource.studies.sweeps.running import Sweep, run
 from skinsource.studies.sweeps.table import JOURNAL, Journal
 from skinsource.studies.sweeps.workers import measured
 

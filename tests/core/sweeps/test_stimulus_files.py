@@ -8,7 +8,7 @@ import soundfile
 
 import skinsource as ss
 from skinsource.base.errors import InvalidInputError, Stopped
-from skinsource.studies.sweeps import StimulusFiles
+from skinsource.studies.sweeps.table import StimulusFiles
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.05)
 DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE), ss.track(3, TONE)))

@@ -5,7 +5,8 @@ import pytest
 import skinsource as ss
 from skinsource.base.errors import FileFormatError
 from skinsource.cli.command_line import main
-from skinsource.studies.sweeps import Order, read_sweep
+from skinsource.studies.sweeps.plan import Order
+from skinsource.studies.sweeps.running import read_sweep
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.05)
 

@@ -2,7 +2,7 @@
 
 from skinsource.design.design import Design, track
 from skinsource.design.panel_settings import settings_of
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.actuator_demand import ActuatorSettings
 
 TONE = track(7, Tone(frequency_hz=100.0, duration_s=0.3), amplitude=10.0)

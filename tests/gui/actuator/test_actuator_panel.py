@@ -11,10 +11,10 @@ from skinsource.base.work import counting
 from skinsource.design import edits
 from skinsource.design.design import track
 from skinsource.design.view import View
-from skinsource.design.waveforms import CentredTap, Tap
+from skinsource.design.waveforms.pulses import CentredTap, Tap
 from skinsource.engine.actuator_demand import LONGEST_S, ActuatorSettings, drive_at, strongest
 from skinsource.engine.quantities import new_graph, sources
-from skinsource_gui.panels.actuator.demand_curves import (
+from skinsource_gui.panels.actuator.figures import (
     frequencies_of,
     frequency_axis,
     response_curves,

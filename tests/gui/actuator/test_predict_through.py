@@ -6,7 +6,8 @@ import pytest
 import skinsource as ss
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import CentredTap, Tap, Tone
+from skinsource.design.waveforms.pulses import CentredTap, Tap
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.actuator_demand import actuation_of
 from tests.gui.actuator.bench import brought_forward, choose, settle
 
@@ -152,8 +153,8 @@ def test_a_tap_that_leaves_a_velocity_is_refused_and_a_centred_one_offered(make_
 def test_pictures_and_tables_say_what_they_went_through(window, panel, qtbot):
     panel.through.box.click()
     settle(window, qtbot)
-    from skinsource_gui.widgets.pictures.caption import caption_of
-    from skinsource_gui.widgets.plot.provenance import NEEDS, lines_later
+    from skinsource_gui.plots.pictures import caption_of
+    from skinsource_gui.plots.signal_view import NEEDS, lines_later
 
     found = ss.evaluate(
         window.document.design,

@@ -1,9 +1,9 @@
 """What is wrong is red; what is only not known yet is not."""
 
 from skinsource.engine.actuator_demand import ActuatorSettings, Demand
-from skinsource_gui.panel import PREPARING
-from skinsource_gui.panels.actuator.figures_view import FiguresView
-from skinsource_gui.theme import DARK
+from skinsource_gui.panels.actuator.figures import FiguresView
+from skinsource_gui.qt.theme import DARK
+from skinsource_gui.state.panel import PREPARING
 
 
 def test_what_is_only_not_known_yet_is_said_in_quiet_colours(qtbot, use_theme):

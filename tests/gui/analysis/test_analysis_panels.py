@@ -9,11 +9,11 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
 from skinsource.design.design import Design, track
-from skinsource.design.edits import Edit
+from skinsource.design.edits.edit import Edit
 from skinsource.design.panel_settings import SpectrogramSettings, settings_of
-from skinsource.design.waveforms import Tap
+from skinsource.design.waveforms.pulses import Tap
 from skinsource.engine.evaluation import evaluate
-from skinsource_gui.figure_panel import SILENT
+from skinsource_gui.panels.figure_panel import SILENT
 from skinsource_gui.state.engine import FIRST_SLOT
 
 #: Panels, and the rule that each has for itself.

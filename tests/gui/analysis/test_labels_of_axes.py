@@ -6,9 +6,9 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFontMetricsF, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
-from skinsource_gui.theme import LIGHT, scaled
-from skinsource_gui.widgets.figure import axes
-from skinsource_gui.widgets.figure.axes import Axes, Axis, fitted_axes
+from skinsource_gui.plots import figure
+from skinsource_gui.plots.figure import Axes, Axis, fitted_axes
+from skinsource_gui.qt.theme import LIGHT, scaled
 
 
 @pytest.mark.parametrize("scale", [1.0, 1.75])
@@ -26,7 +26,7 @@ def test_no_label_of_x_reaches_beyond_the_room(qapp, width, lowest, highest, sca
         fitted.frame.left()
         + float(x.part(np.array(tick.value))) * fitted.frame.width()
         + metrics.horizontalAdvance(tick.label) / 2
-        for tick in x.ticks(fitted.frame.width(), axes._TICK_X_PX)
+        for tick in x.ticks(fitted.frame.width(), figure._TICK_X_PX)
     ]
     assert max(ends) <= width
     assert fitted.frame.width() > 0.3 * width

@@ -7,13 +7,18 @@ import pytest
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QScrollArea
 
-from skinsource.design.edits import Edit
+from skinsource.design.edits.edit import Edit
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.engine.analysis_rules import Sensation
 from skinsource.perception.sensation import LIMITS
 from skinsource.perception.thresholds import PerceptionSettings
-from skinsource_gui.panels.perception.contact import contact_list, contact_table, contact_words
-from skinsource_gui.panels.perception.rows import rows, tab_separated
+from skinsource_gui.panels.perception.panel import (
+    contact_list,
+    contact_table,
+    contact_words,
+    rows,
+    tab_separated,
+)
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.state.engine import FIRST_SLOT
 

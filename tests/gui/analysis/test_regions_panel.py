@@ -9,10 +9,10 @@ from PySide6.QtGui import QGuiApplication
 from skinsource.base.decibels import decibels
 from skinsource.design.comparing import Snapshot, region_levels_db
 from skinsource.design.design import Design, track
-from skinsource.design.edits import Edit
+from skinsource.design.edits.edit import Edit
 from skinsource.engine.evaluation import evaluate
-from skinsource_gui.compared import Compared
-from skinsource_gui.panels.regions.columns import columns_of_people, tab_separated
+from skinsource_gui.panels.regions.panel import columns_of_people, tab_separated
+from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.engine import Slot
 
 

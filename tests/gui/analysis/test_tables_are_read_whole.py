@@ -5,13 +5,8 @@ from PySide6.QtCore import QRect, Qt
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QStyleOptionViewItem, QTableWidget, QTableWidgetItem
 
-from skinsource_gui.panels.regions.table import RegionTable
-from skinsource_gui.widgets.name_column import (
-    SHORT_NAME,
-    NameDelegate,
-    dress_table,
-    give_names_the_rest,
-)
+from skinsource_gui.panels.regions.panel import RegionTable
+from skinsource_gui.qt.labels import SHORT_NAME, NameDelegate, dress_table, give_names_the_rest
 
 
 @pytest.fixture

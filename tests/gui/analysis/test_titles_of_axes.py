@@ -7,8 +7,8 @@ import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter
 
-from skinsource_gui.theme import LIGHT, scaled
-from skinsource_gui.widgets.figure.axes import Axis, fitted_axes
+from skinsource_gui.plots.figure import Axis, fitted_axes
+from skinsource_gui.qt.theme import LIGHT, scaled
 
 
 @pytest.fixture

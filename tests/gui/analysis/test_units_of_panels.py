@@ -8,9 +8,9 @@ from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor, QGuiApplication
 
 from skinsource.engine.evaluation import evaluate
-from skinsource_gui.panels.spectrogram.picture import scale_words
-from skinsource_gui.panels.statistics.rows import Row
-from skinsource_gui.theme import current_theme
+from skinsource_gui.panels.spectrogram.panel import scale_words
+from skinsource_gui.panels.statistics.panel import Row
+from skinsource_gui.qt.theme import current_theme
 
 LINE = (29, 31, 33, 35)
 

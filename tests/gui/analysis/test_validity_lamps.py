@@ -8,12 +8,11 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
-from skinsource.design.edits import Edit
+from skinsource.design.edits.edit import Edit
 from skinsource.perception.validity import Finding
+from skinsource_gui.qt.theme import DARK, scaled
+from skinsource_gui.shell.validity_lamps import ValidityCard, ValidityLamps, _words_of
 from skinsource_gui.state.engine import FIRST_SLOT
-from skinsource_gui.status.validity_card import ValidityCard
-from skinsource_gui.status.validity_lamps import ValidityLamps, _words_of
-from skinsource_gui.theme import DARK, scaled
 
 FINDINGS = (
     Finding(name="band", state="left", sentence="Outside.", mend="band_limit"),

@@ -5,7 +5,7 @@ from PySide6.QtTest import QTest
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
-from skinsource.design.edits import Refusal
+from skinsource.design.edits.edit import Refusal
 from skinsource.design.view import View
 from skinsource_gui.panels.clip_editor.panel import ClipEditorPanel
 

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from skinsource.design.waveforms import Drawn, Tone
+from skinsource.design.waveforms.samples import Drawn
+from skinsource.design.waveforms.tones import Tone
 from skinsource.specs.samples import Samples
 from tests.gui.clip_editor.bench import RATE_HZ, Bench
 

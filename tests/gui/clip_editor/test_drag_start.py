@@ -2,7 +2,7 @@
 
 from skinsource.design.design import Design
 from skinsource.design.view import View
-from skinsource_gui.panels.clip_editor.drag_start import DragStart
+from skinsource_gui.panels.clip_editor.panel import DragStart
 
 
 def test_the_way_back_leads_to_what_the_first_edit_of_the_drag_was_made_of():

@@ -7,9 +7,9 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from skinsource.design.effects import Envelope
-from skinsource_gui.panels.clip_editor.tools import points_box
-from skinsource_gui.widgets.fitting_label import FittingLabel
+from skinsource.design.effects.level import Envelope
+from skinsource_gui.panels.clip_editor import tools
+from skinsource_gui.qt.labels import FittingLabel
 from tests.gui.clip_editor.bench import ALT, LEFT, NONE, RIGHT, SHIFT, whole
 
 
@@ -91,7 +91,7 @@ def test_a_rectangle_chooses_points(tone):
 
 
 def handles(tone):
-    found = points_box._handles(tone.canvas.content, points(tone), tone.panel._shaping.tool.chosen)
+    found = tools._handles(tone.canvas.content, points(tone), tone.panel._shaping.tool.chosen)
     return {(one.along, one.up): place for one, place in found}
 
 

@@ -7,8 +7,9 @@ from PySide6.QtWidgets import QMessageBox
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
-from skinsource.design.effects import Envelope
-from skinsource.design.waveforms import Drawn, Recording, Tone
+from skinsource.design.effects.level import Envelope
+from skinsource.design.waveforms.samples import Drawn, Recording
+from skinsource.design.waveforms.tones import Tone
 from skinsource.specs.samples import Samples
 from tests.gui.clip_editor.bench import RATE_HZ, Bench
 

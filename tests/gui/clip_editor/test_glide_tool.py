@@ -6,9 +6,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
-from skinsource.design.waveforms import Glide, Tone
+from skinsource.design.waveforms.tones import Glide, Tone
 from skinsource.signals.synthesis import curve_of
-from skinsource_gui.panels.clip_editor.tools.glide import of_column
+from skinsource_gui.panels.clip_editor.tools import of_column
 from tests.gui.clip_editor.bench import LEFT, NONE, SHIFT, Bench, whole
 
 POINTS = ((0.0, 100.0, 0.5), (0.2, 300.0, 0.5), (0.4, 300.0, 0.9))

@@ -7,12 +7,11 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMessageBox
 
 from skinsource.design.design import Design
-from skinsource.design.effects import Envelope
+from skinsource.design.effects.level import Envelope
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
-from skinsource_gui.panels.clip_editor.editor_item import EditorItem
-from skinsource_gui.panels.clip_editor.spectrum_strip import spectrum_db
-from skinsource_gui.theme import DARK
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.panels.clip_editor.view import EditorItem, spectrum_db
+from skinsource_gui.qt.theme import DARK
 from tests.gui.clip_editor.bench import NONE, RATE_HZ, whole
 
 

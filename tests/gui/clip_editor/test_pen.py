@@ -6,7 +6,8 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtWidgets import QApplication, QMenu, QMessageBox
 
-from skinsource.design.waveforms import Drawn, Tone
+from skinsource.design.waveforms.samples import Drawn
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import evaluate
 from skinsource.specs.samples import Samples
 from tests.gui.clip_editor.bench import RATE_HZ, RIGHT, SHIFT, Bench

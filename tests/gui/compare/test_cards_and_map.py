@@ -11,9 +11,9 @@ from PySide6.QtWidgets import QApplication
 import skinsource as ss
 from skinsource.design.comparing import end_db
 from skinsource.design.design import Design, track
-from skinsource.design.waveforms import Tone
-from skinsource_gui.compared import ELSEWHERE
-from skinsource_gui.widgets.map.small_map import small_frame
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.plots.small_map import small_frame
+from skinsource_gui.state.compared import ELSEWHERE
 from tests.core.own_limbs.lab_bench import installed
 from tests.gui.compare.compare_bench import KEY, cards, edit, levels, shown_levels, two_places
 

@@ -8,9 +8,9 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication
 
 from skinsource.design.design import Design, track
-from skinsource_gui.compared import SILENCE, is_silent
-from skinsource_gui.panels.compare.card_words import matching_words
-from skinsource_gui.widgets.map.colour_maps import colour_table
+from skinsource_gui.panels.compare.card import matching_words
+from skinsource_gui.plots.colour_maps import colour_table
+from skinsource_gui.state.compared import SILENCE, is_silent
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ from skinsource.design.comparing import louder, match_words
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design
 from skinsource.engine.evaluation import evaluate
-from skinsource_gui.state.playing.played_of import played_of
+from skinsource_gui.state.playing import played_of
 from tests.gui.compare.compare_bench import edit, levels, show_matched, shown_levels
 
 OTHER = Design(limb="synthetic-1", inputs=(track(3),))

@@ -10,13 +10,12 @@ from PySide6.QtWidgets import QApplication, QFileDialog
 
 from skinsource.design.comparing import louder, match_words
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource_gui.panels.skin.scale.colour_scale import fitting_title
+from skinsource_gui.panels.skin.scale import fitting_title
 from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.state.playing.played_of import played_of
-from skinsource_gui.status.match_note import MatchNote
-from skinsource_gui.widgets.copy_button import CopyButton
-from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
-from skinsource_gui.widgets.pictures.whole_picture import ALL_IN_SIGHT
+from skinsource_gui.plots.pictures import ALL_IN_SIGHT, drawn_image, save_drawing
+from skinsource_gui.qt.asking import CopyButton
+from skinsource_gui.shell.status import MatchNote
+from skinsource_gui.state.playing import played_of
 from tests.gui.compare.compare_bench import levels, show_matched, shown_levels
 
 OUTPUTS = (20, 33, 29)

@@ -6,9 +6,8 @@ import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFontMetricsF, QImage, QPainter
 
-from skinsource_gui.theme import LIGHT
-from skinsource_gui.widgets.map.output_rings import number_places, paint_rings
-from skinsource_gui.widgets.map.small_map import small_frame
+from skinsource_gui.plots.small_map import number_places, paint_rings, small_frame
+from skinsource_gui.qt.theme import LIGHT
 from tests.gui.compare.compare_bench import two_places
 
 OUTPUTS = (19, 21, 24, 32)

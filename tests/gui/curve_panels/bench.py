@@ -6,8 +6,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 
-from skinsource_gui.state.start_design import start_design
-from skinsource_gui.widgets.plot.signal_view import SignalView
+from skinsource_gui.plots.signal_view import SignalView
+from skinsource_gui.state.preferences import start_design
 
 
 def whose(limb):

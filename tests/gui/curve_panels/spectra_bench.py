@@ -5,9 +5,8 @@ import numpy as np
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
 from skinsource.signals.spectra import magnitude_spectrum, peak_hold_spectrum
-from skinsource_gui.panels.spectra.panel import SpectraPanel
-from skinsource_gui.panels.spectra.settings import SpectraSettings
-from skinsource_gui.state.start_design import start_design
+from skinsource_gui.panels.spectra.panel import SpectraPanel, SpectraSettings
+from skinsource_gui.state.preferences import start_design
 from tests.gui.curve_panels.bench import whose
 
 LINEAR = with_settings(

@@ -7,9 +7,8 @@ from PySide6.QtWidgets import QMenu, QToolButton
 
 from skinsource.design.panel_settings import settings_of
 from skinsource.signals.spectra import MEAN_OF_BINS, magnitude_spectrum, mean_of_bins
-from skinsource_gui.panels.spectra.settings import SpectraSettings
-from skinsource_gui.widgets.plot.signal_table import save_table
-from skinsource_gui.widgets.plot.signal_view import SignalView
+from skinsource_gui.panels.spectra.panel import SpectraSettings
+from skinsource_gui.plots.signal_view import SignalView, save_table
 from tests.gui.curve_panels.bench import click, plot_of, said_above
 from tests.gui.curve_panels.spectra_bench import LINEAR, opener, results_for
 

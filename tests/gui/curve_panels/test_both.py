@@ -10,8 +10,8 @@ from skinsource.design.view import View
 from skinsource.engine.quantities import RULES, sources
 from skinsource_gui.panels.spectra.panel import SpectraPanel
 from skinsource_gui.panels.traces.panel import TracesPanel
-from skinsource_gui.state.start_design import start_design
-from skinsource_gui.widgets.plot.signal_view import SignalView
+from skinsource_gui.plots.signal_view import SignalView
+from skinsource_gui.state.preferences import start_design
 from tests.gui.curve_panels import spectra_bench, traces_bench
 from tests.gui.curve_panels.bench import plot_of, said_above
 from tests.gui.curve_panels.spectra_bench import LINEAR

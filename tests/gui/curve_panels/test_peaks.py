@@ -6,11 +6,10 @@ import numpy as np
 import pytest
 
 from skinsource.design.panel_settings import with_settings
-from skinsource_gui.panels.traces.settings import TracesSettings
-from skinsource_gui.state.start_design import start_design
-from skinsource_gui.widgets.plot.curves import Curves, output_names
-from skinsource_gui.widgets.plot.signal_picture import _legend_lines
-from skinsource_gui.widgets.plot.signal_view import SignalView
+from skinsource_gui.panels.traces.panel import TracesSettings
+from skinsource_gui.plots.curves import Curves, output_names
+from skinsource_gui.plots.signal_view import SignalView, _legend_lines
+from skinsource_gui.state.preferences import start_design
 from tests.gui.curve_panels.bench import click, plot_of
 from tests.gui.curve_panels.traces_bench import SIGNED, opener
 

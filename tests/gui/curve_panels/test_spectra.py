@@ -8,11 +8,10 @@ from PySide6.QtGui import QFont, QFontMetricsF
 from PySide6.QtTest import QTest
 
 from skinsource.design.panel_settings import settings_of, with_settings
-from skinsource_gui.panels.spectra.settings import SpectraSettings
-from skinsource_gui.panels.traces.settings import TracesSettings
-from skinsource_gui.state.start_design import start_design
-from skinsource_gui.widgets.plot.signal_table import save_table
-from skinsource_gui.widgets.plot.signal_view import SignalView
+from skinsource_gui.panels.spectra.panel import SpectraSettings
+from skinsource_gui.panels.traces.panel import TracesSettings
+from skinsource_gui.plots.signal_view import SignalView, save_table
+from skinsource_gui.state.preferences import start_design
 from tests.gui.curve_panels.bench import click, plot_of, said_above
 from tests.gui.curve_panels.spectra_bench import LINEAR, SPECTRA, opener, results_for
 

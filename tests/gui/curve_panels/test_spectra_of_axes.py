@@ -10,10 +10,9 @@ from PySide6.QtGui import QColor, QImage, QPainter
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.engine.evaluation import evaluate
 from skinsource.signals.spectra import magnitude_spectrum
-from skinsource_gui.panels.spectra.settings import SpectraSettings
-from skinsource_gui.theme import current_theme
-from skinsource_gui.widgets.plot.signal_table import save_table
-from skinsource_gui.widgets.plot.signal_view import SignalView
+from skinsource_gui.panels.spectra.panel import SpectraSettings
+from skinsource_gui.plots.signal_view import SignalView, save_table
+from skinsource_gui.qt.theme import current_theme
 from tests.gui.curve_panels.bench import click, plot_of, said_above
 from tests.gui.curve_panels.spectra_bench import LINEAR, opener, results_for
 

@@ -10,11 +10,9 @@ from PySide6.QtWidgets import QToolButton
 
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
-from skinsource_gui.panels.traces.settings import TracesSettings
-from skinsource_gui.state.start_design import start_design
-from skinsource_gui.widgets.plot.signal_picture import copy_of
-from skinsource_gui.widgets.plot.signal_table import save_table
-from skinsource_gui.widgets.plot.signal_view import SignalView
+from skinsource_gui.panels.traces.panel import TracesSettings
+from skinsource_gui.plots.signal_view import SignalView, copy_of, save_table
+from skinsource_gui.state.preferences import start_design
 from tests.gui.curve_panels.bench import click, plot_of, said_above
 from tests.gui.curve_panels.traces_bench import SIGNED, opener, results_for
 

@@ -8,11 +8,10 @@ import pytest
 from skinsource.design.design import Design, track
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import evaluate
 from skinsource.signals.resampling import EXTREMES_ERROR, finer
-from skinsource_gui.panels.traces.panel import TracesPanel
-from skinsource_gui.panels.traces.settings import TracesSettings
+from skinsource_gui.panels.traces.panel import TracesPanel, TracesSettings
 
 # A quarter of the rate.
 TONE = Tone(frequency_hz=325.0, phase_rad=0.7853981633974483, duration_s=0.6)

@@ -6,7 +6,7 @@ from skinsource.design.view import View
 from skinsource.engine.moments import Projection
 from skinsource.signals.resampling import extremes_between
 from skinsource_gui.panels.traces.panel import TracesPanel
-from skinsource_gui.state.start_design import start_design
+from skinsource_gui.state.preferences import start_design
 from tests.gui.curve_panels.bench import whose
 
 SIGNED = View(method="pca", outputs=(29, 52, 7))

@@ -6,7 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource.design.design import Design, Input
-from skinsource.design.edits import Edit, Refusal
+from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.view import View
 from skinsource.limbs.locations import input_place
 from skinsource_gui.panels.hand.panel import HandPanel

@@ -2,8 +2,8 @@
 
 from PySide6.QtGui import QColor
 
-from skinsource_gui.panels.hand.caption import HINT, caption_of
-from skinsource_gui.panels.hand.hand_state import HandState, Mark
+from skinsource_gui.panels.hand.layout import HandState, Mark
+from skinsource_gui.panels.hand.picture import HINT, caption_of
 
 MARKS = (Mark(site=7, colour=QColor("red")), Mark(site=13, colour=QColor("blue")))
 

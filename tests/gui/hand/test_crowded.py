@@ -10,8 +10,8 @@ from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource.engine import evaluation
 from skinsource.limbs.own_limbs import install_limb
-from skinsource_gui.panels.hand import site_marker
-from skinsource_gui.panels.hand.hand_layout import HandLayout
+from skinsource_gui.panels.hand import layout as site_marker
+from skinsource_gui.panels.hand.layout import HandLayout
 from skinsource_gui.panels.hand.panel import HandPanel
 from tests.core.own_limbs.lab_bench import own_limb, response
 from tests.gui.hand.bench import LEFT, NONE, Studio

@@ -6,9 +6,9 @@ from PySide6.QtGui import QColor, QFontMetricsF, QHelpEvent, QImage, QPainter
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from skinsource.design.design import track
-from skinsource_gui.panels.hand import site_marker
-from skinsource_gui.panels.hand.site_marker import Place, contrast, paint_occupied, readable_on
-from skinsource_gui.theme import DARK, LIGHT, Theme
+from skinsource_gui.panels.hand import layout
+from skinsource_gui.panels.hand.layout import Place, contrast, paint_occupied, readable_on
+from skinsource_gui.qt.theme import DARK, LIGHT, Theme
 from tests.gui.hand.bench import KEY
 
 # Showing
@@ -128,7 +128,7 @@ def test_the_count_of_inputs_at_a_site_is_never_cut_off(qtbot, count):
 
 def test_in_large_words_only_places_in_use_and_the_one_pointed_at_have_numbers(studio, monkeypatch):
     numbers = []
-    paint = site_marker._paint_number
+    paint = layout._paint_number
 
     def note(painter, place, colour, *, bold):
         numbers.append(place.site)
@@ -139,7 +139,7 @@ def test_in_large_words_only_places_in_use_and_the_one_pointed_at_have_numbers(s
         studio.diagram.grab()
         return set(numbers)
 
-    monkeypatch.setattr(site_marker, "_paint_number", note)
+    monkeypatch.setattr(layout, "_paint_number", note)
     studio.panel.resize(500, 500)
     studio.show(track(location=7), track(location=12, muted=True), selected=0)
     assert shown() == set(range(1, 21))

@@ -7,7 +7,8 @@ from PySide6.QtCore import QPoint, QPointF
 from PySide6.QtTest import QTest
 
 from skinsource.design.design import MAX_INPUTS, track
-from skinsource.design.waveforms import Noise, Tone
+from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.waveforms.tones import Tone
 from tests.gui.hand.bench import CONTROL, KEY, LEFT, NONE, SHIFT
 
 # Placing and selecting

@@ -5,8 +5,8 @@ from PySide6.QtTest import QTest
 
 from skinsource.design.design import track
 from skinsource.limbs.synthetic import standard_hand
-from skinsource_gui.panels.hand.hand_drawing import palmar_drawing
-from skinsource_gui.widgets.pan_zoom import FREE, WHOLE
+from skinsource_gui.panels.hand.layout import palmar_drawing
+from skinsource_gui.qt.wheel import FREE, WHOLE
 from tests.gui.hand.bench import KEY, LEFT
 from tests.gui.skin.bench import wheel
 

@@ -9,13 +9,11 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource_gui.made_panels import MadePanels
-from skinsource_gui.panels.history.panel import HistoryPanel
-from skinsource_gui.panels.history.step_delegate import told_in
-from skinsource_gui.panels.history.steps_model import DONE, PRESENT, TIME
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.panels.history.panel import DONE, PRESENT, TIME, HistoryPanel, told_in
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.historian import Historian
-from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.state.panel import MadePanels
 
 KEY = Qt.Key
 

@@ -3,10 +3,10 @@
 from pathlib import Path
 
 from skinsource.design.view import View
-from skinsource_gui.made_panels import MadePanels
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.historian import Historian
-from skinsource_gui.state.start_design import start_design
+from skinsource_gui.state.panel import MadePanels
+from skinsource_gui.state.preferences import start_design
 
 
 def test_a_design_that_is_saved_under_another_name_was_not_opened_by_that_name(qtbot):

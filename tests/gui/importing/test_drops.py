@@ -5,7 +5,7 @@ from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDragLeaveEvent, QDragMoveEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
-from skinsource.design.waveforms import Recording
+from skinsource.design.waveforms.samples import Recording
 
 NO_KEYS = Qt.KeyboardModifier.NoModifier
 

@@ -9,9 +9,9 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QWidget
 from skinsource.design import edits
 from skinsource.design.recordings import take
 from skinsource.readers.reader import dft321
-from skinsource_gui.import_page import placing
-from skinsource_gui.import_page.reading_worker import ReadingWorker
-from skinsource_gui.widgets.drop_place import DropPlace
+from skinsource_gui.pages import actions
+from skinsource_gui.pages.importing.page import ReadingWorker
+from skinsource_gui.qt.frames import DropPlace
 
 NO_KEYS = Qt.KeyboardModifier.NoModifier
 
@@ -280,11 +280,11 @@ def test_the_menu_asks_for_a_file(window, monkeypatch, qtbot, sound):
 def test_places_begin_with_the_likeliest(desk):
     design, view = desk.document.design, desk.document.view
     one = design.inputs[0]
-    names = [name for name, _ in placing.options(design, view, DropPlace(location=4))]
+    names = [name for name, _ in actions.options(design, view, DropPlace(location=4))]
     assert names[0] == "new 4"
     assert len(names) == len(set(names)) == 21
-    assert placing.options(design, view, DropPlace(input_id=one.id))[0][0] == f"track {one.id}"
-    nothing = placing.options(design.without_input(0), view, None)
+    assert actions.options(design, view, DropPlace(input_id=one.id))[0][0] == f"track {one.id}"
+    nothing = actions.options(design.without_input(0), view, None)
     assert [name for name, _ in nothing][:2] == ["new 7", "new 1"]
 
 

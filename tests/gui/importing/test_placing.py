@@ -1,7 +1,7 @@
 """Where a recording goes when one is selected."""
 
 from skinsource.design import edits
-from skinsource_gui.import_page import placing
+from skinsource_gui.pages import actions
 
 
 def test_a_recording_goes_in_place_of_what_stands_for_one_and_of_another_when_that_is_said(
@@ -12,14 +12,14 @@ def test_a_recording_goes_in_place_of_what_stands_for_one_and_of_another_when_th
     document.apply(edits.change_kind(document.design, document.view, (one.id,), "Recording"), None)
     clip = document.design.inputs[0].clips[0]
     document.apply(edits.select_clips(document.design, document.view, (clip.id,)), None)
-    first = placing.options(document.design, document.view, None)[0]
+    first = actions.options(document.design, document.view, None)[0]
     assert first[0] == f"clip {clip.id}"
     assert first[1].startswith("In place of the recording on input 1, at ")
     page_at(sound).accept()
     (now,) = document.design.inputs[0].clips
     assert now.waveform.name == "tap.wav, channel 1"
     assert (now.id, now.onset_s) == (clip.id, clip.onset_s)
-    again = [name for name, _ in placing.options(document.design, document.view, None)]
+    again = [name for name, _ in actions.options(document.design, document.view, None)]
     assert again[:2] == [f"track {one.id}", f"clip {clip.id}"]
 
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from skinsource_gui.import_page.taken_part import TakenPart
+from skinsource_gui.pages.importing.form import TakenPart
 
 
 @pytest.fixture

@@ -7,12 +7,12 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
 from skinsource.design.design import Design, track
-from skinsource.design.edits import Refusal
+from skinsource.design.edits.edit import Refusal
 from skinsource.design.view import View
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.inspector.panel import InspectorPanel
-from skinsource_gui.widgets.fields.choice_field import ChoiceField
-from skinsource_gui.widgets.fields.number_field import NumberField
-from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
+from skinsource_gui.plots.preview import WaveformPreview
 
 
 class Bench:

@@ -1,6 +1,7 @@
 import pytest
 
-from skinsource.design.waveforms import Impulse, Noise, Tap, Tone
+from skinsource.design.waveforms.pulses import Impulse, Noise, Tap
+from skinsource.design.waveforms.tones import Tone
 from tests.gui.inspector.bench import Bench, design_of
 
 

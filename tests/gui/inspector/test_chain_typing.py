@@ -7,8 +7,8 @@ from PySide6.QtWidgets import QApplication
 from skinsource.design import edits
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
-from skinsource.design.effects import Fade
-from skinsource.design.waveforms import Tone
+from skinsource.design.effects.level import Fade
+from skinsource.design.waveforms.tones import Tone
 from tests.gui.inspector.test_effect_chain import ChainBench
 
 

@@ -9,12 +9,14 @@ from PySide6.QtWidgets import QApplication, QCheckBox, QScrollArea, QToolButton
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
-from skinsource.design.effects import EFFECTS, BandLimit, Envelope, Fade, Repeat, Reverse
-from skinsource.design.waveforms import Tone
-from skinsource_gui.panels.inspector.effects.effect_chain import EffectChain
-from skinsource_gui.widgets.fields.curve_field import CurveField
-from skinsource_gui.widgets.fields.number_field import NumberField
-from skinsource_gui.widgets.inputs.letter_button import LetterButton
+from skinsource.design.effects import EFFECTS
+from skinsource.design.effects.level import BandLimit, Envelope, Fade
+from skinsource.design.effects.time import Repeat, Reverse
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.fields.curve_field import CurveField
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.panels.inspector.effects import EffectChain
+from skinsource_gui.qt.buttons import LetterButton
 from tests.gui.inspector.bench import Bench
 
 CHAIN = (Reverse(), Fade(), Repeat())

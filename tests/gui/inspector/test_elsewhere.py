@@ -2,7 +2,7 @@
 
 import pytest
 
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 from tests.gui.inspector.bench import Bench, design_of
 
 

@@ -7,11 +7,14 @@ from PySide6.QtTest import QTest
 
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import as_kind
-from skinsource.design.effects import Stretch, Trim
-from skinsource.design.waveforms import KINDS, Noise, Recording, Tone
+from skinsource.design.effects.time import Stretch, Trim
+from skinsource.design.waveforms.kinds import KINDS
+from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.waveforms.samples import Recording
+from skinsource.design.waveforms.tones import Tone
 from skinsource.specs.samples import Samples
-from skinsource_gui.widgets.fields.field_cell import FieldCell
-from skinsource_gui.widgets.fields.field_grid import FieldGrid
+from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.fields.grid import FieldGrid
 
 
 def test_the_heading_names_the_place(bench):

@@ -3,9 +3,9 @@
 import pytest
 from PySide6.QtTest import QTest
 
-from skinsource.design.waveforms import Formula
-from skinsource_gui.widgets.fields.field_cell import FieldCell
-from skinsource_gui.widgets.fields.live_text import LiveText
+from skinsource.design.waveforms.samples import Formula
+from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.fields.text_field import LiveText
 from tests.gui.inspector.bench import Bench, design_of
 
 

@@ -3,9 +3,9 @@
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from skinsource_gui.panels.inspector.input_fields import InputFields
-from skinsource_gui.state.start_design import start_design
-from skinsource_gui.widgets.fields.live_text import LiveText
+from skinsource_gui.fields.text_field import LiveText
+from skinsource_gui.panels.inspector.panel import InputFields
+from skinsource_gui.state.preferences import start_design
 
 
 def line_of(window):

@@ -4,10 +4,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton
 
-from skinsource.design.waveforms import Noise, Recording
-from skinsource_gui.theme import DARK
-from skinsource_gui.widgets.fields.field_grid import FieldGrid
-from skinsource_gui.widgets.inputs.letter_button import LetterButton
+from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.waveforms.samples import Recording
+from skinsource_gui.fields.grid import FieldGrid
+from skinsource_gui.qt.buttons import LetterButton
+from skinsource_gui.qt.theme import DARK
 
 
 def test_mute_and_solo_are_buttons(bench):

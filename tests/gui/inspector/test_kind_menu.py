@@ -12,12 +12,11 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from skinsource.design import waveforms
 from skinsource.design.edits.edit import kind_spec
-from skinsource.design.waveforms import COMMON, KINDS, MORE, Tone
-from skinsource_gui.theme import LIGHT, THEMES
-from skinsource_gui.widgets.inputs import waveform_picture
-from skinsource_gui.widgets.inputs.kind_field import KindField
-from skinsource_gui.widgets.inputs.kind_menu import fill_kind_menu
-from skinsource_gui.widgets.inputs.waveform_picture import PICTURE_PX, waveform_icon
+from skinsource.design.waveforms.kinds import COMMON, KINDS, MORE
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.fields import kinds
+from skinsource_gui.fields.kinds import PICTURE_PX, KindField, fill_kind_menu, waveform_icon
+from skinsource_gui.qt.theme import LIGHT, THEMES
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,13 +109,13 @@ def test_a_picture_has_the_colour_of_the_words_beside_it(theme, use_theme):
 
 def test_a_picture_is_drawn_when_it_is_seen_and_as_sharp_as_the_screen(monkeypatch):
     drawn = []
-    really = waveform_picture._drawn
+    really = kinds._drawn
 
     def noted(samples, colour, per_px):
         drawn.append((colour.name(), per_px))
         return really(samples, colour, per_px)
 
-    monkeypatch.setattr(waveform_picture, "_drawn", noted)
+    monkeypatch.setattr(kinds, "_drawn", noted)
     icon = QIcon(waveform_icon.__wrapped__(Tone))
     assert drawn == []
     for mode, colour in ((QIcon.Mode.Normal, LIGHT.text), (QIcon.Mode.Disabled, LIGHT.dim)):

@@ -9,17 +9,19 @@ from skinsource.design import waveforms
 from skinsource.design.design import track
 from skinsource.design.design_file import open_design, save_design
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.limbs.catalogue import load_limb
 from skinsource.signals.projection import project_axes
 from skinsource.signals.spectra import rms
 from skinsource.specs import fields
-from skinsource.specs.fields import ChoiceSpec, NumberSpec, specs_of
-from skinsource_gui.widgets.fields.field_grid import FieldGrid
-from skinsource_gui.widgets.fields.units import value_text
-from skinsource_gui.widgets.inputs.input_words import figure_text, told_text
+from skinsource.specs.models import specs_of
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.fields.grid import FieldGrid
+from skinsource_gui.fields.inputs import figure_text, told_text
+from skinsource_gui.fields.units import value_text
 from tests.gui.inspector.bench import Bench, design_of
 
 

@@ -11,15 +11,16 @@ from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QMenu, QToolButto
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import track
-from skinsource.design.effects import Fade
-from skinsource.design.waveforms import Chirp, Formula, Layers, Noise, Tone
-from skinsource.design.waveforms.samples import MAX_PARTS
+from skinsource.design.effects.level import Fade
+from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.waveforms.samples import MAX_PARTS, Formula, Layers
+from skinsource.design.waveforms.tones import Chirp, Tone
 from skinsource.specs.models import nesting
 from skinsource.specs.spec import MAX_DEPTH
-from skinsource_gui.theme import DARK
-from skinsource_gui.widgets.fields.field_cell import FieldCell
-from skinsource_gui.widgets.fields.parts.parts_editor import PartsEditor
-from skinsource_gui.widgets.inputs.letter_button import LetterButton
+from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.fields.parts import PartsEditor
+from skinsource_gui.qt.buttons import LetterButton
+from skinsource_gui.qt.theme import DARK
 from tests.gui.inspector.bench import Bench, design_of
 
 A = Clip(waveform=Tone(50.0))

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from skinsource.design.waveforms import Tone
-from skinsource_gui.widgets.inputs.waveform_preview import WaveformPreview
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.plots.preview import WaveformPreview
 
 
 @pytest.fixture

@@ -3,10 +3,11 @@
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from skinsource.design.waveforms import Noise, Tap, Tone
-from skinsource_gui.panels.inspector.input_heading import InputHeading
-from skinsource_gui.widgets.fields.field_cell import FieldCell
-from skinsource_gui.widgets.inputs.letter_button import LetterButton
+from skinsource.design.waveforms.pulses import Noise, Tap
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.panels.inspector.panel import InputHeading
+from skinsource_gui.qt.buttons import LetterButton
 from tests.gui.inspector.bench import Bench, design_of
 
 LEFT = Qt.MouseButton.LeftButton

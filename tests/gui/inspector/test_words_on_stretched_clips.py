@@ -4,9 +4,10 @@ import pytest
 
 import skinsource as ss
 from skinsource.design.clips import Clip
-from skinsource.design.effects import Fade, Stretch
-from skinsource_gui.widgets.inputs.input_words import clip_text
-from skinsource_gui.widgets.pictures.stimulus_words import stimulus_words
+from skinsource.design.effects.level import Fade
+from skinsource.design.effects.time import Stretch
+from skinsource_gui.fields.inputs import clip_text
+from skinsource_gui.plots.pictures import stimulus_words
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2)
 

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QMessageBox
 from skinsource.base.job import Job
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
-from skinsource_gui.files.autosave import FIRST_S
+from skinsource_gui.pages.files.autosave import FIRST_S
 from skinsource_gui.state.preferences import AUTOSAVE_S, Preferences
 from tests.gui.keeping.bench import copies, edit, kept_amplitudes
 

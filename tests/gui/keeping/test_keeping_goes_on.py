@@ -5,9 +5,10 @@ import shutil
 import pytest
 
 from skinsource.base.lock import Lock
+from skinsource.design import design_file
 from skinsource.design.design_file import save_design
 from skinsource.design.recovery import Session
-from skinsource_gui.files import autosave
+from skinsource_gui.pages.files import autosave
 from tests.gui.keeping.bench import copies, edit, kept_amplitudes
 from tests.gui.keeping.test_left_over import leave
 
@@ -65,7 +66,7 @@ def test_a_file_is_given_up_when_left_over_work_takes_its_place(window, leave, t
 
 def test_a_session_writes_again_what_somebody_deleted(user_data, window):
     session = Session(user_data)
-    content = autosave.DesignFile(design=window.document.design)
+    content = design_file.DesignFile(design=window.document.design)
     first = session.keep(content)
     first.unlink()
     assert session.keep(content).is_file()

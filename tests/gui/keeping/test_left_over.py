@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFileDialog, QPushButton
 from skinsource.base.lock import this_process, to_bytes
 from skinsource.design import recovery as left_over
 from skinsource.design.recovery import OWNER
-from skinsource_gui.shell.keeping.left_over_page import LeftOverPage
+from skinsource_gui.shell.keeping import LeftOverPage
 from tests.gui.keeping.bench import copies, edit, kept_amplitudes
 
 ENDED = to_bytes(replace(this_process(), started_s=1000.0))

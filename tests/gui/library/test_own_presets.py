@@ -11,8 +11,8 @@ from skinsource.design.clips import Clip, Fragment, Lane
 from skinsource.design.presets import presets
 from skinsource.design.presets.presets import Preset
 from skinsource.design.presets.shipped import SHIPPED
-from skinsource.design.waveforms import Tap
-from skinsource_gui.panels.library.presets_model import OWN
+from skinsource.design.waveforms.pulses import Tap
+from skinsource_gui.panels.library.list import OWN
 from tests.gui.library.bench import KEY, go_to, names
 
 MINE = Preset(

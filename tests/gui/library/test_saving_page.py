@@ -8,8 +8,9 @@ from skinsource.design.clips import Clip
 from skinsource.design.design import Design, track
 from skinsource.design.presets import presets
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tap, Tone
-from skinsource_gui.library_page.preset_choices import choices
+from skinsource.design.waveforms.pulses import Tap
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.pages.library import fragments_to_save
 from tests.gui.library.bench import labels, names
 
 SEVERAL = Design(
@@ -23,7 +24,7 @@ SEVERAL = Design(
 
 def test_what_can_be_kept_is_what_is_selected_the_track_and_all():
     view = View(selected_inputs=(1,), selected_clips=(1,))
-    found = choices(SEVERAL, view)
+    found = fragments_to_save(SEVERAL, view)
     assert [one.words for one in found] == [
         "Selected: 1 clip",
         "On the selected track: 2 clips",
@@ -32,8 +33,8 @@ def test_what_can_be_kept_is_what_is_selected_the_track_and_all():
     assert [one.name for one in found] == ["Hum"] * 3
     assert [len(one.fragment.lanes) for one in found] == [1, 1, 2]
     assert found[-1].fragment.lanes[1].clips[0].muted
-    assert len(choices(Design(limb="synthetic-1", inputs=(track(7),)), View())) == 1
-    assert choices(Design(limb="synthetic-1"), View()) == ()
+    assert len(fragments_to_save(Design(limb="synthetic-1", inputs=(track(7),)), View())) == 1
+    assert fragments_to_save(Design(limb="synthetic-1"), View()) == ()
 
 
 def test_a_clip_is_kept_under_a_name_and_found_again(window, panel, qtbot):

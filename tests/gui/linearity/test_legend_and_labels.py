@@ -7,13 +7,11 @@ import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter
 
-from skinsource_gui.panels.linearity.content import part_of, part_words
-from skinsource_gui.panels.linearity.curve import Curve
-from skinsource_gui.panels.linearity.end_labels import places_of_labels, x_with_room_for_labels
-from skinsource_gui.theme import LIGHT
-from skinsource_gui.widgets.figure.axes import Axis, fitted_axes
-from skinsource_gui.widgets.figure.output_legend import legend_words
-from skinsource_gui.widgets.pictures.picture_file import save_drawing
+from skinsource_gui.panels.linearity.content import Curve, part_of, part_words
+from skinsource_gui.panels.linearity.diagram import places_of_labels, x_with_room_for_labels
+from skinsource_gui.plots.figure import Axis, fitted_axes, legend_words
+from skinsource_gui.plots.pictures import save_drawing
+from skinsource_gui.qt.theme import LIGHT
 from tests.gui.linearity.test_linearity_panel import OUTPUTS, PARTS, STRENGTHS, show
 from tests.gui.test_pictures_out import texts_of
 

@@ -7,11 +7,11 @@ from skinsource.studies.checking import proportion, superposition
 from skinsource_gui.panels.linearity.content import (
     diagrams_of_proportion,
     diagrams_of_superposition,
+    of_amplitudes,
     part_of,
     proportion_words,
     superposition_words,
 )
-from skinsource_gui.panels.linearity.strength import of_amplitudes
 
 RATE_HZ = 1300.0
 TIME_S = np.arange(4000) / RATE_HZ

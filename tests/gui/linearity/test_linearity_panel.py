@@ -10,13 +10,13 @@ from PySide6.QtWidgets import QApplication
 
 import skinsource as ss
 from skinsource.design.comparing import Snapshot
-from skinsource.design.edits import remove_delay
+from skinsource.design.edits.setup import remove_delay
 from skinsource.design.view import View
 from skinsource.studies.checking import Proportion, Superposition
-from skinsource_gui.compared import Compared
-from skinsource_gui.figure_panel import SILENT
+from skinsource_gui.panels.figure_panel import SILENT
 from skinsource_gui.panels.linearity.diagram import font_in
-from skinsource_gui.theme import scaled
+from skinsource_gui.qt.theme import scaled
+from skinsource_gui.state.compared import Compared
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.1)
 OUTPUTS = (20, 26)

@@ -127,9 +127,7 @@ def test_reference_and_test_are_heard_and_lit_in_turn(sound, page, qtbot):
 def test_esc_stops_at_once_and_a_second_one_in_a_hurry_closes_nothing(
     sound, page, qtbot, monkeypatch
 ):
-    monkeypatch.setattr(
-        "skinsource_gui.matching_page.page._HURRY_S", 60.0
-    )  # also for a busy machine
+    monkeypatch.setattr("skinsource_gui.pages.matching._HURRY_S", 60.0)  # also for a busy machine
     begin(page, qtbot)
     stream = page.sounding.now.stream
     key(page, Qt.Key.Key_Escape)

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import (
     QLineEdit,
 )
 
+from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.shell.actions import ACTIONS
-from skinsource_gui.widgets.fields.number_field import NumberField
 from tests.gui.monkey.deeds_on_canvases import seen
 from tests.gui.monkey.hands import ALT, CONTROL, NONE, SHIFT
 

@@ -2,8 +2,8 @@
 
 from PySide6.QtCore import QPoint, Qt
 
-from skinsource_gui.panels.clip_editor.editor_view import EditorView
-from skinsource_gui.panels.timeline.lanes_view import LanesView
+from skinsource_gui.panels.clip_editor.view import EditorView
+from skinsource_gui.panels.timeline.lanes import LanesView
 from tests.gui.monkey.hands import ALT, CONTROL, MIDDLE, NONE, RIGHT, SHIFT
 
 _HELD = (NONE, NONE, NONE, SHIFT, CONTROL, ALT)

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
     QMessageBox,
 )
 
-from skinsource_gui.widgets.pictures.picture_options import PictureDialog
+from skinsource_gui.plots.pictures import PictureDialog
 from tests.gui.wheel import NOTCH, turn_wheel
 
 NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier

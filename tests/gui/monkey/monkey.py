@@ -13,11 +13,10 @@ from PySide6.QtWidgets import QApplication
 import skinsource as ss
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
-from skinsource_gui.history import MOST_STEPS
-from skinsource_gui.panels.skin.map_quantity import LEVELS
-from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.panels.timeline.lanes_view import LanesView
-from skinsource_gui.state.start_design import start_design
+from skinsource_gui.panels.skin.settings import LEVELS, SkinSettings
+from skinsource_gui.panels.timeline.lanes import LanesView
+from skinsource_gui.state.history import MOST_STEPS
+from skinsource_gui.state.preferences import start_design
 from tests.gui.monkey import deeds_in_fields as fields
 from tests.gui.monkey import deeds_on_canvases as canvases
 from tests.gui.monkey.hands import Hands

@@ -7,8 +7,8 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QVBoxLayout, QWidget
 
-from skinsource.specs.fields import NumberSpec
-from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource.specs.numbers import NumberSpec
+from skinsource_gui.fields.number_field import NumberField
 from tests.gui.wheel import NOTCH, turn_wheel
 
 DURATION = NumberSpec(label="Duration", unit="s", minimum=0.001, maximum=600.0, step=0.01)

@@ -5,9 +5,8 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource_gui.widgets.fields.number_gestures import PIXELS_PER_STEP
-from skinsource_gui.widgets.fields.round_numbers import COARSE, FINE, PLAIN, Ladder, stepped
-from skinsource_gui.widgets.fields.units import number_text
+from skinsource_gui.fields.number_field import PIXELS_PER_STEP
+from skinsource_gui.fields.units import COARSE, FINE, PLAIN, Ladder, number_text, stepped
 from tests.gui.number_field.bench import AMPLITUDE, DURATION, FREQUENCY, PHASE, SEED, move_event
 
 

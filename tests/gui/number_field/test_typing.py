@@ -6,11 +6,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.specs.fields import NumberSpec
-from skinsource_gui.widgets.fields.field_cell import FieldCell
-from skinsource_gui.widgets.fields.number_field import NumberField
-from skinsource_gui.widgets.fields.shown_number import ShownNumber
-from skinsource_gui.widgets.fields.units import number_text, parse_number, value_text
+from skinsource.specs.numbers import NumberSpec
+from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.fields.number_field import NumberField, ShownNumber
+from skinsource_gui.fields.units import number_text, parse_number, value_text
 from tests.gui.number_field.bench import (
     AMPLITUDE,
     DURATION,

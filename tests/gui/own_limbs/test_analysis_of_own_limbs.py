@@ -6,10 +6,10 @@ import pytest
 from skinsource.design import edits
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.analysis_rules import Sensation
 from skinsource.engine.evaluation import evaluate
-from skinsource_gui.figure_panel import FigurePanel
+from skinsource_gui.panels.figure_panel import FigurePanel
 from tests.core.own_limbs.lab_bench import N_OUTPUTS, installed
 
 PANELS = (

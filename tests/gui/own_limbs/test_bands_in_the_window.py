@@ -7,7 +7,7 @@ from skinsource.design import edits
 from skinsource.design.design import Design, track
 from skinsource.design.presets.presets import read_shelf, shipped_folder
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 from tests.core.own_limbs.lab_bench import installed
 
 PLAYED = Design(limb="synthetic-1", inputs=(track(5, Tone(frequency_hz=900.0, duration_s=0.1)),))

@@ -7,7 +7,7 @@ from PySide6.QtGui import QImage
 
 from skinsource.limbs.catalogue import load_limb
 from skinsource.limbs.limb_layout import export_limb
-from skinsource_gui.limb_page.canvas import spacing_of
+from skinsource_gui.pages.limbs.form import spacing_of
 from tests.core.own_limbs.lab_bench import N_TAPS, RATE_HZ, installed
 from tests.gui.own_limbs.limb_page_bench import button, imported, opened, words
 

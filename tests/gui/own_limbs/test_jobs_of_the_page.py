@@ -3,7 +3,7 @@
 from threading import Event
 
 from skinsource.base.job import Job
-from skinsource_gui.limb_page.page_jobs import PageJobs
+from skinsource_gui.pages.limbs.page import PageJobs
 from skinsource_gui.state.job_runner import JobProgress, JobRunner
 
 

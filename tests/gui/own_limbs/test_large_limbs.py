@@ -8,7 +8,8 @@ import pytest
 from skinsource.design import edits
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tone
+from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.own_limbs import install_limb
 from skinsource_gui.state.engine import FIRST_SLOT, Purpose
 from tests.core.own_limbs.lab_bench import own_limb, response

@@ -12,7 +12,7 @@ from skinsource.limbs.catalogue import load_limb
 from skinsource.limbs.limb_import import LimbSource, import_limb
 from skinsource.limbs.limb_layout import export_limb
 from skinsource.limbs.own_limbs import facts_of, own_limb_names, remove_limb
-from skinsource_gui.widgets.name_line import NameLine
+from skinsource_gui.qt.labels import NameLine
 from tests.core.own_limbs.lab_bench import installed
 from tests.gui.own_limbs.limb_page_bench import button, imported, opened, words
 

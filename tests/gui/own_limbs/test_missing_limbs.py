@@ -10,8 +10,8 @@ from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.limbs.locations import input_words, output_words
 from skinsource.limbs.own_limbs import facts_of, remove_limb
-from skinsource_gui.status.limb_note import LimbNote
-from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.shell.limb_note import LimbNote
 from tests.core.own_limbs.lab_bench import installed
 
 GONE = Design(limb="lab-9", inputs=(track(6),))

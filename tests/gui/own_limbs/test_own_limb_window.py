@@ -11,10 +11,11 @@ from skinsource.design import edits
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import save_design
 from skinsource.design.view import View
-from skinsource.design.waveforms import Noise, Tone
+from skinsource.design.waveforms.pulses import Noise
+from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.own_limbs import facts_of, install_limb, mirror_limb, remove_limb
-from skinsource_gui.status.limb_note import LimbNote
-from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.shell.limb_note import LimbNote
 from tests.core.own_limbs.lab_bench import N_INPUTS, N_OUTPUTS, installed, own_limb, response
 
 PLAYED = Design(

@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtGui import QColor, QImage
 
 from skinsource.base.errors import RecordingError
-from skinsource_gui.limb_page import photograph
+from skinsource_gui.pages.limbs import photograph
 
 
 @pytest.fixture(scope="module")

@@ -14,12 +14,12 @@ from skinsource.design import edits
 from skinsource.design.comparing import Snapshot
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.own_limbs import facts_of, remove_limb
-from skinsource_gui.widgets.fields.choice_field import ChoiceField
-from skinsource_gui.widgets.fields.number_field import NumberField
-from skinsource_gui.widgets.fields.units import parse_number
-from skinsource_gui.widgets.pictures.caption import caption_of
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.fields.units import parse_number
+from skinsource_gui.plots.pictures import caption_of
 from tests.core.own_limbs.lab_bench import installed
 from tests.core.playing.made_up_sound import MadeUpLibrary, use
 

@@ -3,7 +3,7 @@
 import pytest
 
 from skinsource.design.design import Design, track
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 from tests.core.playing.made_up_sound import MadeUpLibrary, use
 
 TONE = Tone(frequency_hz=100.0, duration_s=0.5)

@@ -3,8 +3,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QMenu, QPushButton
 
-from skinsource.design.waveforms import Noise
-from skinsource_gui.shell.playing.escape_twice import EscapeTwice
+from skinsource.design.waveforms.pulses import Noise
+from skinsource_gui.shell.playing import EscapeTwice
 
 LEFT = Qt.MouseButton.LeftButton
 SPACE, ESCAPE = Qt.Key.Key_Space, Qt.Key.Key_Escape

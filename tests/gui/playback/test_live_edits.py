@@ -6,10 +6,10 @@ import pytest
 from PySide6.QtCore import QObject
 
 from skinsource.lab.playing.devices import Output
+from skinsource_gui.state import playing as live_edits
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.playing import live_edits
-from skinsource_gui.state.playing.live_edits import LiveEdits
-from skinsource_gui.state.start_design import start_design
+from skinsource_gui.state.playing import LiveEdits
+from skinsource_gui.state.preferences import start_design
 
 
 class Clock:

@@ -5,9 +5,9 @@ import threading
 import pytest
 from PySide6.QtCore import QObject
 
-from skinsource_gui.shell import ending
-from skinsource_gui.state.playing import sound_thread
-from skinsource_gui.state.playing.sound_thread import SoundThread, one_is_stuck
+from skinsource_gui.app import app
+from skinsource_gui.state import playing
+from skinsource_gui.state.playing import SoundThread, one_is_stuck
 
 
 @pytest.fixture
@@ -20,7 +20,7 @@ def device(qtbot):
 
 
 def test_the_end_does_not_wait_for_a_device_that_is_stuck(device, monkeypatch, qtbot):
-    monkeypatch.setattr(sound_thread, "LONGEST_END_S", 0.01)
+    monkeypatch.setattr(playing, "LONGEST_END_S", 0.01)
     parent, closed = QObject(), threading.Event()
     thread = SoundThread(parent)
     thread.do(device.wait, lambda *_: None)
@@ -45,7 +45,7 @@ def test_the_end_waits_for_a_device_that_answers(device):
 @pytest.mark.parametrize("stuck", [True, False])
 def test_only_a_stuck_device_ends_the_process_at_once(monkeypatch, stuck):
     ended = []
-    monkeypatch.setattr(ending, "one_is_stuck", lambda: stuck)
-    monkeypatch.setattr(ending.os, "_exit", ended.append)
-    ending.end_if_stuck(3)
+    monkeypatch.setattr(app, "one_is_stuck", lambda: stuck)
+    monkeypatch.setattr(app.os, "_exit", ended.append)
+    app.end_if_stuck(3)
     assert ended == ([3] if stuck else [])

@@ -5,13 +5,13 @@ from PySide6.QtCore import QRect
 from PySide6.QtGui import QFont, QFontMetrics, QRegion
 from PySide6.QtWidgets import QAbstractButton, QApplication
 
-from skinsource.studies.scenes import all_scenes
-from skinsource_gui.panels.frequency_and_amplitude.heading import Heading
+from skinsource.studies.scenes.catalog import all_scenes
+from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.panels.frequency_and_amplitude.panel import Heading
 from skinsource_gui.panels.side_by_side.view import MapsView
-from skinsource_gui.widgets.fields.field_cell import FieldCell
-from skinsource_gui.widgets.figure.figure import Figure
-from skinsource_gui.widgets.plot.plot import Plot
-from skinsource_gui.widgets.plot.view_box import PlotViewBox
+from skinsource_gui.plots.axis import PlotViewBox
+from skinsource_gui.plots.figure import Figure
+from skinsource_gui.plots.plot import Plot
 
 
 @pytest.fixture

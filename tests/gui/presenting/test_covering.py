@@ -5,7 +5,7 @@ from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import QColor, QHelpEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
-from skinsource_gui.widgets.over.cover import COVERED, Cover
+from skinsource_gui.qt.overlays import COVERED, Cover
 
 MAPS = {
     "windowed": ("window_strip",),

@@ -2,7 +2,7 @@
 
 from PySide6.QtWidgets import QApplication
 
-from skinsource.studies.scenes import all_scenes
+from skinsource.studies.scenes.catalog import all_scenes
 from tests.gui.presenting.test_presented_scenes import in_front
 
 

@@ -3,7 +3,7 @@
 from PySide6.QtCore import QPointF
 from PySide6.QtTest import QTest
 
-from skinsource_gui.panels.skin.inputs.marks import marks_at
+from skinsource_gui.panels.skin.painting import marks_at
 
 
 def test_inputs_are_marked_on_the_map_where_they_are_behind(make_window, design):

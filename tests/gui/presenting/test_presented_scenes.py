@@ -9,11 +9,11 @@ from PySide6.QtWidgets import QApplication, QDialogButtonBox, QMessageBox
 
 from skinsource.design.design_file import save_design
 from skinsource.design.view import View
-from skinsource.studies.scenes import all_scenes, open_scene
+from skinsource.studies.scenes.catalog import all_scenes, open_scene
 from skinsource_gui.panels.skin.settings import use_colours
-from skinsource_gui.shell.presenting.notes_window import NotesWindow
+from skinsource_gui.plots.small_map import level_look
+from skinsource_gui.shell.presenting import NotesWindow
 from skinsource_gui.state.historian import Historian
-from skinsource_gui.widgets.map.level_look import level_look
 
 
 def title(window):

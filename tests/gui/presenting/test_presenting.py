@@ -7,8 +7,8 @@ from PySide6.QtTest import QTest
 
 import skinsource as ss
 from skinsource.design.design_file import save_design
-from skinsource_gui.theme import CONTRAST, current_theme
-from skinsource_gui.widgets.over.cover import COVERED
+from skinsource_gui.qt.overlays import COVERED
+from skinsource_gui.qt.theme import CONTRAST, current_theme
 
 
 def title(window):

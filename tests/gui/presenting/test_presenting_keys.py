@@ -7,9 +7,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from skinsource_gui.shell.playing import escape_twice
-from skinsource_gui.shell.playing.escape_twice import EscapeTwice
-from skinsource_gui.widgets.fields.choice_field import ChoiceField
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.shell import playing
+from skinsource_gui.shell.playing import EscapeTwice
 
 
 @pytest.fixture
@@ -118,7 +118,7 @@ def test_escape_closes_an_open_menu_first(presented, qtbot):
 
 def test_who_listens_for_escape_pressed_twice_hears_of_the_first_one(presented, qtbot, monkeypatch):
     # To leave may take a while here.
-    monkeypatch.setattr(escape_twice, "_WITHIN_S", 60.0)
+    monkeypatch.setattr(playing, "_WITHIN_S", 60.0)
     presented.do("present")
     twice = EscapeTwice(presented)
     # Before presenting begins, as where something plays already.

@@ -35,7 +35,7 @@ PANEL = '''
 from PySide6.QtWidgets import QLabel, QVBoxLayout
 
 from skinsource.design.panel_settings import settings_of
-from skinsource_gui.panel import Panel
+from skinsource_gui.state.panel import Panel
 from skinsource_gui.panels.loudest.settings import LoudestSettings
 
 
@@ -82,13 +82,13 @@ from PySide6.QtCore import QEventLoop, QPoint, QRect
 from PySide6.QtWidgets import QApplication, QFileDialog, QMenu, QTextBrowser
 
 import skinsource as ss
-from skinsource_gui.state.start_design import start_design
+from skinsource_gui.state.preferences import start_design
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource_gui.panels.loudest.settings import LoudestSettings
-from skinsource_gui.shell.app import make_application
-from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS
-from skinsource_gui.shell.palette import Palette
+from skinsource_gui.app.app import make_application
+from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS
+from skinsource_gui.shell.menus import Palette
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences
 

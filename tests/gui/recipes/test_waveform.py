@@ -61,7 +61,7 @@ from skinsource.specs.samples import Samples
 from skinsource.design.view import View
 from skinsource.design.waveforms.clicks import Clicks
 from skinsource_gui.panels.inspector.panel import InspectorPanel
-from skinsource_gui.widgets.fields.field_cell import FieldCell
+from skinsource_gui.fields.editors import FieldCell
 
 path = Path(sys.argv[1])
 older = open_design(sys.argv[2])

@@ -10,10 +10,9 @@ from shiboken6 import isValid
 
 import skinsource as ss
 from skinsource.lab.playing.devices import Output
-from skinsource.lab.rig_measuring import MeasuringSetup
-from skinsource_gui.rig_page.measure_fields import setup_of, setup_text
-from skinsource_gui.rig_page.measure_page import MeasurePage
-from skinsource_gui.rig_page.page import RigPage
+from skinsource.lab.rig_measuring.measurement import MeasuringSetup
+from skinsource_gui.pages.rig.measuring import MeasurePage, setup_of, setup_text
+from skinsource_gui.pages.rig.page import RigPage
 from tests.core.rig_measuring.bench_top import (
     COIL,
     INPUT_VOLTS,

@@ -13,9 +13,7 @@ from skinsource.actuators.rigs import Rig, RigChannel, open_rig, save_rig
 from skinsource.design import edits
 from skinsource.design.view import View
 from skinsource.limbs.locations import input_words
-from skinsource_gui.rig_page.channel_fields import title_of
-from skinsource_gui.rig_page.draft import RigDraft
-from skinsource_gui.rig_page.page import RigPage
+from skinsource_gui.pages.rig.page import RigDraft, RigPage, title_of
 from tests.core.own_limbs.lab_bench import N_INPUTS, installed
 
 WAIT = {"timeout": 30_000}

@@ -11,7 +11,7 @@ from skinsource.design.edits.setup import change_limb
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
 from skinsource.limbs.catalogue import default_limb
-from skinsource_gui.files import file_actions
+from skinsource_gui.pages.files import file_actions
 from skinsource_gui.panels.skin.settings import SkinSettings
 
 #: On limb 4, in the arrangement for analysis.

@@ -9,9 +9,9 @@ from PySide6.QtWidgets import QDialogButtonBox, QMessageBox
 import skinsource as ss
 from skinsource.design.panel_settings import settings_of
 from skinsource.studies.figures.gallery import MARK, mark_of, page_of, synthetic_scene
-from skinsource_gui.resources import resource_folder
-from skinsource_gui.scenes_page.page import picture_of
-from skinsource_gui.shell.docks.arrangement_spec import ARRANGEMENTS
+from skinsource_gui.pages.scenes import picture_of
+from skinsource_gui.qt.resources import resource_folder
+from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS
 from skinsource_gui.shell.panels import PANELS
 
 every = pytest.mark.parametrize("name", ss.scenes.names())

@@ -9,8 +9,7 @@ from PySide6.QtWidgets import QApplication
 import skinsource as ss
 from skinsource.limbs.catalogue import available_limbs
 from skinsource_gui.shell.window import MainWindow
-from skinsource_gui.state.preferences import Preferences
-from skinsource_gui.state.start_design import start_design
+from skinsource_gui.state.preferences import Preferences, start_design
 
 NAMES = ss.scenes.names()
 

@@ -7,11 +7,10 @@ from PySide6.QtGui import QFontMetricsF, QImage, QPainter
 import skinsource as ss
 from skinsource.design.comparing import Snapshot
 from skinsource.design.design import Design
-from skinsource_gui.compared import Compared
-from skinsource_gui.panels.side_by_side.content import Cell, Content
-from skinsource_gui.panels.side_by_side.headings import bold, paint_heading, places_for
-from skinsource_gui.panels.side_by_side.of_snapshots import snapshot_names
-from skinsource_gui.widgets.map.scale_ticks import tick_text
+from skinsource_gui.panels.side_by_side.content import Cell, Content, snapshot_names
+from skinsource_gui.panels.side_by_side.view import bold, paint_heading, places_for
+from skinsource_gui.plots.small_map import tick_text
+from skinsource_gui.state.compared import Compared
 
 ROOM = QRectF(0, 0, 320, 400)
 LONG = tuple(f"Snapshot {k} on Synthetic {k} minus Edited on Synthetic 4" for k in (1, 2, 3))

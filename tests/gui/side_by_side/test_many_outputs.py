@@ -7,12 +7,11 @@ from PySide6.QtGui import QImage, QPainter
 from skinsource.design.comparing import Snapshot
 from skinsource.design.design import Design, track
 from skinsource.engine.evaluation import evaluate
-from skinsource_gui.compared import Compared
-from skinsource_gui.panels.side_by_side.cells import Cells
-from skinsource_gui.panels.transfer.picture import bar_sizes
-from skinsource_gui.theme import LIGHT
-from skinsource_gui.widgets.map.output_rings import ring_size
-from skinsource_gui.widgets.map.small_map import paint_small_map
+from skinsource_gui.panels.side_by_side.content import Cells
+from skinsource_gui.panels.transfer.panel import bar_sizes
+from skinsource_gui.plots.small_map import paint_small_map, ring_size
+from skinsource_gui.qt.theme import LIGHT
+from skinsource_gui.state.compared import Compared
 
 DESIGN = Design(limb="synthetic-1", inputs=(track(7),))
 

@@ -13,7 +13,7 @@ from skinsource.design.comparing import end_db
 from skinsource.design.panel_settings import with_settings
 from skinsource.engine.evaluation import evaluate
 from skinsource.signals.map_range import map_range_db
-from skinsource_gui.panels.side_by_side.painter import fitting
+from skinsource_gui.panels.side_by_side.view import fitting
 from skinsource_gui.panels.skin.settings import SkinSettings
 from tests.gui.side_by_side.side_by_side_bench import choose, point_at, shown
 

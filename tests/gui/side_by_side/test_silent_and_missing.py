@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from skinsource.design.design import Design, track
-from skinsource_gui.compared import SILENCE
-from skinsource_gui.panels.side_by_side.table import tab_separated
+from skinsource_gui.panels.side_by_side.content import tab_separated
+from skinsource_gui.state.compared import SILENCE
 from tests.gui.compare.compare_bench import levels, show_matched, two_places
 from tests.gui.side_by_side.side_by_side_bench import choose as choose_sides
 

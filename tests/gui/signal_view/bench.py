@@ -3,8 +3,8 @@
 import numpy as np
 from PySide6.QtCore import QPointF
 
-from skinsource_gui.widgets.plot.axis_spec import XAxis
-from skinsource_gui.widgets.plot.curves import Curves, output_names
+from skinsource_gui.plots.curves import Curves, output_names
+from skinsource_gui.plots.ranges import XAxis
 from tests.gui import wheel
 
 TIME = XAxis(titles=("Time (ms) and much more to say about it", "Time (ms)"), unit="ms", factor=1e3)

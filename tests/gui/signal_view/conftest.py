@@ -2,7 +2,7 @@
 
 import pytest
 
-from skinsource_gui.widgets.plot.signal_view import SignalView
+from skinsource_gui.plots.signal_view import SignalView
 from tests.gui.signal_view.bench import TIME
 
 

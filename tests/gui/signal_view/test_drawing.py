@@ -7,11 +7,9 @@ import pytest
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter
 
-from skinsource_gui.theme import LIGHT
-from skinsource_gui.widgets.plot.axis import Axis
-from skinsource_gui.widgets.plot.curve import SignalCurve
-from skinsource_gui.widgets.plot.curve_points import CurvePoints
-from skinsource_gui.widgets.plot.curves import Curves
+from skinsource_gui.plots.axis import Axis
+from skinsource_gui.plots.curves import CurvePoints, Curves, SignalCurve
+from skinsource_gui.qt.theme import LIGHT
 from tests.gui.signal_view.bench import TIME, drawn, said_above, waves
 
 

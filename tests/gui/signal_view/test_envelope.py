@@ -8,11 +8,11 @@ import pytest
 from PySide6.QtGui import QPainter, QPicture
 
 from skinsource.signals.resampling import EXTREMES_ERROR
-from skinsource_gui.widgets.plot import signal_picture
-from skinsource_gui.widgets.plot.curves import Curves, output_names
-from skinsource_gui.widgets.plot.plot import Plot
-from skinsource_gui.widgets.plot.signal_picture import draw_signals
-from skinsource_gui.widgets.plot.wave import wave_of
+from skinsource_gui.plots import signal_view
+from skinsource_gui.plots.curves import Curves, output_names
+from skinsource_gui.plots.plot import Plot
+from skinsource_gui.plots.ranges import wave_of
+from skinsource_gui.plots.signal_view import draw_signals
 from tests.gui.signal_view.bench import TIME, drawn, waves
 
 RATE_HZ = 1300.0
@@ -64,7 +64,7 @@ def pictured(monkeypatch):
             return made[-1]
 
         with monkeypatch.context() as patched:
-            patched.setattr(signal_picture, "Plot", kept)
+            patched.setattr(signal_view, "Plot", kept)
             # To paint so many lines takes long, and is not what is looked at.
             noted = QPicture()
             painter = QPainter(noted)

@@ -7,7 +7,7 @@ import pyqtgraph
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 
-from skinsource_gui.widgets.plot.signal_view import SignalView
+from skinsource_gui.plots.signal_view import SignalView
 from tests.gui.signal_view.bench import TIME, waves
 
 

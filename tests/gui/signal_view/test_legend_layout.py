@@ -5,10 +5,9 @@ from dataclasses import replace
 import pytest
 from PySide6.QtGui import QFont, QFontMetrics
 
-from skinsource_gui.theme import UNIT_PX
-from skinsource_gui.widgets.plot.curves import output_names
-from skinsource_gui.widgets.plot.legend.legend_layout import LegendLayout
-from skinsource_gui.widgets.plot.legend.legend_text import PEAK, LegendText
+from skinsource_gui.plots.curves import output_names
+from skinsource_gui.plots.legend import PEAK, LegendLayout, LegendText
+from skinsource_gui.qt.theme import UNIT_PX
 
 NAMES = output_names(tuple(range(1, 41)), "synthetic-1")
 

@@ -10,8 +10,8 @@ from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QMenu
 
-from skinsource_gui.theme import DARK, LIGHT
-from skinsource_gui.widgets.plot import signal_exports
+from skinsource_gui.plots import signal_view
+from skinsource_gui.qt.theme import DARK, LIGHT
 from tests.gui.signal_view.bench import TIME, waves
 
 
@@ -37,7 +37,7 @@ def save_to(monkeypatch, tmp_path):
 
     def answer(name, kind="", **options):
         monkeypatch.setattr(
-            signal_exports,
+            signal_view,
             "ask_picture_options",
             lambda _, usual, **page: replace(usual, **options),
         )
@@ -144,7 +144,7 @@ def test_size_and_colours_are_offered_again_and_none_is_no_picture(signals, save
     choose(signals, "Save picture")
     offered = []
     monkeypatch.setattr(
-        signal_exports, "ask_picture_options", lambda _, usual, **page: offered.append(usual)
+        signal_view, "ask_picture_options", lambda _, usual, **page: offered.append(usual)
     )
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: pytest.fail("not asked for"))
     choose(signals, "Save picture")

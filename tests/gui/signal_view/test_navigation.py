@@ -5,7 +5,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from skinsource_gui.widgets.plot.curves import Curves, output_names
+from skinsource_gui.plots.curves import Curves, output_names
 from tests.gui.signal_view.bench import FREQUENCY, TIME, left_and_width, turn_wheel, waves
 
 

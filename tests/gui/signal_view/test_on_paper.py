@@ -7,10 +7,10 @@ from functools import partial
 import numpy as np
 from PySide6.QtGui import QColor
 
-from skinsource_gui.theme import LIGHT
-from skinsource_gui.widgets.pictures.picture_file import drawn_image, save_drawing
-from skinsource_gui.widgets.plot.signal_picture import draw_signals
-from skinsource_gui.widgets.plot.wave import wave_of
+from skinsource_gui.plots.pictures import drawn_image, save_drawing
+from skinsource_gui.plots.ranges import wave_of
+from skinsource_gui.plots.signal_view import draw_signals
+from skinsource_gui.qt.theme import LIGHT
 from tests.gui.signal_view.bench import TIME, waves
 
 RATE_HZ = 1300.0

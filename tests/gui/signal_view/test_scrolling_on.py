@@ -6,8 +6,8 @@ from PySide6.QtGui import QCursor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QScrollArea, QVBoxLayout, QWidget
 
-from skinsource_gui.widgets.plot.signal_view import SignalView
-from skinsource_gui.widgets.wheel import PAUSE_S, ScrollingOn
+from skinsource_gui.plots.signal_view import SignalView
+from skinsource_gui.qt.wheel import PAUSE_S, ScrollingOn
 from tests.gui.signal_view.bench import TIME, waves
 
 PLAIN, CTRL = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier

@@ -3,8 +3,8 @@
 import numpy as np
 from PySide6.QtCore import QRectF
 
-from skinsource_gui.theme import DARK, LIGHT
-from skinsource_gui.widgets.plot.curves import Curves
+from skinsource_gui.plots.curves import Curves
+from skinsource_gui.qt.theme import DARK, LIGHT
 from tests.gui.signal_view.bench import TIME, said_above, waves
 
 

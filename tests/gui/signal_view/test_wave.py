@@ -10,10 +10,10 @@ from skinsource.design.view import View
 from skinsource.engine.evaluation import evaluate
 from skinsource.signals.resampling import FINER, finer
 from skinsource_gui.panels.traces.panel import TracesPanel
-from skinsource_gui.state.start_design import start_design
-from skinsource_gui.theme import current_theme
-from skinsource_gui.widgets.plot.curves import Curves, output_names
-from skinsource_gui.widgets.plot.wave import wave_of
+from skinsource_gui.plots.curves import Curves, output_names
+from skinsource_gui.plots.ranges import wave_of
+from skinsource_gui.qt.theme import current_theme
+from skinsource_gui.state.preferences import start_design
 from tests.gui.signal_view.bench import TIME, drawn
 
 RATE_HZ = 1300.0

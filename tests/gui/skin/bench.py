@@ -6,11 +6,11 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 
-from skinsource.design.edits import Edit
+from skinsource.design.edits.edit import Edit
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.state.start_design import start_design
+from skinsource_gui.state.preferences import start_design
 from tests.gui.wheel import NOTCH, turn_wheel
 
 LEFT, MIDDLE = Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton

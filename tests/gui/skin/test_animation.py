@@ -13,21 +13,24 @@ from skinsource.base.errors import InvalidInputError, Stopped, StorageError
 from skinsource.base.job import never
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
+from skinsource.export import exported_design
 from skinsource.export.video import video_file
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.perception.validity import Finding
-from skinsource_gui.panels.skin.map_quantity import MAGNITUDE, RMS, Z
-from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.panels.skin.stage.map_layout import SeenPart
-from skinsource_gui.panels.skin.time import animation
-from skinsource_gui.panels.skin.time.animation import export_animation
-from skinsource_gui.panels.skin.time.film import MOST_PX, film_of, frame_size
-from skinsource_gui.panels.skin.time.film_options import FilmOptions
-from skinsource_gui.panels.skin.time.pace import pace_of
-from skinsource_gui.theme import DARK
-from skinsource_gui.widgets.pictures.caption import with_caption
-from skinsource_gui.widgets.pictures.layouts import LAYOUTS
-from skinsource_gui.widgets.pictures.picture_options import PictureDialog, PictureOptions
+from skinsource_gui.panels.skin import film as animation
+from skinsource_gui.panels.skin import time
+from skinsource_gui.panels.skin.film import (
+    MOST_PX,
+    FilmOptions,
+    export_animation,
+    film_of,
+    frame_size,
+)
+from skinsource_gui.panels.skin.layout import SeenPart
+from skinsource_gui.panels.skin.settings import MAGNITUDE, RMS, SkinSettings, Z
+from skinsource_gui.panels.skin.time import pace_of
+from skinsource_gui.plots.pictures import LAYOUTS, PictureDialog, PictureOptions, with_caption
+from skinsource_gui.qt.theme import DARK
 
 imageio_ffmpeg = pytest.importorskip("imageio_ffmpeg")
 PERSON = PUBLISHED["synthetic-1"]
@@ -111,13 +114,13 @@ def test_a_stopped_animation_leaves_what_stood_there(tmp_path, small):
 
 def test_frames_are_taken_at_their_instants_and_told_as_progress(tmp_path, small, monkeypatch):
     seen, told = [], []
-    frame = animation.Frames.frame
+    frame = time.Frames.frame
 
     def note(self, view, settings):
         seen.append((view.playhead_s, settings.quantity))
         return frame(self, view, settings)
 
-    monkeypatch.setattr(animation.Frames, "frame", note)
+    monkeypatch.setattr(time.Frames, "frame", note)
     path = tmp_path / "a.mp4"
     export_animation(path, DESIGN, VIEW, progress=lambda *now: told.append(now))
     times = np.array([time_s for time_s, _ in seen])
@@ -162,7 +165,7 @@ def test_a_film_is_that_of_the_time_axes_and_not_endless():
 
 
 def test_the_picture_says_when_how_slowly_and_of_whom(small):
-    exported = animation.ExportedDesign(DESIGN, VIEW, lambda *now: None, never)
+    exported = exported_design.ExportedDesign(DESIGN, VIEW, lambda *now: None, never)
     settings = SkinSettings(quantity=Z)
     camera = animation._Camera(exported, settings)
     film = film_of(VIEW, settings, camera.end_s, 60, PERSON)
@@ -193,13 +196,13 @@ def test_what_is_mostly_noise_is_hatched_in_a_film_and_the_caption_says_it(monke
     noise = Finding(
         name="noise", state="left", sentence="", in_short="{:.0f} noisy.", number=2, outputs=(3, 4)
     )
-    value, drawn = animation.ExportedDesign.value, []
+    value, drawn = exported_design.ExportedDesign.value, []
     monkeypatch.setattr(
-        animation.ExportedDesign,
+        exported_design.ExportedDesign,
         "value",
         lambda self, name, **more: (noise,) if name == "validity" else value(self, name, **more),
     )
-    exported = animation.ExportedDesign(DESIGN, VIEW, lambda *now: None, never)
+    exported = exported_design.ExportedDesign(DESIGN, VIEW, lambda *now: None, never)
     camera = animation._Camera(exported, SkinSettings(quantity=Z), PictureOptions(width_px=200))
     monkeypatch.setattr(camera, "_draw", lambda content, heading: drawn.append(content))
     camera.frame(film_of(VIEW, SkinSettings(quantity=Z), camera.end_s, 60, PERSON), 0)
@@ -225,7 +228,7 @@ def test_a_film_has_its_stimulus_below_it_at_every_size(monkeypatch):
         "with_caption",
         lambda draw, words: seen.append(words) or with_caption(draw, words),
     )
-    exported = animation.ExportedDesign(DESIGN, VIEW, lambda *now: None, never)
+    exported = exported_design.ExportedDesign(DESIGN, VIEW, lambda *now: None, never)
     options = PictureOptions(width_px=200, height_px=300, dpi=192, colours="dark")
     camera = animation._Camera(exported, SkinSettings(quantity=Z), options)
     film = film_of(VIEW, SkinSettings(quantity=Z), camera.end_s, 60, PERSON)

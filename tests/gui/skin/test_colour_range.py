@@ -6,10 +6,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource.signals.map_range import map_range_db
-from skinsource_gui.panels.skin.map_quantity import MapQuantity
-from skinsource_gui.panels.skin.scale.colour_scale import fitting_title
-from skinsource_gui.panels.skin.scale.level_range import tick_levels
-from skinsource_gui.widgets.map.level_look import COLOURS
+from skinsource_gui.panels.skin.scale import fitting_title
+from skinsource_gui.panels.skin.settings import MapQuantity, tick_levels
+from skinsource_gui.plots.small_map import COLOURS
 from tests.gui.skin.bench import (
     CONTROL,
     LEFT,

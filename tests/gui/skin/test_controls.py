@@ -5,9 +5,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from skinsource.design.labels import TRIAD_SENTENCE
-from skinsource_gui.panels.skin.map_picture import heading_of
-from skinsource_gui.panels.skin.scale.colour_strip import ColourStrip
-from skinsource_gui.theme import DARK, LIGHT
+from skinsource_gui.panels.skin.picture import heading_of
+from skinsource_gui.panels.skin.scale import ColourStrip
+from skinsource_gui.qt.theme import DARK, LIGHT
 from tests.gui.skin.bench import LEFT, pixel, place
 
 # Words

@@ -4,7 +4,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from skinsource_gui.widgets.fields.level_text import output_text
+from skinsource_gui.fields.units import output_text
 from tests.gui.skin.bench import SHIFT, click
 
 

@@ -12,16 +12,21 @@ from PySide6.QtWidgets import QPushButton
 import skinsource as ss
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
+from skinsource.limbs import own_limbs
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.panels.skin import film
+from skinsource_gui.panels.skin import film as film_options_module
+from skinsource_gui.panels.skin.film import (
+    FilmOptions,
+    export_animation,
+    film_name,
+    film_options,
+    film_remark,
+)
+from skinsource_gui.panels.skin.layout import SeenPart
 from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.panels.skin.stage.map_layout import SeenPart
-from skinsource_gui.panels.skin.time import animation, film_words
-from skinsource_gui.panels.skin.time import film_options as film_options_module
-from skinsource_gui.panels.skin.time.animation import export_animation
-from skinsource_gui.panels.skin.time.film_options import FilmOptions, film_options
-from skinsource_gui.panels.skin.time.film_words import film_name, film_remark
-from skinsource_gui.widgets.fields.choice_field import ChoiceField
-from skinsource_gui.widgets.fields.number_field import NumberField
-from skinsource_gui.widgets.pictures.picture_options import PictureDialog, PictureOptions
+from skinsource_gui.plots.pictures import PictureDialog, PictureOptions
 
 DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(7, ss.waveforms.Tap()),))
 ZOOMED = View(time_range_s=(0.05, 0.15))
@@ -81,7 +86,7 @@ def test_it_begins_as_fast_as_waves_can_be_followed_and_keeps_the_format_of_the_
 
 
 def test_a_limb_that_is_not_measured_along_z_is_filmed_in_magnitude(monkeypatch):
-    facts = film_options_module.facts_of
+    facts = own_limbs.facts_of
     flat = replace(facts("synthetic-1"), axes="xy")
     monkeypatch.setattr(film_options_module, "facts_of", lambda name: flat)
     assert film_options(DESIGN, shown("levels"), SIZES).quantity == "magnitude"
@@ -156,8 +161,8 @@ def test_the_window_of_the_sliding_rms_can_be_another_one(form):
 
 
 def test_along_z_cannot_be_saved_of_a_limb_that_is_not_measured_so(monkeypatch):
-    flat = replace(film_words.facts_of("synthetic-1"), axes="xy")
-    monkeypatch.setattr(film_words, "facts_of", lambda name: flat)
+    flat = replace(own_limbs.facts_of("synthetic-1"), axes="xy")
+    monkeypatch.setattr(film, "facts_of", lambda name: flat)
     view = shown("z")
     options = film_options(DESIGN, view, SIZES)
     remark = film_remark(DESIGN, view, options)
@@ -179,7 +184,7 @@ def test_the_name_of_a_film_says_what_it_shows_how_slowly_and_ends_as_its_kind(q
 def test_what_was_chosen_is_filmed_and_not_what_the_screen_shows(tmp_path, monkeypatch):
     seen = []
     monkeypatch.setattr(
-        animation,
+        film,
         "paint_picture",
         lambda painter, size, content, heading, *look: seen.append((content, heading, look)),
     )

@@ -13,10 +13,9 @@ from skinsource.base.published import PRE_TRIGGER_DELAY_S
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.time_rules import BLOCK_S
-from skinsource_gui.panels.skin.map_quantity import LEVELS, MAGNITUDE, RMS, Z
-from skinsource_gui.panels.skin.settings import SkinSettings
-from skinsource_gui.panels.skin.time.frames import NEEDS
-from skinsource_gui.widgets.map.colour_maps import DIVERGING
+from skinsource_gui.panels.skin.settings import LEVELS, MAGNITUDE, RMS, SkinSettings, Z
+from skinsource_gui.panels.skin.time import NEEDS
+from skinsource_gui.plots.colour_maps import DIVERGING
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2)
 SHORT = ss.Design(limb="synthetic-1", inputs=(ss.track(7, TONE),))

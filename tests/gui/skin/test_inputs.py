@@ -9,9 +9,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from skinsource.design.design import track
-from skinsource.design.edits import Refusal
-from skinsource.design.waveforms import Tap
-from skinsource_gui.widgets.outputs.picking import output_at
+from skinsource.design.edits.edit import Refusal
+from skinsource.design.waveforms.pulses import Tap
+from skinsource_gui.plots.outputs import output_at
 from tests.gui.skin.bench import LEFT, PLAIN, SHIFT, click
 
 KEY = Qt.Key

@@ -8,16 +8,19 @@ from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
 from skinsource.limbs.limb import LimbMap
-from skinsource_gui.panels.skin.map_content import MapContent
-from skinsource_gui.panels.skin.map_painter import small_font
-from skinsource_gui.panels.skin.map_words import message_card, message_place, paint_words
-from skinsource_gui.panels.skin.output_labels import is_crowded, is_on_card, output_labels
+from skinsource_gui.panels.skin.map import SkinMap, message_card, message_place, paint_words
+from skinsource_gui.panels.skin.painting import (
+    MapContent,
+    is_crowded,
+    is_on_card,
+    output_labels,
+    small_font,
+)
 from skinsource_gui.panels.skin.panel import SkinPanel
-from skinsource_gui.panels.skin.skin_map import SkinMap
-from skinsource_gui.panels.skin.still_values import SILENT
-from skinsource_gui.theme import LIGHT
-from skinsource_gui.widgets.map.colour_maps import colour_indices, colour_table
-from skinsource_gui.widgets.map.field_image import FieldImage
+from skinsource_gui.panels.skin.picture import SILENT
+from skinsource_gui.plots.colour_maps import colour_indices, colour_table
+from skinsource_gui.plots.small_map import FieldImage
+from skinsource_gui.qt.theme import LIGHT
 from tests.gui.skin.bench import (
     SEED,
     pixel,

@@ -1,7 +1,7 @@
 """A range of levels that is pulled along its scale."""
 
-from skinsource_gui.panels.skin.scale.level_range import moved, with_high
-from skinsource_gui.panels.skin.scale.pulled_range import PulledRange
+from skinsource_gui.panels.skin.scale import PulledRange
+from skinsource_gui.panels.skin.settings import moved, with_high
 
 
 def test_the_scale_goes_beyond_the_range_and_follows_it():

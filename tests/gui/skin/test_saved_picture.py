@@ -8,11 +8,11 @@ from PySide6.QtCore import QPoint, QSizeF
 from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtSvg import QSvgRenderer
 
-from skinsource_gui.panels.skin import map_picture
-from skinsource_gui.panels.skin.map_content import MapContent
-from skinsource_gui.panels.skin.map_picture import Heading, heading_of, paint_picture
-from skinsource_gui.theme import DARK, LIGHT
-from skinsource_gui.widgets.pictures.picture_file import save_drawing
+from skinsource_gui.panels.skin import picture as map_picture
+from skinsource_gui.panels.skin.painting import MapContent
+from skinsource_gui.panels.skin.picture import Heading, heading_of, paint_picture
+from skinsource_gui.plots.pictures import save_drawing
+from skinsource_gui.qt.theme import DARK, LIGHT
 from tests.gui.skin.bench import (
     pixel,
 )

@@ -4,10 +4,9 @@ from PySide6.QtGui import QFontMetricsF
 from PySide6.QtTest import QTest
 
 from skinsource.base.published import VOLAR_OUTPUTS
-from skinsource_gui.panels.skin import map_painter
-from skinsource_gui.panels.skin.map_painter import ring_radius, small_font
-from skinsource_gui.panels.skin.output_labels import output_labels, square
-from skinsource_gui.widgets.outputs.picking import output_beyond
+from skinsource_gui.panels.skin import painting
+from skinsource_gui.panels.skin.painting import output_labels, ring_radius, small_font, square
+from skinsource_gui.plots.outputs import output_beyond
 from tests.gui.skin.bench import CONTROL, LEFT, PLAIN, SHIFT, click, drag, empty_place, place
 
 # Selecting
@@ -161,7 +160,7 @@ def test_no_number_lies_under_the_bar_of_millimetres(window, text):
 def test_numbers_are_painted_beside_the_bar_of_millimetres(window, monkeypatch):
     known = []
     monkeypatch.setattr(
-        map_painter, "paint_labels", lambda *given: known.append(given[-1]), raising=True
+        painting, "paint_labels", lambda *given: known.append(given[-1]), raising=True
     )
     click(window, 72)
     window.panel.map.grab()

@@ -6,8 +6,8 @@ from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QPainterPath
 from PySide6.QtWidgets import QApplication
 
-from skinsource_gui.panels.skin.length_bar import bar_card
-from skinsource_gui.widgets.pan_zoom import FREE, WHOLE
+from skinsource_gui.panels.skin.painting import bar_card
+from skinsource_gui.qt.wheel import FREE, WHOLE
 
 
 class Paints(QObject):

@@ -5,11 +5,11 @@ from PySide6.QtGui import QColor, QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QScrollArea
 
-from skinsource_gui.panels.skin import map_picture
-from skinsource_gui.panels.skin.stage.map_layout import HAND
-from skinsource_gui.theme import LIGHT
-from skinsource_gui.widgets.pan_zoom import FREE, WHOLE
-from skinsource_gui.widgets.wheel import PAUSE_S, ScrollingOn
+from skinsource_gui.panels.skin import layout
+from skinsource_gui.panels.skin import picture as map_picture
+from skinsource_gui.panels.skin.layout import HAND
+from skinsource_gui.qt.theme import LIGHT
+from skinsource_gui.qt.wheel import FREE, PAUSE_S, WHOLE, ScrollingOn
 from tests.gui.skin.bench import CONTROL, LEFT, MIDDLE, PLAIN, SHIFT, drag, pixel, place, wheel
 
 # Zooming
@@ -228,7 +228,7 @@ def test_the_right_button_offers_fits_and_pictures(window, qtbot):
 def test_a_picture_shows_what_is_seen(window, size, monkeypatch):
     view = window.panel.map
     frames = []
-    laid_out = map_picture.map_layout
+    laid_out = layout.map_layout
     monkeypatch.setattr(
         map_picture,
         "map_layout",

@@ -10,8 +10,7 @@ from skinsource.actuators.equalising import PolePairReplacement, RegularisedInve
 from skinsource.design.panel_settings import with_settings
 from skinsource.design.view import View
 from skinsource.engine.actuator_demand import ActuatorSettings, actuation_of
-from skinsource_gui.stimulus_page.remembering import recall, remembered
-from skinsource_gui.stimulus_page.stimulus_form import StimulusForm
+from skinsource_gui.pages.stimulus.form import StimulusForm, recall, remembered
 from tests.gui.actuator.bench import brought_forward
 from tests.gui.actuator.bench import choose as choose_in_panel
 from tests.gui.stimulus.conftest import opened

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from skinsource_gui.stimulus_page.channels_view import joined
+from skinsource_gui.pages.stimulus.page import joined
 
 
 def test_stretches_that_overlap_are_drawn_as_they_are():

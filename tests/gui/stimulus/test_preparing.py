@@ -10,14 +10,15 @@ from PySide6.QtWidgets import QLabel, QProgressBar
 import skinsource as ss
 from skinsource.base.errors import Stopped
 from skinsource.base.job import stop_if
-from skinsource_gui.stimulus_page import preparing_worker
+from skinsource.export.stimulus_export import preparing
+from skinsource_gui.pages.stimulus import page as preparing_worker
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, label
 
 
 @pytest.fixture
 def gate(monkeypatch):
     """Set it, and a stimulus is prepared; nothing is before."""
-    gate, whole = Event(), preparing_worker.prepared
+    gate, whole = Event(), preparing.prepared
 
     def held(*arguments, progress, stop, **options):
         progress(1, 4, "Computing")

@@ -8,10 +8,8 @@ from PySide6.QtWidgets import QFileDialog
 import skinsource as ss
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.design.view import View
-from skinsource_gui.stimulus_page.channels_view import words_of
-from skinsource_gui.stimulus_page.page import StimulusPage, calibration_of, summary_of
-from skinsource_gui.stimulus_page.remembering import recall, remembered
-from skinsource_gui.stimulus_page.stimulus_form import StimulusForm
+from skinsource_gui.pages.stimulus.form import StimulusForm, recall, remembered
+from skinsource_gui.pages.stimulus.page import StimulusPage, calibration_of, summary_of, words_of
 
 WAIT = {"timeout": 30_000}
 DESIGN = ss.Design(

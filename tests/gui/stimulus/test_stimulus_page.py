@@ -10,8 +10,7 @@ import skinsource as ss
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.export.formats.formats import FORMATS
-from skinsource_gui.stimulus_page.channels_view import joined
-from skinsource_gui.stimulus_page.page import bytes_in_words, duration_words
+from skinsource_gui.pages.stimulus.page import bytes_in_words, duration_words, joined
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
 
 

@@ -7,9 +7,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from skinsource.design.design import Design, track
-from skinsource.design.edits import Refusal
+from skinsource.design.edits.edit import Refusal
 from skinsource.design.view import View
-from skinsource_gui.panels.timeline.heads.input_list import InputRows
+from skinsource_gui.panels.timeline.heads import InputRows
 from skinsource_gui.panels.timeline.panel import TimelinePanel
 
 PLACES = (7, 2, 15)

@@ -7,8 +7,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
 from skinsource.design import edits
-from skinsource_gui.panels.timeline.settings import show_gain_curves
-from skinsource_gui.widgets.drop_place import DropPlace
+from skinsource_gui.panels.timeline.content import show_gain_curves
+from skinsource_gui.qt.frames import DropPlace
 from tests.gui.timeline.lanes_bench import LEFT
 from tests.gui.wheel import turn_wheel
 

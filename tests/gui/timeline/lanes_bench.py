@@ -5,8 +5,9 @@ from PySide6.QtTest import QTest
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
-from skinsource.design.waveforms import Tap, Tone
-from skinsource_gui.panels.timeline.lanes_view import LanesView
+from skinsource.design.waveforms.pulses import Tap
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.panels.timeline.lanes import LanesView
 from tests.gui.timeline.bench import Bench, results_of
 
 LEFT, NONE = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier

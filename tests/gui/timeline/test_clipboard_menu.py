@@ -8,8 +8,8 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from skinsource_gui.shell.palette import Palette, _state_and_keys
-from skinsource_gui.widgets.fields.number_field import NumberField
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.shell.menus import Palette, _state_and_keys
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 

@@ -6,7 +6,7 @@ from PySide6.QtTest import QTest
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.design import edits
-from skinsource_gui.panels.timeline import clipboard
+from skinsource_gui.panels.timeline import panel
 from tests.gui.timeline.lanes_bench import NONE, LanesBench
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
@@ -54,7 +54,7 @@ def test_what_could_not_be_copied_is_not_cut(lanes, monkeypatch):
     def refuse(fragment):
         raise InvalidInputError("too many bytes")
 
-    monkeypatch.setattr(clipboard, "copy", refuse)
+    monkeypatch.setattr(panel, "copy", refuse)
     lanes.click(middle(lanes, 3))
     before = lanes.design
     QTest.keyClick(lanes.lanes, Qt.Key.Key_X, CONTROL)

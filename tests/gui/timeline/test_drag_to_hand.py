@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QApplication, QMenu
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
-from skinsource_gui.panels.timeline.lanes_view import LanesView
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.panels.timeline.lanes import LanesView
 
 LEFT, NO_BUTTON = Qt.MouseButton.LeftButton, Qt.MouseButton.NoButton
 NONE, CONTROL = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier

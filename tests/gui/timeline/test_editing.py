@@ -7,7 +7,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from skinsource.design.design import MAX_INPUTS
-from skinsource.design.waveforms import Noise, Tap
+from skinsource.design.waveforms.pulses import Noise, Tap
 from tests.gui.timeline.bench import Bench, click, design_of
 
 

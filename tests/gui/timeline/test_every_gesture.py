@@ -4,8 +4,8 @@ import pytest
 from PySide6.QtCore import QPointF
 from PySide6.QtTest import QTest
 
-from skinsource_gui.panels.timeline.hover_words import hover_words
-from skinsource_gui.widgets.keys import MOUSE
+from skinsource_gui.panels.timeline.content import hover_words
+from skinsource_gui.qt.keys import MOUSE
 from tests.gui.timeline.gestures_made import MADE, SHIFT, end_of, middle, px
 from tests.gui.timeline.lanes_bench import LEFT, LanesBench
 

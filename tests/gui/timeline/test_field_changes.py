@@ -3,7 +3,7 @@
 import pytest
 
 from skinsource.design.view import View
-from skinsource_gui.widgets.inputs.field_changes import FieldChanges
+from skinsource_gui.fields.inputs import FieldChanges
 from tests.gui.timeline.bench import design_of
 
 BOTH = View(selected_inputs=(1, 2))

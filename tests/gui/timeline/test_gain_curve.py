@@ -8,8 +8,8 @@ from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from skinsource_gui.panels.timeline.gain.gain_item import has_hint
-from skinsource_gui.panels.timeline.settings import show_gain_curves, shown_gain_curves
+from skinsource_gui.panels.timeline.content import show_gain_curves, shown_gain_curves
+from skinsource_gui.panels.timeline.gain import has_hint
 from tests.gui.timeline.lanes_bench import LEFT, LanesBench
 
 _Key = Qt.Key

@@ -8,9 +8,9 @@ from PySide6.QtWidgets import QApplication, QMenu, QToolTip
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import Input
-from skinsource.design.waveforms import Tone
-from skinsource_gui.panels.timeline import lanes_item, overlaps
-from skinsource_gui.panels.timeline.overlaps import Overlaps, Stretch, overlapping, stretches
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.panels.timeline import content, painting
+from skinsource_gui.panels.timeline.content import Overlaps, Stretch, overlapping, stretches
 from tests.gui.timeline.lanes_bench import LEFT, LanesBench
 
 LONG, SHORT = Tone(100.0, 0.0, 0.6), Tone(100.0, 0.0, 0.1)
@@ -39,8 +39,8 @@ def test_stretches_are_where_two_clips_or_more_play():
 
 
 def test_the_stretches_of_a_track_that_stays_are_found_once(monkeypatch):
-    found, count = overlaps.stretches, []
-    monkeypatch.setattr(overlaps, "stretches", lambda clips: count.append(1) or found(clips))
+    found, count = content.stretches, []
+    monkeypatch.setattr(content, "stretches", lambda clips: count.append(1) or found(clips))
     memory, track = Overlaps(), Input(location=1, clips=CLIPS, id=1)
     assert memory.of(track) is memory.of(track)
     assert len(count) == 1
@@ -126,7 +126,7 @@ def test_the_pointer_is_told_how_many_clips_are_here(lanes):
 
 def test_overlaps_are_marked_at_the_foot_of_the_lane(lanes, monkeypatch):
     marked = lanes.lanes.grab().toImage()
-    monkeypatch.setattr(lanes_item, "paint_overlaps", lambda *_: None)
+    monkeypatch.setattr(painting, "paint_overlaps", lambda *_: None)
     lanes.lanes.item.update()
     plain = lanes.lanes.grab().toImage()
     lane, scale = lanes.content.lanes[0], lanes.content.scale

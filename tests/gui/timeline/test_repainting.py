@@ -11,14 +11,15 @@ from PySide6.QtWidgets import QApplication, QScrollBar
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
-from skinsource.design.effects import Fade
+from skinsource.design.effects.level import Fade
 from skinsource.design.signal_path import UnplayableInput
-from skinsource.design.waveforms import Tap, Tone
-from skinsource_gui.panels.timeline.clip_lengths import ClipLengths
-from skinsource_gui.panels.timeline.clip_painter import mark_clip
-from skinsource_gui.panels.timeline.gestures.gesture import Shown
-from skinsource_gui.theme import DARK, apply_theme
-from skinsource_gui.widgets.kept_picture import KeptPicture
+from skinsource.design.waveforms.pulses import Tap
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.panels.timeline.content import ClipLengths
+from skinsource_gui.panels.timeline.gestures import Shown
+from skinsource_gui.panels.timeline.painting import mark_clip
+from skinsource_gui.qt.frames import KeptPicture
+from skinsource_gui.qt.theme import DARK, apply_theme
 from tests.gui.timeline.bench import results_of
 from tests.gui.timeline.lanes_bench import LanesBench
 

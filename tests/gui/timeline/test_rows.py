@@ -6,9 +6,10 @@ from PySide6.QtCore import QEvent, QObject, QPoint, Qt
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
 from skinsource.design.design import Design, track
-from skinsource.design.waveforms import Recording, Tone
+from skinsource.design.waveforms.samples import Recording
+from skinsource.design.waveforms.tones import Tone
 from skinsource.specs.samples import Samples
-from skinsource_gui.panels.timeline.heads.row_places import row_places
+from skinsource_gui.panels.timeline.head_row import row_places
 from tests.gui.timeline.bench import PLACES, Bench, click, design_of, results_of
 
 

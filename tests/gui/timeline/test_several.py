@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 from tests.gui.timeline.bench import PLACES, Bench, click, design_of
 
 KEY, LEFT = Qt.Key, Qt.MouseButton.LeftButton

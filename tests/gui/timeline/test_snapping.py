@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skinsource_gui.widgets.time.snapping import grid_step_s, rest_of
+from skinsource_gui.plots.time_scale import grid_step_s, rest_of
 
 
 def test_an_edge_near_another_clip_rests_on_its_end_and_shows_where():

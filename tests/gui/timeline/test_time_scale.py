@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from skinsource_gui.widgets.time.time_scale import SHORTEST_S, TimeScale, panned, within, zoomed
+from skinsource_gui.plots.time_scale import SHORTEST_S, TimeScale, panned, within, zoomed
 
 TIMES = st.floats(0, 600)
 

@@ -10,9 +10,9 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
-from skinsource.design.waveforms import Tone
-from skinsource_gui.panels.timeline.clip_pictures import ClipPictures, Look, Played
-from skinsource_gui.widgets.plot.wave import MOST_WHILE_DRAWN
+from skinsource.design.waveforms.tones import Tone
+from skinsource_gui.panels.timeline.painting import ClipPictures, Look, Played
+from skinsource_gui.plots.ranges import MOST_WHILE_DRAWN
 from tests.gui.timeline.bench import results_of
 from tests.gui.timeline.lanes_bench import LanesBench
 

@@ -8,8 +8,8 @@ from PySide6.QtGui import QColor, QImage, QPainter
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
-from skinsource.design.waveforms import Tap
-from skinsource_gui.theme import LIGHT
+from skinsource.design.waveforms.pulses import Tap
+from skinsource_gui.qt.theme import LIGHT
 from tests.gui.timeline.lanes_bench import LanesBench
 
 

@@ -5,9 +5,8 @@ from PySide6.QtCore import QRectF
 
 import skinsource as ss
 from skinsource.design.design import Design, track
-from skinsource.design.waveforms import WaveletTrain
-from skinsource_gui.panels.windowed.strip_layout import least_height, strip_layout
-from skinsource_gui.panels.windowed.strip_painter import curve_names
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
+from skinsource_gui.panels.windowed.view import curve_names, least_height, strip_layout
 from skinsource_gui.shell.appearance import LARGEST_TEXT
 
 TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))

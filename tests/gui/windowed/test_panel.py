@@ -9,7 +9,7 @@ from PySide6.QtGui import QImage, QPainter
 import skinsource as ss
 from skinsource.design.design import Design, track
 from skinsource.design.panel_settings import with_settings
-from skinsource.design.waveforms import WaveletTrain
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.engine import window_rules
 from skinsource_gui.panels.skin.settings import SkinSettings
 

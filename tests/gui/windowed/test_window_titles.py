@@ -7,10 +7,9 @@ from PySide6.QtCore import QRectF
 
 import skinsource as ss
 from skinsource.design.design import Design, track
-from skinsource.design.waveforms import WaveletTrain
-from skinsource_gui.panels.windowed.strip_layout import strip_layout
-from skinsource_gui.panels.windowed.window_titles import window_titles
-from skinsource_gui.widgets.pictures.picture_file import save_drawing
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
+from skinsource_gui.panels.windowed.view import strip_layout, window_titles
+from skinsource_gui.plots.pictures import save_drawing
 
 TRAIN = Design(limb="synthetic-4", inputs=(track(7, WaveletTrain()),))
 

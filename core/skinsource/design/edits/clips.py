@@ -12,10 +12,10 @@ from skinsource.design.clips import LABEL, MUTED, ONSET, Clip, Fragment, Lane, n
 from skinsource.design.design import MAX_CLIPS, MAX_INPUTS, Design, Input
 from skinsource.design.edits.edit import Edit, Refusal, place_words, refused, with_clips
 from skinsource.design.view import View
-from skinsource.design.waveforms import Waveform
+from skinsource.design.waveform import Waveform
 from skinsource.specs import codec as text
 from skinsource.specs import models
-from skinsource.specs.fields import Address, Spec
+from skinsource.specs.spec import Address, Spec
 
 
 def clips_selected(design: Design, view: View, ids: Iterable[int]) -> View:

@@ -31,10 +31,13 @@ from skinsource.design.edits.edit import (
     why_uncut,
     with_clips,
 )
-from skinsource.design.effects import Effect, Fade, Stretch, Trim, played_s
+from skinsource.design.effects.effect import Effect
+from skinsource.design.effects.level import Fade
+from skinsource.design.effects.playing import played_s
+from skinsource.design.effects.time import Stretch, Trim
 from skinsource.design.signal_path import Curve
 from skinsource.design.view import View
-from skinsource.specs.fields import specs_of
+from skinsource.specs.models import specs_of
 
 #: Times that differ by less are the same.
 SAME_S = 1e-9

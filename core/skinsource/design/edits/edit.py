@@ -10,10 +10,14 @@ from skinsource.base.quoting import sentence
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input
 from skinsource.design.view import View
-from skinsource.design.waveforms import Glide, Waveform, kinds
+from skinsource.design.waveform import Waveform
+from skinsource.design.waveforms.kinds import kinds
+from skinsource.design.waveforms.tones import Glide
 from skinsource.limbs.locations import input_words
-from skinsource.specs.fields import ChoiceSpec, NumberSpec, SamplesSpec, Spec, specs_of
+from skinsource.specs.models import specs_of
+from skinsource.specs.numbers import NumberSpec, SamplesSpec
 from skinsource.specs.samples import Samples
+from skinsource.specs.spec import ChoiceSpec, Spec
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

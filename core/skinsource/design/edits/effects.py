@@ -28,24 +28,25 @@ from skinsource.design.edits.edit import (
     refused,
     with_clips,
 )
-from skinsource.design.effects import Effect, Envelope, Fade, Trim, effect_kinds
+from skinsource.design.effects import effect_kinds
+from skinsource.design.effects.effect import Effect
+from skinsource.design.effects.level import Envelope, Fade
+from skinsource.design.effects.time import Trim
 from skinsource.design.view import View
-from skinsource.design.waveforms import Drawn, Glide, Waveform, WaveletTrain, kinds
-from skinsource.design.waveforms import kinds as waveform_kinds
-from skinsource.design.waveforms.wavelet_train import SOFTEST_DB
+from skinsource.design.waveform import Waveform
+from skinsource.design.waveforms.kinds import kinds
+from skinsource.design.waveforms.kinds import kinds as waveform_kinds
+from skinsource.design.waveforms.samples import Drawn
+from skinsource.design.waveforms.tones import Glide
+from skinsource.design.waveforms.wavelet_train import SOFTEST_DB, WaveletTrain
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.drawing import bounded_to_band
 from skinsource.signals.synthesis import Column, Curve, with_curve
-from skinsource.specs.fields import (
-    Breakpoint,
-    ChoiceSpec,
-    ListSpec,
-    NumberSpec,
-    RecipeSpec,
-    Spec,
-    specs_of,
-)
+from skinsource.specs.breakpoints import Breakpoint
+from skinsource.specs.models import specs_of
+from skinsource.specs.numbers import ListSpec, NumberSpec, RecipeSpec
 from skinsource.specs.samples import Samples
+from skinsource.specs.spec import ChoiceSpec, Spec
 
 _GONE = Refusal(sentence="That effect is no longer there; choose another one.")
 _FADE_S = 0.02
@@ -189,7 +190,8 @@ def _words(effect: Effect | type[Effect]) -> str:
 # Recipes in lists within recipes: what a new part may be, how parts are called and put in order.
 #
 # A clip is a part of layers, an effect one of a clip.  All functions are pure; what they return
-# goes into a design by `skinsource.design.edits.change_field`, as any value of a field does.
+# goes into a design by `skinsource.design.edits.effects.change_field`, as any value of a field
+# does.
 
 Parts = tuple[Any, ...]
 

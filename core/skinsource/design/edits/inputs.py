@@ -32,10 +32,10 @@ from skinsource.design.edits.edit import (
 )
 from skinsource.design.motions import Motion
 from skinsource.design.view import View
-from skinsource.design.waveforms import Layers, Waveform
-from skinsource.design.waveforms.samples import MAX_PARTS, Mode
+from skinsource.design.waveform import Waveform
+from skinsource.design.waveforms.samples import MAX_PARTS, Layers, Mode
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.specs.fields import specs_of
+from skinsource.specs.models import specs_of
 
 #: Where an input is added, and a recording goes, if nobody says where.
 USUAL_LOCATION = 7

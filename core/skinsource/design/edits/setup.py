@@ -9,7 +9,7 @@ from skinsource.base.published import ALL_AXES, Axes
 from skinsource.base.quoting import quoted
 from skinsource.design.design import Design, audible_inputs
 from skinsource.design.edits.edit import Edit, Refusal, refused
-from skinsource.design.effects import BandLimit
+from skinsource.design.effects.level import BandLimit
 from skinsource.design.labels import SCALINGS, word_of
 from skinsource.design.view import View
 from skinsource.limbs.limb import LimbFacts

@@ -14,7 +14,7 @@ import scipy
 from skinsource.base.arrays import Booleans, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import quoted
-from skinsource.specs.fields import SEGMENTS, Breakpoint, Segment, SlopedPoint, slope_of
+from skinsource.specs.breakpoints import SEGMENTS, Breakpoint, Segment, SlopedPoint, slope_of
 
 Points = tuple[Breakpoint, ...]
 

@@ -7,7 +7,7 @@ import scipy
 
 from skinsource.base.arrays import Floats
 from skinsource.signals.sampling import values_between
-from skinsource.specs.fields import SwitchSpec
+from skinsource.specs.spec import SwitchSpec
 
 #: Specification of the field `on`.
 ON = SwitchSpec(label="On", hint="An effect that is off changes nothing")

@@ -13,7 +13,9 @@ from skinsource.design.effects.breakpoints import curve_at
 from skinsource.design.effects.effect import ON, KeepsTime, own_duration_s
 from skinsource.design.effects.playing import own_times, silent_outside
 from skinsource.specs import fields
-from skinsource.specs.fields import Breakpoint, BreakpointsSpec, ChoiceSpec, NumberSpec
+from skinsource.specs.breakpoints import Breakpoint, BreakpointsSpec
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.spec import ChoiceSpec
 
 TIME = NumberSpec(label="Time", unit="s", minimum=0.0, maximum=3600.0, step=0.001)
 VALUE = NumberSpec(label="Level", minimum=0.0, maximum=1000.0, step=0.05)

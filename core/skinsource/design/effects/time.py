@@ -25,7 +25,8 @@ from skinsource.design.effects.playing import (
 from skinsource.signals.generators import sample_count
 from skinsource.signals.sampling import NEAR, band_limited_delay, parted, values_between
 from skinsource.specs import fields
-from skinsource.specs.fields import ChoiceSpec, NumberSpec
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.spec import ChoiceSpec
 
 TIMES = NumberSpec(
     label="Times", minimum=1, maximum=1000, whole=True, hint="How often it is played"

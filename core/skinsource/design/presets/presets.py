@@ -22,11 +22,13 @@ from skinsource.base.quoting import sentence
 from skinsource.design.clips import MAX_EFFECTS, Clip, Fragment, Lane
 from skinsource.design.design import Design, Input, audible_indices
 from skinsource.design.edits.clips import fragment_of
-from skinsource.design.effects import Envelope
-from skinsource.design.waveforms import Layers
+from skinsource.design.effects.level import Envelope
+from skinsource.design.waveforms.samples import Layers
 from skinsource.specs import codec as text
 from skinsource.specs import fields, models
-from skinsource.specs.fields import Address, Breakpoint, ListSpec, RecipeSpec, TextSpec
+from skinsource.specs.breakpoints import Breakpoint
+from skinsource.specs.numbers import ListSpec, RecipeSpec
+from skinsource.specs.spec import Address, TextSpec
 
 # What the library holds: a piece of a design under a name.
 

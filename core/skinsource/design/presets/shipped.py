@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from skinsource.design.clips import Clip, Fragment, Lane
 from skinsource.design.design import Design, Input
 from skinsource.design.edits.clips import fragment_of
-from skinsource.design.effects import Envelope
+from skinsource.design.effects.level import Envelope
 from skinsource.design.motions import (
     Alternation,
     ApparentMotion,
@@ -16,24 +16,13 @@ from skinsource.design.motions import (
     TravellingPhase,
 )
 from skinsource.design.presets.presets import Preset, tags_of
-from skinsource.design.waveforms import (
-    AmplitudeModulated,
-    CentredTap,
-    Chirp,
-    Chirplet,
-    DampedSine,
-    FrequencyModulated,
-    Gabor,
-    Morlet,
-    Noise,
-    PulseTrain,
-    Ricker,
-    Tap,
-    Tone,
-    Waveform,
-    WaveletTrain,
-)
-from skinsource.specs.fields import Breakpoint
+from skinsource.design.waveform import Waveform
+from skinsource.design.waveforms.periodic import PulseTrain
+from skinsource.design.waveforms.pulses import CentredTap, DampedSine, Noise, Tap
+from skinsource.design.waveforms.tones import AmplitudeModulated, Chirp, FrequencyModulated, Tone
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
+from skinsource.design.waveforms.wavelets import Chirplet, Gabor, Morlet, Ricker
+from skinsource.specs.breakpoints import Breakpoint
 
 #: What stands as source where no publication gives the numbers.
 OURS = "Our choice."

@@ -14,7 +14,7 @@ from skinsource.design.waveforms.tones import FREQUENCY, PHASE, count_of, harmon
 from skinsource.signals.generators import WindowName
 from skinsource.signals.synthesis import burst, refuse_aliases, sampled_series
 from skinsource.specs import fields
-from skinsource.specs.fields import NumberSpec
+from skinsource.specs.numbers import NumberSpec
 
 # Slower than 1 Hz, it is a few edges: each a clip of its own.
 FUNDAMENTAL = replace(FREQUENCY, minimum=1.0)

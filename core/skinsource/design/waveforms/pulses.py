@@ -16,7 +16,7 @@ from skinsource.signals.generators import TAP_S, WindowName, impulse, sample_cou
 from skinsource.signals.sampling import band_limited_delay, shift_of, turns
 from skinsource.signals.synthesis import about_middle, begun, burst, refuse_aliases
 from skinsource.specs import fields
-from skinsource.specs.fields import NumberSpec
+from skinsource.specs.numbers import NumberSpec
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,16 +14,9 @@ from skinsource.design.waveforms.tones import count_of
 from skinsource.signals.formula import functions, playing, reading
 from skinsource.signals.generators import window
 from skinsource.specs import fields
-from skinsource.specs.fields import (
-    ChoiceSpec,
-    ListSpec,
-    NumberSpec,
-    OptionalSpec,
-    RecipeSpec,
-    SamplesSpec,
-    TextSpec,
-)
+from skinsource.specs.numbers import ListSpec, NumberSpec, OptionalSpec, RecipeSpec, SamplesSpec
 from skinsource.specs.samples import Samples
+from skinsource.specs.spec import ChoiceSpec, TextSpec
 
 SAMPLES = SamplesSpec(label="Samples", hint="What was drawn")
 #: A single swell of 0.1 s: something to draw on.

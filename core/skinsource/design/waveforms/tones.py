@@ -26,7 +26,8 @@ from skinsource.signals.synthesis import (
     sampled_series,
 )
 from skinsource.specs import fields
-from skinsource.specs.fields import ChoiceSpec, NumberSpec, PointsSpec
+from skinsource.specs.numbers import NumberSpec, PointsSpec
+from skinsource.specs.spec import ChoiceSpec
 
 FREQUENCY = NumberSpec(
     label="Frequency",

@@ -15,7 +15,8 @@ from skinsource.design.waveform import CENTRE, CYCLES, refuse_length, take_lists
 from skinsource.design.waveforms.tones import count_of
 from skinsource.signals.synthesis import DIGITS, bent_turns, refuse_aliases
 from skinsource.specs import fields
-from skinsource.specs.fields import ChoiceSpec, ListSpec, NumberSpec
+from skinsource.specs.numbers import ListSpec, NumberSpec
+from skinsource.specs.spec import ChoiceSpec
 
 Spacing = Literal["linear", "logarithmic"]
 Order = Literal["up", "down"]

@@ -22,7 +22,7 @@ from skinsource.signals.synthesis import (
     turns_about_middle,
 )
 from skinsource.specs import fields
-from skinsource.specs.fields import NumberSpec
+from skinsource.specs.numbers import NumberSpec
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,7 +17,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import stop_if
 from skinsource.export.exported_design import steadily_written
 from skinsource.export.formats.format import SAMPLES, Facts, Outgoing, StimulusFormat
-from skinsource.specs.fields import ChoiceSpec
+from skinsource.specs.spec import ChoiceSpec
 from skinsource.version import __version__
 
 _PCM, _FLOAT, _EXTENSIBLE = 1, 3, 0xFFFE

@@ -12,7 +12,7 @@ from skinsource.base.arrays import Floats
 from skinsource.export.formats.format import Facts, Outgoing, StimulusFormat, channel_names
 from skinsource.export.formats.text import write_header
 from skinsource.signals.quantising import quantised
-from skinsource.specs.fields import ChoiceSpec
+from skinsource.specs.spec import ChoiceSpec
 
 # What is this far below the largest amplitude has no frequency of its own.
 _SILENT = 1e-3

@@ -12,7 +12,7 @@ from skinsource.base.quoting import quoted
 from skinsource.design.design import Design
 from skinsource.engine.stimulus import Channel, Stimulus
 from skinsource.signals.quantising import Quantised, quantised
-from skinsource.specs.fields import ChoiceSpec
+from skinsource.specs.spec import ChoiceSpec
 from skinsource.version import __version__
 
 #: Facts of one file that join its sidecar.

@@ -13,7 +13,7 @@ from skinsource.base.quoting import sentence
 from skinsource.base.work import counted
 from skinsource.export.exported_design import steadily_written
 from skinsource.export.formats.format import SAMPLES, Facts, Outgoing, StimulusFormat, channel_names
-from skinsource.specs.fields import ChoiceSpec
+from skinsource.specs.spec import ChoiceSpec
 from skinsource.version import __version__
 
 LAYOUT = "layout"

@@ -22,7 +22,7 @@ from skinsource.engine.stimulus import (
     with_sync,
 )
 from skinsource.export.formats.format import StimulusFormat
-from skinsource.specs.fields import specs_of
+from skinsource.specs.models import specs_of
 
 
 def marked(path: Path, format: StimulusFormat, mark: str) -> Path:

@@ -21,11 +21,7 @@ from skinsource.lab.playing.devices import (
     look_again,
     outputs_by_place,
 )
-from skinsource.lab.playing.mix import (
-    Deck,
-    Mix,
-    tone_of,
-)
+from skinsource.lab.playing.mix import Deck, Mix, tone_of
 from skinsource.lab.playing.mixer import Mixer, loop_of
 from skinsource.lab.playing.stream import Stream
 from skinsource.limbs.catalogue import load_limb

@@ -35,7 +35,8 @@ from skinsource.lab.rig_measuring.duplex import (
     input_devices,
 )
 from skinsource.specs import fields
-from skinsource.specs.fields import SMALLEST, NumberSpec, TextSpec
+from skinsource.specs.numbers import SMALLEST, NumberSpec
+from skinsource.specs.spec import TextSpec
 
 #: Longest delay from output to input that is looked for.
 LONGEST_DELAY_S = 0.5

@@ -21,7 +21,7 @@ from skinsource.base.files import write_bytes
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.design.waveforms import Recording
+from skinsource.design.waveforms.samples import Recording
 from skinsource.engine.graph import Graph
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources

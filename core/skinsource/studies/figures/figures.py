@@ -15,7 +15,7 @@ from skinsource.base.published import Band
 from skinsource.base.quoting import quoted
 from skinsource.design.amplitudes import amplitude_unit
 from skinsource.design.labels import signal_words
-from skinsource.design.waveforms import Chirp
+from skinsource.design.waveforms.tones import Chirp
 from skinsource.engine.evaluation import evaluate
 from skinsource.export.plot import (
     COLOURS,
@@ -56,7 +56,7 @@ from skinsource.studies.figures.sheet import (
     normal_of,
     with_values,
 )
-from skinsource.studies.scenes import OpenedScene
+from skinsource.studies.scenes.scene import OpenedScene
 from skinsource.studies.validation import pearson, straight_lines
 
 _SHOWN_BANDS_HZ = (50.0, 100.0, 200.0, 400.0)

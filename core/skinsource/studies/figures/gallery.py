@@ -17,7 +17,8 @@ from skinsource.base.assets import data_folder
 from skinsource.base.files import write_bytes
 from skinsource.export.plot import module
 from skinsource.studies.figures.writing import draw_figure
-from skinsource.studies.scenes import OpenedScene, Scene, all_scenes, open_scene
+from skinsource.studies.scenes.catalog import all_scenes, open_scene
+from skinsource.studies.scenes.scene import OpenedScene, Scene
 
 #: Of a picture, px.
 WIDTH_PX = 900

@@ -14,7 +14,7 @@ from skinsource.design.clips import Clip
 from skinsource.design.design import Design
 from skinsource.design.labels import SCALINGS, limb_word, word_of
 from skinsource.design.view import View
-from skinsource.design.waveforms import Tone
+from skinsource.design.waveforms.tones import Tone
 from skinsource.engine.evaluation import evaluate
 from skinsource.export.plot import (
     DIM,
@@ -29,7 +29,7 @@ from skinsource.export.plot import (
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.perception.validity import Judged, in_full
 from skinsource.signals.projection import magnitude
-from skinsource.studies.scenes import OpenedScene
+from skinsource.studies.scenes.scene import OpenedScene
 
 
 def setup_words(opened: OpenedScene) -> str:

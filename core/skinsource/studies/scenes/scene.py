@@ -11,7 +11,8 @@ from skinsource.base.quoting import quoted, sentence
 from skinsource.base.work import counted
 from skinsource.design.amplitudes import ARBITRARY_UNIT, amplitude_unit
 from skinsource.design.design import Design
-from skinsource.design.edits import Refusal, change_limb
+from skinsource.design.edits.edit import Refusal
+from skinsource.design.edits.setup import change_limb
 from skinsource.design.view import View
 from skinsource.limbs.dataset.store import NOT_INSTALLED
 from skinsource.limbs.limb import LimbFacts

@@ -10,7 +10,10 @@ from skinsource.design.comparing import NUMBERS, Snapshot
 from skinsource.design.design import Design, Input, track
 from skinsource.design.design_file import DesignFile
 from skinsource.design.view import View
-from skinsource.design.waveforms import Chirp, Impulse, Noise, Tap, Tone, Waveform, WaveletTrain
+from skinsource.design.waveform import Waveform
+from skinsource.design.waveforms.pulses import Impulse, Noise, Tap
+from skinsource.design.waveforms.tones import Chirp, Tone
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.limbs.scaling import Scaling
 from skinsource.studies.scenes.scene import Scene
 

@@ -26,7 +26,7 @@ class ClusterError(SkinSourceError):
 
 
 class Cluster:
-    """The workers of a Dask scheduler; hand it to `skinsource.studies.sweeps.run` as ``measuring``.
+    """The workers of a Dask scheduler, for the parameter ``measuring`` of `running.run`.
 
     Parameters
     ----------

@@ -16,6 +16,7 @@ from skinsource.actuators.prediction import Limits
 from skinsource.base.arguments import one_of, whole_number
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
+from skinsource.base.json_text import Tree
 from skinsource.base.published import Axes
 from skinsource.base.quoting import quoted
 from skinsource.base.work import counted
@@ -27,7 +28,8 @@ from skinsource.perception.sensation import sensation_levels_db
 from skinsource.signals.projection import Method
 from skinsource.specs import models
 from skinsource.specs.codec import from_text, to_text
-from skinsource.specs.fields import Address, Tree, specs_of
+from skinsource.specs.models import specs_of
+from skinsource.specs.spec import Address
 
 Level = Literal["drive", "loudest_100ms", "above_threshold", "matched"]
 LEVELS: tuple[Level, ...] = get_args(Level)
@@ -347,9 +349,9 @@ class Plan:
     level
         How strong the stimuli are: ``"drive"``: as the designs say; ``"loudest_100ms"`` and
         ``"above_threshold"``: brought to ``level_db``, see
-        `skinsource.studies.sweeps.Measurer.measure`; ``"matched"``: as strong as people found them,
-        by ``strengths``.  None: what ``level_db`` and ``strengths`` ask for: the loudest 100 ms,
-        matched, or the drive.
+        `skinsource.studies.sweeps.measuring.Measurer.measure`; ``"matched"``: as strong as people
+        found them, by ``strengths``.  None: what ``level_db`` and ``strengths`` ask for: the
+        loudest 100 ms, matched, or the drive.
     level_db
         What predicted levels are brought to: dB re 1 m/s², or above threshold.
     strengths

@@ -21,7 +21,7 @@ from skinsource.design.design_file import open_design
 from skinsource.lab.matching import Strengths, read_matches
 from skinsource.signals.projection import METHODS, Method
 from skinsource.signals.resampling import MAX_RATE_HZ
-from skinsource.specs.fields import specs_of
+from skinsource.specs.models import specs_of
 from skinsource.studies.sweeps.measuring import Metrics, measured_here
 from skinsource.studies.sweeps.plan import (
     HIGHEST_DB,
@@ -96,21 +96,22 @@ def sweep(
     designs
         A design or the path of a design file, or several.
     vary
-        Values by the name of what they are of, see `skinsource.studies.sweeps.varied`:
+        Values by the name of what they are of, see `skinsource.studies.sweeps.plan.varied`:
         ``{"frequency_hz": [50, 100], "location": [1, 2]}``.  The last one varies first.
     out
         Folder for all that is written, where a sweep that was stopped or killed goes on; or None.
     outputs, axes, method, level, level_db, limits
-        What is measured, and how strong: see `skinsource.studies.sweeps.Plan`.  A level may be the
-        path of a table of matches, too.
+        What is measured, and how strong: see `skinsource.studies.sweeps.plan.Plan`.  A level may be
+        the path of a table of matches, too.
     order, files, parquet
-        What is written beside ``stimuli.csv``: see `skinsource.studies.sweeps.Sweep`.
+        What is written beside ``stimuli.csv``: see `skinsource.studies.sweeps.running.Sweep`.
     processes
         How many measure at the same time; None: as many as cores, or this one for a few stimuli.
 
     Returns
     -------
-    One row of metrics for each stimulus; see `skinsource.studies.sweeps.Measurer.measure`.
+    One row of metrics for each stimulus; see
+    `skinsource.studies.sweeps.measuring.Measurer.measure`.
 
     Raises
     ------

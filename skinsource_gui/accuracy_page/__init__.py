@@ -1,1 +1,0 @@
-"""Help > Accuracy and speed."""

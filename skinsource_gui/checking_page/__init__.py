@@ -1,1 +1,0 @@
-"""File > Check against a recording: predictions held against what was measured."""

@@ -1,1 +1,0 @@
-"""The page on which the measured limbs are installed."""

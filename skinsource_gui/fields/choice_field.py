@@ -1,0 +1,148 @@
+"""A list that drops down, as it looks everywhere."""
+
+from PySide6.QtCore import QPointF, Qt, Signal
+from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPaintEvent, QPalette, QPen, QWheelEvent
+from PySide6.QtWidgets import (
+    QComboBox,
+    QSizePolicy,
+    QStyle,
+    QStyleOptionComboBox,
+    QStylePainter,
+    QWidget,
+)
+
+from skinsource.base.quoting import printable
+from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.fields.editor import Burst
+from skinsource_gui.qt.room import readable_in
+from skinsource_gui.qt.tooltips import tooltip
+
+# Between a picture and its words.
+_BESIDE_PX = 4
+
+
+class DropDown(QComboBox):
+    """A list that drops down, with an arrow that says so; the list is as wide as its longest entry.
+
+    The wheel acts only while it has the focus, so that scrolling a panel changes nothing.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.setMinimumContentsLength(8)
+        self.setMaxVisibleItems(20)
+        # A drop-down list of Qt takes the focus from the wheel, and then acts on it.
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    @property
+    def shown_text(self) -> str:
+        """The words for the choice."""
+        return self.currentText()
+
+    def showPopup(self) -> None:
+        # The list may be wider than the field, so that no name is cut off.
+        self.view().setMinimumWidth(self.view().sizeHintForColumn(0) + 24)
+        super().showPopup()
+
+    def words_in(self, room_px: int) -> tuple[QFont, str]:
+        """The words for the choice as they are written in so much room, and in which letters.
+
+        Smaller ones before words are cut, and those not in the middle of a letter, as Qt does.
+        """
+        font = readable_in(self.shown_text, self.font(), room_px)
+        cut = QFontMetrics(font).elidedText(self.shown_text, Qt.TextElideMode.ElideRight, room_px)
+        return font, cut
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        option = QStyleOptionComboBox()
+        self.initStyleOption(option)
+        painter = QStylePainter(self)
+        painter.drawComplexControl(QStyle.ComplexControl.CC_ComboBox, option)
+        room = self.style().subControlRect(
+            QStyle.ComplexControl.CC_ComboBox, option, QStyle.SubControl.SC_ComboBoxEditField, self
+        )
+        picture_px = 0 if option.currentIcon.isNull() else option.iconSize.width() + _BESIDE_PX
+        font, option.currentText = self.words_in(room.width() - picture_px)
+        painter.setFont(font)
+        painter.drawControl(QStyle.ControlElement.CE_ComboBoxLabel, option)
+        # The theme's style sheet takes away the arrow of the style.
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(self.palette().color(QPalette.ColorRole.PlaceholderText), 1.5))
+        tip = QPointF(self.width() - 13, self.height() / 2 + 2)
+        painter.drawPolyline([tip + QPointF(-4, -4), tip, tip + QPointF(4, -4)])
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
+
+
+# One of several names, as a list that drops down.
+
+
+class ChoiceField(DropDown):
+    """A drop-down list of the options of ``spec``.
+
+    A value that is not among the options is shown as not available, until another is chosen.
+    ``empty`` is said while there is none.
+    """
+
+    #: The chosen option; number of the gesture that quick further choices share.
+    chosen = Signal(str, object)
+
+    def __init__(
+        self, spec: ChoiceSpec, parent: QWidget | None = None, *, empty: str = "Nothing yet"
+    ) -> None:
+        super().__init__(parent)
+        self._burst = Burst(self)
+        self._strange, self._empty = "", empty
+        self.offer(spec)
+        self.setAccessibleName(spec.label)
+        self.setToolTip(tooltip(spec.label, spec.hint))
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.activated.connect(self._choose)
+
+    def offer(self, spec: ChoiceSpec) -> None:
+        """Offer other options; what is chosen stays so, whether or not it is among them."""
+        value = self.value
+        self.blockSignals(True)
+        self.clear()
+        for option, words in spec.options:
+            self.addItem(words, option)
+        self.blockSignals(False)
+        index = self.findData(value) if value else self.currentIndex()
+        self._strange = "" if index >= 0 else value
+        self.setCurrentIndex(index)
+
+    @property
+    def value(self) -> str:
+        """The chosen option."""
+        return self._strange if self.currentIndex() < 0 else self.currentData()
+
+    def set_value(self, option: str) -> None:
+        """Show another choice, and tell nobody."""
+        if option != self.value:
+            self._burst.end()
+            index = self.findData(option)
+            self._strange = "" if index >= 0 else option
+            self.setCurrentIndex(index)
+            self.update()
+
+    @property
+    def shown_text(self) -> str:
+        """The words for the choice."""
+        if self.currentIndex() >= 0:
+            return self.currentText()
+        # Without any choice there is nothing that could be missing.
+        return f"{printable(self._strange)} (not available)" if self._strange else self._empty
+
+    def choose(self, option: str) -> None:
+        """Choose an option, as a user does."""
+        index = self.findData(option)
+        self.setCurrentIndex(index)
+        self.activated.emit(index)
+
+    def _choose(self, index: int) -> None:
+        self.chosen.emit(self.itemData(index), self._burst.gesture())

@@ -1,0 +1,250 @@
+"""What edits a field of a recipe: one editor for each kind of specification."""
+
+from collections.abc import Callable
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QCheckBox, QLabel, QLineEdit, QWidget
+
+from skinsource.base.quoting import printable
+from skinsource.design.edits.edit import KindSpec
+from skinsource.specs.breakpoints import BreakpointsSpec
+from skinsource.specs.numbers import (
+    CurveSpec,
+    ListSpec,
+    NumberSpec,
+    OptionalSpec,
+    PointsSpec,
+    RecipeSpec,
+)
+from skinsource.specs.spec import ChoiceSpec, Spec, SwitchSpec, TextSpec, made_for
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.fields.curve_field import CurveField
+from skinsource_gui.fields.editor import Editor
+from skinsource_gui.fields.grid import EditedCell
+from skinsource_gui.fields.kinds import KindField
+from skinsource_gui.fields.list_editors import (
+    CurveText,
+    NumbersEditor,
+    PointsEditor,
+    outside_band_words,
+)
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.fields.parts import PartsEditor
+from skinsource_gui.fields.text_field import LiveText
+from skinsource_gui.fields.units import value_text
+from skinsource_gui.qt.tooltips import tooltip
+
+
+class NumberEditor(QObject):
+    """Edits a number."""
+
+    edited = Signal(object, object)
+    problem_changed = Signal(str)
+    label = None
+
+    def __init__(self, spec: NumberSpec, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.field = NumberField(spec, parent, problem_beside=True)
+        self.field.edited.connect(self.edited.emit)
+        self.field.problem_changed.connect(self.problem_changed)
+        self.set_value, self.set_spec = self.field.set_value, self.field.set_spec
+        self.cancel = self.field.cancel_editing
+
+    def refuse(self, reason: str) -> None:
+        """The number is not shown any longer."""
+
+    def advice(self) -> str:
+        """Warn of frequencies that were not measured."""
+        spec = self.field.spec
+        return "" if spec.is_known(self.field.value_si) else outside_band_words(spec)
+
+
+class _Plain(QObject):
+    """What is the same for values that cannot be entered wrongly."""
+
+    edited = Signal(object, object)
+    problem_changed = Signal(str)
+    label = None
+
+    def set_spec(self, spec: Any) -> None:
+        """Nothing about it changes with the design."""
+
+    def advice(self) -> str:
+        """Every value is as good as any other."""
+        return ""
+
+    def refuse(self, reason: str) -> None:
+        """It is not shown any longer."""
+
+    def cancel(self) -> None:
+        """There is nothing half entered."""
+
+
+class ChoiceEditor(_Plain):
+    """Chooses one of several names."""
+
+    def __init__(self, spec: ChoiceSpec, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.field = ChoiceField(spec, parent)
+        self.field.chosen.connect(self.edited.emit)
+        self.set_value = self.field.set_value
+
+    def set_spec(self, spec: ChoiceSpec) -> None:
+        """Offer other names."""
+        self.field.offer(spec)
+
+
+class KindEditor(_Plain):
+    """Chooses a kind of waveform."""
+
+    def __init__(self, spec: KindSpec, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.field = KindField(spec, parent)
+        self.field.chosen.connect(self.edited.emit)
+        self.set_value = self.field.set_value
+
+
+class SwitchEditor(_Plain):
+    """Switches something on and off."""
+
+    def __init__(self, spec: SwitchSpec, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.field = QCheckBox(parent)
+        self.field.setAccessibleName(spec.label)
+        self.field.setToolTip(tooltip(spec.label, spec.hint))
+        self.field.clicked.connect(self._tell)
+        self.set_value = self.field.setChecked
+
+    def _tell(self, on: bool) -> None:
+        self.edited.emit(on, None)
+
+
+class TextEditor(_Plain):
+    """Writes one line of words; told when it is finished."""
+
+    def __init__(self, spec: TextSpec, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._shown = ""
+        self.field = QLineEdit(parent)
+        self.field.setMaxLength(spec.longest)
+        self.field.setAccessibleName(spec.label)
+        self.field.setToolTip(tooltip(spec.label, spec.hint))
+        self.field.editingFinished.connect(self._tell)
+
+    def set_value(self, value: str) -> None:
+        """Show a text, and tell nobody."""
+        self._shown = value
+        self.field.setText(value)
+
+    def cancel(self) -> None:
+        """Bring the text back."""
+        self.field.setText(self._shown)
+
+    def _tell(self) -> None:
+        if self.field.text() != self._shown:
+            self._shown = self.field.text()
+            self.edited.emit(self._shown, None)
+
+
+class LiveTextEditor(QObject):
+    """Writes a text that means something; told while it is typed."""
+
+    edited = Signal(object, object)
+    problem_changed = Signal(str)
+    label = None
+
+    def __init__(self, spec: TextSpec, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.field = LiveText(spec, parent)
+        self.field.edited.connect(self.edited.emit)
+        self.field.problem_changed.connect(self.problem_changed)
+        self.set_value, self.refuse = self.field.set_value, self.field.refuse
+        self.cancel = self.field.cancel
+
+    def set_spec(self, spec: TextSpec) -> None:
+        """Nothing about it changes with the design."""
+
+    def advice(self) -> str:
+        """What can be read needs no remark."""
+        return ""
+
+
+class CurveEditor(_Plain):
+    """Moves breakpoints."""
+
+    def __init__(self, spec: BreakpointsSpec, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.field = CurveField(spec, parent)
+        self.field.edited.connect(self.edited.emit)
+        self.set_value = self.field.set_value
+
+    def cancel(self) -> None:
+        """Let go of a drag."""
+        self.field.cancel()
+
+
+class ShownOnly(_Plain):
+    """Says what a field holds that cannot be edited here."""
+
+    def __init__(self, spec: Spec, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.field = QLabel(parent)
+        self.field.setAccessibleName(spec.label)
+        self.field.setToolTip(tooltip(spec.label, spec.hint))
+        of = spec.of if isinstance(spec, OptionalSpec) else spec
+        self._unit = of.unit if isinstance(of, NumberSpec) else None
+
+    def set_value(self, value: object) -> None:
+        """Show a value in words."""
+        if value in (None, ()):
+            self.field.setText("none")
+        elif self._unit is not None and isinstance(value, float):
+            self.field.setText(value_text(value, self._unit, 6))
+        else:
+            self.field.setText(printable(value))
+
+
+def text_editor(spec: TextSpec, parent: QWidget) -> Editor:
+    """Make the editor of words, or of a text that is read while it is typed."""
+    return TextEditor(spec, parent) if spec.reader is None else LiveTextEditor(spec, parent)
+
+
+def list_editor(spec: ListSpec, parent: QWidget) -> Editor:
+    """Make the editor of a list of numbers, or of recipes; other lists are shown."""
+    if isinstance(spec.of, RecipeSpec):
+        return PartsEditor(spec, spec.of, new_editor, parent)
+    if isinstance(spec.of, NumberSpec):
+        return NumbersEditor(spec, parent)
+    return ShownOnly(spec, parent)
+
+
+#: Which editor is made for which kind of specification.
+EDITORS: dict[Any, Callable[[Any, QWidget], Editor]] = {
+    NumberSpec: NumberEditor,
+    ChoiceSpec: ChoiceEditor,
+    KindSpec: KindEditor,
+    SwitchSpec: SwitchEditor,
+    TextSpec: text_editor,
+    BreakpointsSpec: CurveEditor,
+    ListSpec: list_editor,
+    PointsSpec: PointsEditor,
+    CurveSpec: CurveText,
+    # Samples, …: what has no editor of its own is shown.
+    Spec: ShownOnly,
+}
+
+
+def new_editor(spec: Spec, parent: QWidget) -> Editor:
+    """Make the editor for a field; what has none can be read only."""
+    return made_for(spec, EDITORS)(spec, parent)
+
+
+# A labelled field with the editor that goes with its kind.
+
+
+class FieldCell(EditedCell):
+    """The field of a recipe that ``spec`` describes."""
+
+    def __init__(self, name: str, spec: Spec, parent: QWidget | None = None) -> None:
+        super().__init__(name, spec, new_editor, parent)

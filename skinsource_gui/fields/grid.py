@@ -1,0 +1,283 @@
+"""A labelled field with room for a remark under it."""
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+
+from skinsource.specs.spec import Spec
+from skinsource_gui.fields.editor import NewEditor
+from skinsource_gui.qt.asking import NextAct
+from skinsource_gui.qt.room import RoomOrWords
+from skinsource_gui.qt.theme import UNIT_PX, letter_scale, set_tone
+from skinsource_gui.qt.tooltips import tooltip
+
+#: Height of a label, and of one line of a field.
+LABEL_PX = 26
+# Above and below its letters.
+_AROUND_LINE_PX = 12
+
+_DIFFERS = tooltip(
+    "The selected inputs differ here; shown is the one that was selected last. Typing sets all, "
+    "dragging moves all by as much."
+)
+
+
+class _FieldLabel(QLabel):
+    """As high as one line of the field beside it, in letters of any size."""
+
+    def __init__(self, words: str) -> None:
+        super().__init__(words)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+
+    def sizeHint(self) -> QSize:
+        height = max(self.fontMetrics().height() + _AROUND_LINE_PX, LABEL_PX)
+        return QSize(super().sizeHint().width(), height)
+
+    def minimumSizeHint(self) -> QSize:
+        return self.sizeHint()
+
+
+class LabelledCell(QWidget):
+    """Something with a label; `FieldGrid` puts the label beside it.
+
+    Attributes
+    ----------
+    label
+        The label.
+    across
+        Whether it holds its label itself, and takes the whole width.
+    """
+
+    def __init__(self, words: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.across = False
+        self.label: QLabel = _FieldLabel(words)
+        set_tone(self.label, "dim")
+        self.stack = QVBoxLayout(self)
+        self.stack.setContentsMargins(0, 0, 0, 0)
+        self.stack.setSpacing(2)
+
+
+class WordsCell(LabelledCell):
+    """A label and words that cannot be edited."""
+
+    def __init__(self, label: str, words: str, parent: QWidget | None = None) -> None:
+        super().__init__(label, parent)
+        self.words = QLabel(words)
+        self.words.setObjectName("fixed_length")
+        self.words.setWordWrap(True)
+        self.words.setMinimumHeight(LABEL_PX)
+        self.stack.addWidget(self.words)
+
+
+class EditedCell(LabelledCell):
+    """The field of a recipe that ``spec`` describes.
+
+    Attributes
+    ----------
+    name
+        Name of the field.
+    editor, field
+        What edits it, made by ``new_editor``, and the widget of that.
+    """
+
+    #: Name of the field, its new value, number of the gesture or None.
+    edited = Signal(str, object, object)
+
+    def __init__(
+        self, name: str, spec: Spec, new_editor: NewEditor, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(spec.label, parent)
+        self.name, self._words = name, spec.label
+        self._value: object = None
+        self._warns = self._differs = False
+        self._problem, self._reason = "", ""
+        self._next_act = NextAct(self)
+        self._next_act.came.connect(self._forget_reason)
+        self.editor = new_editor(spec, self)
+        self.editor.edited.connect(self._edit)
+        self.editor.problem_changed.connect(self._show_problem)
+        if self.editor.label is not None:
+            self.label, self.across = self.editor.label, True
+            set_tone(self.label, "dim")
+        self.field = self.editor.field
+        self.field.setObjectName(f"{name}_field")
+        if isinstance(self.field, QLabel | QCheckBox):
+            self.field.setMinimumHeight(LABEL_PX)
+        self.label.setBuddy(self.field)
+        self.setFocusProxy(self.field)
+        self._note = QLabel()
+        self._note.setObjectName(f"{name}_note")
+        self._note.setWordWrap(True)
+        self._note.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
+        self._note.hide()
+        self.stack.addWidget(self.field)
+        self.stack.addWidget(self._note)
+
+    @property
+    def note(self) -> str:
+        """The remark under the field, or ""."""
+        return self._note.text()
+
+    def set_spec(self, spec: Spec) -> None:
+        """Change the unit or range, or what it is called."""
+        self.editor.set_spec(spec)
+        if spec.label != self._words:
+            self._words = spec.label
+            self._show_label()
+
+    def set_value(self, value: object) -> None:
+        """Show a value, and tell nobody."""
+        self.editor.set_value(value)
+        if value != self._value:
+            self._value, self._reason = value, ""
+        self._advise()
+
+    def show_differs(self, differs: bool) -> None:
+        """Say whether the value shown is only that of one of several inputs."""
+        if differs != self._differs:
+            self._differs = differs
+            self._show_label()
+
+    def _show_label(self) -> None:
+        self.label.setText(f"{self._words} ≠" if self._differs else self._words)
+        self.label.setToolTip(_DIFFERS if self._differs else "")
+
+    def forget_typing(self) -> None:
+        """Close an open editor without committing."""
+        self.editor.cancel()
+        self._forget_reason()
+
+    def show_reason(self, reason: str) -> None:
+        """Say in red why the last edit was refused, until somebody goes on."""
+        self.editor.refuse(reason)
+        # What is typed and stays as it is, its editor says what is wrong with.
+        if not self._problem:
+            self._reason = reason
+            self._next_act.wait()
+        self._advise()
+
+    def _edit(self, value: object, gesture: int | None) -> None:
+        self._forget_reason()
+        self.edited.emit(self.name, value, gesture)
+
+    def _show_problem(self, problem: str) -> None:
+        self._problem = problem
+        self._advise()
+
+    def _forget_reason(self) -> None:
+        self._reason = ""
+        self._advise()
+
+    def _advise(self) -> None:
+        wrong = self._problem or self._reason
+        self._set_note(wrong or self.editor.advice(), warns=not wrong)
+
+    def _set_note(self, words: str, *, warns: bool) -> None:
+        if (words, warns) != (self.note, self._warns):
+            self._warns = warns
+            self._note.setText(words)
+            self._note.setVisible(bool(words))
+            set_tone(self._note, "warning" if warns else "error")
+
+
+# Labelled fields in aligned columns.
+
+#: From this width on, two fields stand side by side, in letters of the usual size.
+WIDE_PX = 440
+_MOST_PAIRS = 2
+_ANY_HEIGHT_PX = 16_777_215
+
+
+class FieldGrid(QWidget):
+    """Cells with their labels beside them: one column of pairs, or two where there is room.
+
+    Where even one pair has too little room, labels stand above their fields.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._cells: tuple[LabelledCell, ...] = ()
+        self._pairs, self._above = 1, False
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setHorizontalSpacing(UNIT_PX)
+        self._grid.setVerticalSpacing(UNIT_PX // 4)
+        RoomOrWords(self).changed.connect(self._fold)
+
+    def set_margins(self, left: int, top: int, right: int, bottom: int) -> None:
+        """Leave room around the cells, px."""
+        self._grid.setContentsMargins(left, top, right, bottom)
+
+    @property
+    def pairs(self) -> int:
+        """Fields side by side."""
+        return self._pairs
+
+    def show_cells(self, cells: Sequence[LabelledCell]) -> None:
+        """Show these cells, in reading order; others are taken off and left to the caller."""
+        for cell in self._cells:
+            if cell not in cells:
+                for part in (cell.label, cell):
+                    self._grid.removeWidget(part)
+                    part.hide()
+        self._cells = tuple(cells)
+        self._above = self.width() < self._paired_px
+        self._arrange()
+        proxies = (cell.focusProxy() for cell in cells)
+        stops = [one for one in proxies if one is not None]
+        for before, after in pairwise(stops):
+            self.setTabOrder(before, after)
+        for cell in cells:
+            cell.label.show()
+            cell.show()
+
+    def minimumSizeHint(self) -> QSize:
+        # Neither fields side by side nor labels beside them must keep the grid so wide that they
+        # stay there.
+        fields = max((cell.minimumSizeHint().width() for cell in self._cells), default=0)
+        margins = self._grid.contentsMargins()
+        least = fields + margins.left() + margins.right()
+        return super().minimumSizeHint().boundedTo(QSize(least, _ANY_HEIGHT_PX))
+
+    def _fold(self) -> None:
+        wide_px = WIDE_PX * letter_scale(self.font())
+        pairs = _MOST_PAIRS if self.width() >= wide_px else 1
+        above = self.width() < self._paired_px
+        if (pairs, above) != (self._pairs, self._above):
+            self._pairs, self._above = pairs, above
+            self._arrange()
+
+    @property
+    def _paired_px(self) -> int:
+        """Least width of a label with its field beside it."""
+        beside = [cell for cell in self._cells if not cell.across]
+        labels = max((cell.label.sizeHint().width() for cell in beside), default=0)
+        fields = max((cell.minimumSizeHint().width() for cell in beside), default=0)
+        margins = self._grid.contentsMargins()
+        gap = self._grid.horizontalSpacing()
+        return labels + gap + fields + margins.left() + margins.right()
+
+    def _arrange(self) -> None:
+        # One that is across holds its label, which stands in no layout of the grid.
+        for part in (widget for cell in self._cells for widget in (cell.label, cell)):
+            self._grid.removeWidget(part)
+        row, pair = 0, 0
+        for cell in self._cells:
+            if cell.across:
+                row += pair > 0
+                self._grid.addWidget(cell, row, 0, 1, 2 * self._pairs)
+                row, pair = row + 1, 0
+                continue
+            if self._above:
+                self._grid.addWidget(cell.label, row, 0, 1, 2)
+                self._grid.addWidget(cell, row + 1, 0, 1, 2)
+                row += 2
+                continue
+            self._grid.addWidget(cell.label, row, 2 * pair, Qt.AlignmentFlag.AlignTop)
+            self._grid.addWidget(cell, row, 2 * pair + 1, Qt.AlignmentFlag.AlignTop)
+            row, pair = (row, pair + 1) if pair + 1 < self._pairs else (row + 1, 0)
+        for pair in range(_MOST_PAIRS):
+            self._grid.setColumnStretch(2 * pair + 1, 1 if pair < self._pairs else 0)

@@ -1,0 +1,277 @@
+"""A field of several inputs, typed or dragged."""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+from PySide6.QtWidgets import QMenu
+
+from skinsource.base.arrays import Floats
+from skinsource.base.quoting import printable
+from skinsource.design import edits
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input
+from skinsource.design.edits.edit import Edit, Refusal
+from skinsource.design.effects.time import stretched_by
+from skinsource.design.view import View
+from skinsource.design.waveform import Waveform
+from skinsource.signals.generators import sample_count
+from skinsource.specs.models import specs_of
+from skinsource.specs.numbers import ListSpec, NumberSpec, PointsSpec, RecipeSpec
+from skinsource.specs.spec import TextSpec
+from skinsource_gui.fields.units import LONG_S, number_text, value_text
+from skinsource_gui.qt.keys import KEYS, key_text
+
+
+class FieldChanges:
+    """Makes edits of one field of several inputs: typing sets all, a drag moves all by as much.
+
+    It remembers the design that a drag started from.
+    """
+
+    def __init__(self) -> None:
+        self._gesture: int | None = None
+        self._start: Design | None = None
+
+    def change(
+        self,
+        design: Design,
+        view: View,
+        ids: tuple[int, ...],
+        name: str,
+        value: Any,
+        *,
+        lead: int,
+        gesture: int | None,
+    ) -> Edit | Refusal:
+        """Give field ``name`` of input ``lead`` this value; the others of ``ids`` go with it."""
+        if gesture is None or len(ids) == 1:
+            return edits.change_field(design, view, ids, name, value)
+        if gesture != self._gesture or self._start is None:
+            self._gesture, self._start = gesture, design
+        return edits.drag_field(design, view, ids, name, value, lead=lead, start=self._start)
+
+
+# An input in a few words.
+
+DURATION_FIELD = "duration_s"
+#: What an input without clips plays.
+EMPTY = "nothing yet"
+# Names of fields of two frequencies: where it begins and where it ends.
+_ENDS = (("start_hz", "end_hz"), ("low_hz", "high_hz"))
+_SAID = (DURATION_FIELD, *(name for ends in _ENDS for name in ends))
+# Of a path with more frequencies the lowest and the highest are told.
+_MOST_TOLD, _MOST_PARTS, _MOST_LETTERS = 4, 3, 60
+# What is shorter is rounding, s.
+_LEAST_S = 1e-9
+
+
+def figure_text(waveform: Waveform) -> str:
+    """Title and frequencies of a waveform, ``"Tone 100 Hz"``; else its first number.
+
+    Of a recording its name.
+    """
+    name = getattr(waveform, "name", "")
+    if name:
+        return printable(name)
+    if path := _path_hz(waveform):
+        return f"{waveform.title} {'–'.join(number_text(one, 'Hz', digits=4) for one in path)} Hz"
+    for name, spec in specs_of(waveform).items():
+        if isinstance(spec, ListSpec) and isinstance(spec.of, NumberSpec):
+            values = getattr(waveform, name)
+            ends = values[:: max(len(values) - 1, 1)]
+            words = "–".join(number_text(one, spec.of.unit, digits=4) for one in ends)
+            return f"{waveform.title} {words} {spec.of.unit}"
+        if isinstance(spec, NumberSpec) and name != DURATION_FIELD:
+            number = value_text(getattr(waveform, name), spec.unit, digits=4)
+            if spec.unit:
+                return f"{waveform.title} {number}"
+            return f"{waveform.title}, {spec.label.lower()} {number}"
+    return waveform.title
+
+
+def clip_text(clip: Clip) -> str:
+    """The same of a clip, and what its effects do to these frequencies: ``", stretched ×2"``."""
+    return f"{figure_text(clip.waveform)}{stretched_text(clip)}"
+
+
+def stretched_text(clip: Clip) -> str:
+    """Behind the words on a waveform: that the clip plays it slower, or faster; else ""."""
+    factor = stretched_by(clip.effects, clip.waveform.duration_s)
+    return "" if factor == 1.0 else f", stretched ×{factor:.3g}"
+
+
+def told_text(waveform: Waveform) -> str:
+    """The same with what else it is made of, for who cannot look: ``"Square 100 Hz (duty 0.5)"``.
+
+    Phases, and how it is windowed, are not told.
+    """
+    figure = figure_text(waveform)
+    more: list[str] = []
+    for name, spec in specs_of(waveform).items():
+        value = getattr(waveform, name)
+        if isinstance(spec, NumberSpec) and name not in _SAID and spec.unit != "rad":
+            number = value_text(value, spec.unit, digits=4)
+            if not any(
+                figure.endswith(f" {one}") for one in (number, f"{spec.label.lower()} {number}")
+            ):
+                more.append(f"{spec.label.lower()} {number}")
+        elif isinstance(spec, TextSpec) and name != "name":
+            words = printable(value)
+            more.append(words if len(words) <= _MOST_LETTERS else f"{words[:_MOST_LETTERS]}…")
+        elif isinstance(spec, ListSpec) and isinstance(spec.of, RecipeSpec):
+            inside = [told_text(one.waveform) for one in value if isinstance(one, Clip)]
+            more += [*inside[:_MOST_PARTS], *["…"] * (len(inside) > _MOST_PARTS)]
+    return f"{figure} ({', '.join(more)})" if more else figure
+
+
+def clips_text(count: int) -> str:
+    """What stands behind the words on one of ``count`` clips: ``" · 1 of 3 clips"``."""
+    return f" · 1 of {count} clips" if count > 1 else ""
+
+
+def duration_text(duration_s: float) -> str:
+    """A length: ``"200 ms"``, ``"600 s"``."""
+    if sample_count(duration_s) == 1:
+        return "one sample"
+    return value_text(duration_s, "s", digits=4 if duration_s >= LONG_S else 3)
+
+
+def played_length_text(clip: Clip) -> str:
+    """How long a clip lasts, where its effects make that another length than its waveform's."""
+    if abs(clip.duration_s - clip.waveform.duration_s) < _LEAST_S:
+        return ""
+    return f"{duration_text(clip.duration_s)} with its effects"
+
+
+def fixed_length_text(waveform: Waveform) -> str:
+    """Length of a waveform that has no duration to choose, in words, or ""."""
+    if DURATION_FIELD in specs_of(waveform):
+        return ""
+    count = sample_count(waveform.duration_s)
+    samples = "" if count == 1 else f" ({count} samples)"
+    fixed = "" if specs_of(waveform) else ", fixed"
+    return f"{duration_text(waveform.duration_s)}{samples}{fixed}"
+
+
+def _path_hz(waveform: Waveform) -> tuple[float, ...]:
+    """Frequencies from which to which it goes, in this order; none where it stays at one."""
+    specs = specs_of(waveform)
+    for ends in _ENDS:
+        if all(name in specs for name in ends):
+            return tuple(getattr(waveform, name) for name in ends)
+    for name, spec in specs.items():
+        if isinstance(spec, PointsSpec):
+            at = next((k for k, one in enumerate(spec.columns) if one.unit == "Hz"), None)
+            if at is not None:
+                path = [point[at] for point in getattr(waveform, name)]
+                turns = tuple(one for k, one in enumerate(path) if k == 0 or one != path[k - 1])
+                return turns if len(turns) <= _MOST_TOLD else (min(turns), max(turns))
+    return ()
+
+
+# What clips play, as results tell it.
+
+
+def waveforms_of(results: Mapping[str, Any]) -> dict[int, Floats]:
+    """Samples of each clip that can be sampled, (n_times,), by its id.
+
+    ``results`` have ``clip_waveforms``.
+    """
+    return {
+        clip.id: samples
+        for one, waveforms in zip(results["inputs"], results["clip_waveforms"], strict=True)
+        for clip, samples in zip(one.clips, waveforms, strict=True)
+        if samples is not None
+    }
+
+
+# What the right button offers to do with inputs, wherever they are shown.
+
+#: What is done to the inputs of these ids.
+InputEdit = Callable[[Design, View, Iterable[int]], Edit | Refusal]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Entry:
+    """One line of the menu.
+
+    Attributes
+    ----------
+    words
+        What it says; where braces stand, how many inputs it is about if there are several.
+    key
+        What the table of keys calls the key that does the same.
+    edit
+        What it does.
+    on
+        Whether an input has it already; None where that is no question.
+    separated
+        Whether a line stands before it.
+    """
+
+    words: str
+    key: str
+    edit: InputEdit
+    on: Callable[[Input], bool] | None = None
+    separated: bool = False
+
+
+#: What can be done to inputs wherever they are.
+ENTRIES = (
+    Entry(words="Mute{}", key="mute", edit=edits.toggle_mute, on=lambda one: one.muted),
+    Entry(words="Solo{}", key="solo", edit=edits.toggle_solo, on=lambda one: one.solo),
+    Entry(words="Duplicate{}", key="duplicate", edit=edits.duplicate_inputs, separated=True),
+    Entry(words="Remove{}", key="remove", edit=edits.remove_inputs),
+)
+#: What can be done to them in a list besides.
+ORDER = (
+    Entry(
+        words="Move{} up",
+        key="shift_up",
+        edit=partial(edits.shift_inputs, down=False),
+        separated=True,
+    ),
+    Entry(words="Move{} down", key="shift_down", edit=partial(edits.shift_inputs, down=True)),
+)
+
+
+def fill_inputs_menu(
+    menu: QMenu,
+    chosen: Sequence[Input],
+    act: Callable[[InputEdit], None],
+    *,
+    place: str,
+    entries: Iterable[Entry] = ENTRIES,
+) -> None:
+    """Offer what can be done with some inputs.
+
+    Parameters
+    ----------
+    menu
+        To which the lines are added.
+    chosen
+        The inputs; without any, nothing can be done.
+    act
+        Does to them what is chosen.
+    place
+        Where this is, as the table of keys calls it.
+    entries
+        What is offered.
+    """
+    several = f" {len(chosen)} inputs" if len(chosen) > 1 else ""
+    for entry in entries:
+        if entry.separated:
+            menu.addSeparator()
+        words = entry.words.format(several)
+        key = key_text(place, entry.key) if entry.key in KEYS[place].gestures else ""
+        action = menu.addAction(f"{words}\t{key}" if key else words)
+        action.setEnabled(bool(chosen))
+        action.setCheckable(entry.on is not None)
+        action.setChecked(bool(chosen) and entry.on is not None and all(map(entry.on, chosen)))
+        action.triggered.connect(partial(_act, act, entry.edit))
+
+
+def _act(act: Callable[[InputEdit], None], edit: InputEdit, _checked: bool = False) -> None:
+    act(edit)

@@ -1,0 +1,291 @@
+"""What a kind of waveform looks like, for menus and lists."""
+
+from collections.abc import Callable
+from functools import lru_cache, partial
+from math import ceil
+
+import numpy as np
+from pyqtgraph.functions import arrayToQPath
+from PySide6.QtCore import QPoint, QPointF, QRect, QSize, Qt
+from PySide6.QtGui import (
+    QAction,
+    QColor,
+    QIcon,
+    QIconEngine,
+    QPainter,
+    QPainterPath,
+    QPen,
+    QPixmap,
+    QPolygonF,
+)
+from PySide6.QtWidgets import QMenu, QWidget
+
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.published import SAMPLE_RATE_HZ
+from skinsource.design.waveform import Waveform
+from skinsource.design.waveforms.kinds import COMMON, kinds
+from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square, Triangle
+from skinsource.design.waveforms.pulses import DampedSine, Noise
+from skinsource.design.waveforms.samples import Drawn, Formula, Layers, Recording
+from skinsource.design.waveforms.tones import (
+    AmplitudeModulated,
+    Chirp,
+    FrequencyModulated,
+    Glide,
+    Tone,
+)
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
+from skinsource.design.waveforms.wavelets import Chirplet, Gabor
+from skinsource.specs.samples import Samples
+from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.qt.theme import current_theme
+
+#: Size of the pictures, in px.
+PICTURE_PX = QSize(30, 18)
+#: Pixels of the screen for each of them, at most.
+_SHARPEST = 3
+_RATE_HZ = 20_000.0
+_MARGIN_PX = 2.0
+_LINE_PX = 1.2
+_DOT_PX = 1.5
+
+_TICKS = np.arange(78.0)
+
+#: What stands for a kind: so few periods that each is seen.  Others are shown as they begin.
+_SHOWN: tuple[Waveform, ...] = (
+    Tone(30.0, 0.0, 0.1, "none"),
+    Chirp(10.0, 90.0, 0.1),
+    Noise(3, 0.05, 25.0, 300.0, "none"),
+    Gabor(100.0, 4.0),
+    WaveletTrain((40.0, 70.0, 130.0), 2.0, 0.045),
+    Glide(((0.0, 20.0, 0.3), (0.06, 60.0, 1.0), (0.1, 20.0, 0.2))),
+    Chirplet(80.0, 2000.0, 0.012),
+    DampedSine(60.0, 0.025, 0.1),
+    Square(25.0, 0.5, 0.1),
+    Saw(25.0, 0.1),
+    Triangle(25.0, 0.1),
+    PulseTrain(40.0, 0.006, 0.1),
+    AmplitudeModulated(90.0, 20.0, 1.0, 0.1),
+    FrequencyModulated(70.0, 20.0, 45.0, 0.1),
+    Formula("(sin(2*pi*30*t) + sin(2*pi*70*t)) / 2", 0.1),
+    Drawn(
+        Samples(
+            values=np.array([0.0, 0.5, 0.9, 0.4, -0.6, -1.0, -0.3, 0.1, 0.0, 0.2, 0.7, 0.3, 0.0]),
+            sample_rate_hz=SAMPLE_RATE_HZ,
+        )
+    ),
+    Recording(np.exp(-_TICKS / 18) * (np.sin(_TICKS * 1.1) + np.sin(_TICKS**1.37)) / 2),
+)
+
+
+@lru_cache(maxsize=128)
+def waveform_icon(kind: type[Waveform]) -> QIcon:
+    """Picture of a kind of waveform, drawn from samples of its own when it is first seen."""
+    return QIcon(_WaveformEngine(kind))
+
+
+class _WaveformEngine(QIconEngine):
+    """Draws what is asked for: of four modes and three sharpnesses few are ever seen."""
+
+    def __init__(self, kind: type[Waveform]) -> None:
+        super().__init__()
+        self._kind = kind
+
+    def scaledPixmap(
+        self, size: QSize, mode: QIcon.Mode, state: QIcon.State, scale: float
+    ) -> QPixmap:
+        del size, state  # pictures have one size, and look the same on and off
+        per_px = min(max(ceil(scale), 1), _SHARPEST)
+        return _drawn(_path_of(self._kind), _colour(mode), per_px)
+
+    def pixmap(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QPixmap:
+        return self.scaledPixmap(size, mode, state, 1.0)
+
+    def actualSize(self, size: QSize, mode: QIcon.Mode, state: QIcon.State) -> QSize:
+        del mode, state
+        return PICTURE_PX.boundedTo(size)
+
+    def paint(self, painter: QPainter, rect: QRect, mode: QIcon.Mode, state: QIcon.State) -> None:
+        sharp = painter.device().devicePixelRatioF()
+        picture = self.scaledPixmap(rect.size(), mode, state, sharp)
+        area = QRect(0, 0, PICTURE_PX.width(), PICTURE_PX.height())
+        area.moveCenter(rect.center())
+        painter.drawPixmap(area, picture)
+
+    def clone(self) -> QIconEngine:
+        return _WaveformEngine(self._kind)
+
+
+def _colour(mode: QIcon.Mode) -> QColor:
+    theme = current_theme()
+    if mode == QIcon.Mode.Disabled:
+        return QColor(theme.dim)
+    return QColor(theme.text if mode == QIcon.Mode.Normal else theme.on_accent)
+
+
+def _samples_of(kind: type[Waveform]) -> Floats:
+    shown = next((one for one in _SHOWN if type(one) is kind), None) or kind()
+    try:
+        return shown.samples(_RATE_HZ)
+    except InvalidInputError:
+        return np.zeros(2)
+
+
+@lru_cache(maxsize=64)
+def _path_of(kind: type[Waveform]) -> QPainterPath:
+    # Of many layers at once a wave would be a blob.
+    return _sheets() if kind is Layers else _wave(_samples_of(kind))
+
+
+def _wave(samples: Floats) -> QPainterPath:
+    width, height = PICTURE_PX.width(), PICTURE_PX.height()
+    middle, reach = height / 2, height / 2 - _MARGIN_PX
+    path = QPainterPath()
+    if samples.size == 1:
+        foot, top = QPointF(width / 2, middle), QPointF(width / 2, middle - reach + _DOT_PX)
+        for start, end in (
+            (QPointF(_MARGIN_PX, middle), QPointF(width - _MARGIN_PX, middle)),
+            (foot, top),
+        ):
+            path.moveTo(start)
+            path.lineTo(end)
+        path.addEllipse(top, _DOT_PX, _DOT_PX)
+    elif samples.size:
+        x = np.linspace(_MARGIN_PX, width - _MARGIN_PX, samples.size)
+        y = middle - reach * samples / max(np.abs(samples).max(), 1e-300)
+        path = arrayToQPath(x, y, finiteCheck=False)
+    return path
+
+
+def _sheets() -> QPainterPath:
+    """A sheet, and the front edges of two below it."""
+    middle, wide, high, first, step = PICTURE_PX.width() / 2, 11.0, 3.4, 5.7, 3.9
+    path = QPainterPath()
+    left, right = middle - wide, middle + wide
+    path.addPolygon(
+        QPolygonF([QPointF(left, first), QPointF(middle, first - high), QPointF(right, first)])
+    )
+    for sheet in range(3):
+        y = first + sheet * step
+        path.moveTo(left, y)
+        path.lineTo(middle, y + high)
+        path.lineTo(right, y)
+    return path
+
+
+def _drawn(path: QPainterPath, colour: QColor, per_px: int) -> QPixmap:
+    picture = QPixmap(PICTURE_PX * per_px)
+    picture.setDevicePixelRatio(per_px)
+    picture.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(picture)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    pen = QPen(colour, _LINE_PX)
+    pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
+    painter.strokePath(path, pen)
+    painter.end()
+    return picture
+
+
+# Kinds of waveforms in a menu: the common ones at once, all others under "More".
+
+MORE = "More"
+
+
+def fill_kind_menu(menu: QMenu, choose: Callable[[str], None], *, current: str = "") -> None:
+    """Add every kind of waveform, with its picture.
+
+    Parameters
+    ----------
+    menu
+        What they are added to.
+    choose
+        Is called with the name of the class of the kind that was chosen.
+    current
+        Name of the present kind, which is printed in bold.
+    """
+    _show_pictures(menu)
+    common = [kind for kind in kinds() if kind in COMMON]
+    for kind in common:
+        _add(menu, kind, choose, current)
+    others = [kind for kind in kinds() if kind not in COMMON]
+    if not others:
+        return
+    more = menu.addMenu(MORE)
+    more.setObjectName("more_kinds")
+    _show_pictures(more)
+    for kind in others:
+        _add(more, kind, choose, current)
+    if current in {kind.__name__ for kind in others}:
+        _embolden(more.menuAction())
+
+
+def _add(menu: QMenu, kind: type[Waveform], choose: Callable[[str], None], current: str) -> None:
+    action = menu.addAction(waveform_icon(kind), kind.title)
+    action.setObjectName(f"kind_{kind.__name__}")
+    action.triggered.connect(partial(_tell, choose, kind.__name__))
+    if kind.__name__ == current:
+        _embolden(action)
+        menu.setActiveAction(action)
+
+
+def _tell(choose: Callable[[str], None], name: str, _checked: bool = False) -> None:
+    choose(name)
+
+
+def _embolden(action: QAction) -> None:
+    font = action.font()
+    font.setBold(True)
+    action.setFont(font)
+
+
+def _show_pictures(menu: QMenu) -> None:
+    # Qt makes room for square pictures only, which is enough between the rows.
+    menu.setStyleSheet(
+        f"QMenu {{ icon-size: {PICTURE_PX.width()}px; }}"
+        f"QMenu::item {{ padding: 0px 24px 0px 8px; min-height: {PICTURE_PX.width()}px; }}"
+    )
+
+
+# The kind of a waveform, with its picture.
+
+
+class KindField(ChoiceField):
+    """A drop-down field whose list is a menu: the common kinds, and more.
+
+    Keys choose among all of them, as in any list.
+    """
+
+    def __init__(self, spec: ChoiceSpec, parent: QWidget | None = None) -> None:
+        super().__init__(spec, parent)
+        self._menu: QMenu | None = None
+        self.setIconSize(PICTURE_PX)
+        self.currentIndexChanged.connect(self._picture)
+        self._picture()
+
+    def showPopup(self) -> None:
+        self.hidePopup()
+        menu = QMenu(self)
+        menu.setObjectName("kind_menu")
+        fill_kind_menu(menu, self.choose, current=self.value)
+        menu.setMinimumWidth(self.width())
+        menu.aboutToHide.connect(menu.deleteLater)
+        menu.destroyed.connect(self._forget)
+        self._menu = menu
+        menu.popup(self.mapToGlobal(QPoint(0, self.height())))
+
+    def hidePopup(self) -> None:
+        if self._menu is not None:
+            self._menu.close()
+        super().hidePopup()
+
+    def _picture(self) -> None:
+        # Only that of the present kind: to draw those of noise and of samples takes long imports,
+        # for which the first picture of the window need not wait.
+        for kind in kinds():
+            if kind.__name__ == self.currentData():
+                self.setItemIcon(self.currentIndex(), waveform_icon(kind))
+
+    def _forget(self) -> None:
+        self._menu = None

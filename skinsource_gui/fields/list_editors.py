@@ -1,0 +1,327 @@
+"""Frequencies in equal steps or factors, instead of one by one."""
+
+from functools import partial
+from itertools import pairwise
+from math import inf
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.effects.breakpoints import Points as Breakpoints
+from skinsource.design.waveforms.wavelet_train import frequency_sweep
+from skinsource.signals.synthesis import Column, Curve, bends_of, curve_of, with_curve
+from skinsource.specs.breakpoints import BreakpointsSpec
+from skinsource.specs.numbers import CurveSpec, ListSpec, NumberSpec, PointsSpec
+from skinsource.specs.spec import ChoiceSpec, TextSpec
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.fields.curve_field import CurveField
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.fields.text_field import LiveText
+from skinsource_gui.fields.units import (
+    as_known,
+    column_words,
+    number_of,
+    numbers_text,
+    points_text,
+    read_numbers,
+    read_points,
+    value_text,
+)
+
+_SPACING = ChoiceSpec(
+    label="Spacing",
+    options=(("logarithmic", "Equal factors"), ("linear", "Equal steps")),
+    hint="From each frequency to the next",
+)
+_ORDER = ChoiceSpec(
+    label="Order",
+    options=(("up", "Rising (contracts)"), ("down", "Falling (expands)")),
+    hint="Low frequencies reach farther on the skin",
+)
+_MOST_SHOWN = 12
+
+
+class SweepDialog(QDialog):
+    """Asks for the ends of a sweep, how many frequencies, how spaced, and in which order."""
+
+    def __init__(self, values: tuple[float, ...], spec: ListSpec, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._spec = spec
+        self.setObjectName("sweep_dialog")
+        self.setWindowTitle("Frequencies of a sweep")
+        count = NumberSpec(
+            label="Count", minimum=max(spec.fewest, 1), maximum=spec.most, whole=True
+        )
+        self.low = self._number("low_hz", number_of(spec), min(values, default=50.0))
+        self.high = self._number("high_hz", number_of(spec), max(values, default=400.0))
+        self.count = self._number("count", count, len(values) or 5)
+        self.spacing = self._choice("spacing", _SPACING, "logarithmic")
+        falls = len(values) > 1 and values[0] > values[-1]
+        self.order = self._choice("order", _ORDER, "down" if falls else "up")
+        self._list = QLabel()
+        self._list.setObjectName("sweep_list")
+        self._list.setWordWrap(True)
+        self._list.setMinimumWidth(260)
+        buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        )
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        form = QFormLayout(self)
+        rows = {
+            "From": self.low,
+            "To": self.high,
+            "Count": self.count,
+            "Spacing": self.spacing,
+            "Order": self.order,
+        }
+        for words, field in rows.items():
+            form.addRow(words, field)
+        form.addRow(self._list)
+        form.addRow(buttons)
+        self._show_list()
+
+    @property
+    def values(self) -> tuple[float, ...]:
+        """The frequencies, in Hz."""
+        low, high = sorted((self.low.value_si, self.high.value_si))
+        return frequency_sweep(
+            low,
+            high,
+            round(self.count.value_si),
+            "linear" if self.spacing.value == "linear" else "logarithmic",
+            "down" if self.order.value == "down" else "up",
+        )
+
+    def _number(self, name: str, spec: NumberSpec, value: float) -> NumberField:
+        field = NumberField(spec, self)
+        field.setObjectName(f"{name}_sweep")
+        field.setAccessibleName({"low_hz": "From", "high_hz": "To"}.get(name, spec.label))
+        field.set_value(value)
+        field.edited.connect(self._show_list)
+        return field
+
+    def _choice(self, name: str, spec: ChoiceSpec, value: str) -> ChoiceField:
+        field = ChoiceField(spec, self)
+        field.setObjectName(f"{name}_sweep")
+        field.set_value(value)
+        field.chosen.connect(self._show_list)
+        return field
+
+    def _show_list(self, *_: object) -> None:
+        values = tuple(float(f"{one:.5g}") for one in self.values)
+        more = f" … ({len(values)})" if len(values) > _MOST_SHOWN else ""
+        self._list.setText(f"{numbers_text(values[:_MOST_SHOWN], self._spec)}{more} Hz")
+
+
+# What edits lists of numbers: a line of text, read as one types.
+
+_LONGEST = 100_000
+
+
+def outside_band_words(spec: NumberSpec) -> str:
+    """What is said of a frequency that was not measured."""
+    low_hz, high_hz = spec.felt_hz or (0.0, inf)
+    return f"outside the measured band ({low_hz:g} to {high_hz:g} Hz)"
+
+
+class Listed(QObject):
+    """Edits a tuple as a text; told while it is typed, as soon as all of it can be read."""
+
+    edited = Signal(object, object)
+    problem_changed = Signal(str)
+    label = None
+
+    def __init__(self, spec: Any, parent: QWidget, hint: str) -> None:
+        super().__init__(parent)
+        self._spec = spec
+        self._value: tuple[Any, ...] = ()
+        read = TextSpec(
+            label=spec.label, hint=hint, longest=_LONGEST, one_line=True, reader=self._read
+        )
+        self.line = LiveText(read, parent)
+        self.line.setPlaceholderText("none")
+        self.line.edited.connect(self._tell)
+        self.line.problem_changed.connect(self.problem_changed)
+        self.field: QWidget = self.line
+        self.cancel, self.refuse = self.line.cancel, self.line.refuse
+
+    def set_value(self, value: Any) -> None:
+        """Show a value, and tell nobody; another way in which it is typed stays."""
+        self._value = value or ()
+        shown = self._text(self._value)
+        try:
+            if self._read(self.line.text()) == self._value:
+                shown = self.line.text()
+        except InvalidInputError:
+            pass  # half typed
+        self.line.set_value(shown)
+
+    def set_spec(self, spec: Any) -> None:
+        """Change what is allowed."""
+        self._spec = spec
+
+    def advice(self) -> str:
+        """Nothing needs a remark."""
+        return ""
+
+    def _tell(self, text: str, gesture: int | None) -> None:
+        value = self._read(text)
+        if value != self._value:
+            self._value = value
+            self.edited.emit(value, gesture)
+
+    def _read(self, text: str) -> tuple[Any, ...]:
+        raise NotImplementedError
+
+    def _text(self, value: tuple[Any, ...]) -> str:
+        raise NotImplementedError
+
+
+class NumbersEditor(Listed):
+    """Edits a list of numbers; frequencies also as a sweep."""
+
+    def __init__(self, spec: ListSpec, parent: QWidget) -> None:
+        super().__init__(spec, parent, f"{spec.hint}. Numbers between commas")
+        if self._spec.of.unit != "Hz":
+            return
+        self.field = QWidget(parent)
+        row = QHBoxLayout(self.field)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(4)
+        self.sweep = QPushButton("Sweep…", self.field)
+        self.sweep.setToolTip("Frequencies in equal factors or steps, rising or falling")
+        self.sweep.setAutoDefault(False)
+        self.sweep.clicked.connect(self._ask_sweep)
+        row.addWidget(self.line, 1)
+        row.addWidget(self.sweep)
+        self.field.setFocusProxy(self.line)
+
+    def advice(self) -> str:
+        """Warn of frequencies that were not measured."""
+        outside = tuple(one for one in self._value if not self._spec.of.is_known(one))
+        if not outside:
+            return ""
+        words = numbers_text(outside[:3], self._spec) + (" …" if len(outside) > 3 else "")
+        return f"{words} Hz: {outside_band_words(self._spec.of)}"
+
+    def _read(self, text: str) -> tuple[float, ...]:
+        return read_numbers(text, self._spec)
+
+    def _text(self, value: tuple[Any, ...]) -> str:
+        return numbers_text(value, self._spec)
+
+    def _ask_sweep(self) -> None:
+        dialog = SweepDialog(self._value, self._spec, self.field.window())
+        dialog.accepted.connect(lambda: self.edited.emit(dialog.values, None))
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.open()
+
+
+class CurveText(Listed):
+    """Edits the breakpoints of a curve, typed as pairs; none is allowed where the curve may be."""
+
+    def __init__(self, spec: CurveSpec, parent: QWidget) -> None:
+        self._pairs = PointsSpec(
+            label=spec.label, columns=(spec.x, spec.y), fewest=spec.fewest, most=spec.most
+        )
+        names = ", ".join(column_words(one) for one in self._pairs.columns)
+        super().__init__(spec, parent, f"{spec.hint}. Each point: {names}; semicolons between")
+
+    def _read(self, text: str) -> tuple[tuple[float, ...], ...]:
+        return as_known(read_points(text, self._pairs), self._value)
+
+    def _text(self, value: tuple[Any, ...]) -> str:
+        return points_text(value, self._pairs)
+
+
+# What edits the points of a glide: a line of text, and a curve of frequency and of amplitude.
+
+_COLUMNS: tuple[Column, ...] = ("frequency", "amplitude")
+
+
+class GlideCurve(CurveField):
+    """One of the two curves; between its points it is straight, or held until the next."""
+
+    def __init__(self, spec: BreakpointsSpec, parent: QWidget) -> None:
+        super().__init__(spec, parent)
+        self._y = spec.y
+
+    @property
+    def words(self) -> str:
+        """What it is of, and the chosen point."""
+        chosen = self.points.chosen
+        time_s, value, _ = self.value[chosen]
+        place = f"{chosen + 1}/{len(self.value)}"
+        shown = value_text(value, self._y.unit, digits=5)
+        return f"{self._y.label} · {place} · {value_text(time_s, 's')} · {shown}"
+
+    @property
+    def curve(self) -> Curve:
+        """The points, within what is allowed; a held one stays until just before the next."""
+        low, high = self._y.minimum, self._y.maximum
+        within = [(x, min(max(y, low), high), kind) for x, y, kind in self.value]
+        found = []
+        for (x, y, kind), after in pairwise(within):
+            found += [(x, y), (after[0], y)] if kind == "held" else [(x, y)]
+        return (*found, within[-1][:2])
+
+    def show_curve(self, curve: Curve) -> None:
+        """Show a curve, and tell nobody; a point that bends nothing yet stays."""
+        if bends_of(self.curve) != curve:
+            self.set_value(tuple((x, y, "straight") for x, y in curve))
+
+
+class PointsEditor(Listed):
+    """Edits points of time, frequency and amplitude."""
+
+    def __init__(self, spec: PointsSpec, parent: QWidget) -> None:
+        names = ", ".join(column_words(one) for one in spec.columns)
+        super().__init__(spec, parent, f"{spec.hint}. Each point: {names}; semicolons between")
+        self.field = QWidget(parent)
+        column = QVBoxLayout(self.field)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(4)
+        column.addWidget(self.line)
+        self.curves: dict[Column, GlideCurve] = {}
+        for name, one in zip(_COLUMNS, spec.columns[1:], strict=False):
+            curve = GlideCurve(_spec_of(spec.columns[0], one), self.field)
+            curve.setObjectName(f"{name}_curve")
+            curve.edited.connect(partial(self._draw, name))
+            self.curves[name] = curve
+            column.addWidget(curve)
+        self.field.setFocusProxy(self.line)
+
+    def set_value(self, value: Any) -> None:
+        """Show points, and tell nobody."""
+        super().set_value(value)
+        for name, curve in self.curves.items() if value else ():
+            curve.show_curve(curve_of(value, name))
+
+    def _draw(self, name: Column, _points: Breakpoints, gesture: int | None) -> None:
+        points = with_curve(self._value, name, self.curves[name].curve)
+        if points != self._value:
+            self._value = points
+            self.edited.emit(points, gesture)
+
+    def _read(self, text: str) -> tuple[tuple[float, ...], ...]:
+        return as_known(read_points(text, self._spec), self._value)
+
+    def _text(self, value: tuple[Any, ...]) -> str:
+        return points_text(value, self._spec)
+
+
+def _spec_of(time: NumberSpec, column: NumberSpec) -> BreakpointsSpec:
+    hint = f"{column.label} over time, straight from point to point"
+    return BreakpointsSpec(label=column.label, hint=hint, x=time, y=column)

@@ -1,0 +1,746 @@
+"""A button with the menu of what can be added to a list."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from typing import Any, Protocol
+
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QPalette, QResizeEvent
+from PySide6.QtWidgets import (
+    QApplication,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.quoting import sentence
+from skinsource.design.edits.edit import KindSpec, as_kind
+from skinsource.design.edits.effects import (
+    Parts,
+    choices_of,
+    moved_part,
+    new_part,
+    part_words,
+    with_part,
+    without_part,
+)
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.specs.models import specs_of
+from skinsource.specs.numbers import ListSpec, RecipeSpec
+from skinsource.specs.spec import Spec
+from skinsource_gui.fields.editor import NewEditor
+from skinsource_gui.fields.grid import EditedCell, FieldGrid
+from skinsource_gui.fields.kinds import fill_kind_menu
+from skinsource_gui.qt.buttons import LetterButton, remove_button
+from skinsource_gui.qt.keys import claims_shortcut, key_text, meaning_of
+from skinsource_gui.qt.theme import UNIT_PX
+from skinsource_gui.qt.tooltips import tooltip
+
+
+class AddButton(QToolButton):
+    """Opens a menu of the kinds of recipes that a list of ``spec`` may hold."""
+
+    #: Name of a kind.
+    chosen = Signal(str)
+
+    def __init__(self, spec: ListSpec, of: RecipeSpec, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._spec, self._of = spec, of
+        self.setObjectName("add_part")
+        self.setText("Add…")
+        self.setAccessibleName(f"{spec.label}: add")
+        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.setMenu(QMenu(self))
+        # The dots say that there is more to choose.
+        self.setStyleSheet("QToolButton::menu-indicator { image: none; width: 0; }")
+        self.menu().aboutToShow.connect(self._fill)
+
+    def show_count(self, count: int) -> None:
+        """Offer more, unless there are as many as there may be."""
+        full = count >= self._spec.most
+        self.setEnabled(not full)
+        most = f"There are at most {self._spec.most}; remove one first"
+        self.setToolTip(tooltip(most if full else "Add one at the end"))
+
+    def _fill(self) -> None:
+        menu, choices = self.menu(), choices_of(self._of)
+        menu.clear()
+        if isinstance(choices, KindSpec):
+            fill_kind_menu(menu, self.chosen.emit)
+            return
+        for name, title in choices.options:
+            menu.addAction(title).triggered.connect(partial(self._tell, name))
+
+    def _tell(self, name: str, _checked: bool = False) -> None:
+        self.chosen.emit(name)
+
+
+# The fields of one recipe, and of those that it holds, as cells in reading order.
+
+
+class PartFields(QObject):
+    """Cells for the kind and the fields of a recipe of ``spec``.
+
+    What it holds stands first, then its own numbers and choices, then its lists.
+    """
+
+    #: The recipe as it is changed; number of the gesture or None.
+    edited = Signal(object, object)
+    #: Other cells are to be shown; those that are gone will be deleted.
+    rebuilt = Signal()
+
+    def __init__(self, spec: RecipeSpec, new_editor: NewEditor, parent: QObject) -> None:
+        super().__init__(parent)
+        self._spec, self._new_editor = spec, new_editor
+        self._recipe: Any = None
+        self._built_for: type | None = None
+        self._own: dict[str, EditedCell] = {}
+        self._held: dict[str, PartFields] = {}
+        self._last = ""
+        self._kind: EditedCell | None = None
+        if len(spec.kinds()) > 1:
+            self._kind = self._cell("kind", choices_of(spec))
+            self._kind.edited.connect(self._change_kind)
+
+    @property
+    def cells(self) -> tuple[EditedCell, ...]:
+        """All cells, in reading order."""
+        kind = () if self._kind is None else (self._kind,)
+        held = [cell for one in self._held.values() for cell in one.cells]
+        plain = [cell for cell in self._own.values() if not cell.across]
+        lists = [cell for cell in self._own.values() if cell.across]
+        return (*kind, *held, *plain, *lists)
+
+    def show_recipe(self, recipe: Any) -> None:
+        """Show a recipe's values, and tell nobody."""
+        self._recipe = recipe
+        if type(recipe) is not self._built_for:
+            self._build(recipe)
+        if self._kind is not None:
+            self._kind.set_value(type(recipe).__name__)
+        for name, cell in self._own.items():
+            cell.set_value(getattr(recipe, name))
+        for name, held in self._held.items():
+            held.show_recipe(getattr(recipe, name))
+
+    def set_spec(self, spec: RecipeSpec) -> None:
+        """Take over the rate of another limb."""
+        self._spec = spec
+        specs = specs_of(self._built_for) if self._built_for else {}
+        for name, cell in self._own.items():
+            cell.set_spec(self._at_rate(specs[name]))
+        for name, held in self._held.items():
+            held.set_spec(self._at_rate(specs[name]))
+
+    def show_reason(self, reason: str) -> None:
+        """Say at the field that was edited last why it stays as it was."""
+        if self._last in self._held:
+            self._held[self._last].show_reason(reason)
+        elif self._last in self._own:
+            self._own[self._last].show_reason(reason)
+        elif self._kind is not None:
+            self._kind.show_reason(reason)
+
+    def forget_typing(self) -> None:
+        """Close an open editor without committing."""
+        for cell in self.cells:
+            cell.forget_typing()
+
+    def _build(self, recipe: Any) -> None:
+        old = self._held.values()
+        own: dict[str, EditedCell] = {}
+        gone = [cell for cell in self.cells if cell is not self._kind]
+        held: dict[str, PartFields] = {}
+        for name, spec in specs_of(recipe).items():
+            if isinstance(spec, RecipeSpec):
+                held[name] = PartFields(self._at_rate(spec), self._new_editor, self)
+                held[name].edited.connect(partial(self._change, name))
+                held[name].rebuilt.connect(self.rebuilt)
+            elif spec.asked:
+                own[name] = self._cell(name, self._at_rate(spec))
+                own[name].edited.connect(self._change)
+                editor: Any = own[name].editor
+                if isinstance(spec, ListSpec) and spec.nests:
+                    editor.holder = lambda: self._recipe
+        self._own, self._held, self._built_for = own, held, type(recipe)
+        focused = QApplication.focusWidget()
+        within = focused is not None and any(cell.isAncestorOf(focused) for cell in gone)
+        if within and self._kind is not None:
+            self._kind.field.setFocus(Qt.FocusReason.OtherFocusReason)
+        self.rebuilt.emit()
+        for part in (widget for cell in gone for widget in (cell.label, cell)):
+            part.deleteLater()
+        for one in old:
+            one.deleteLater()
+
+    def _cell(self, name: str, spec: Spec) -> EditedCell:
+        cell = EditedCell(name, spec, self._new_editor)
+        # The clip itself has fields of these names, too.
+        cell.field.setObjectName(f"part_{name}_field")
+        return cell
+
+    def _at_rate(self, spec: Any) -> Any:
+        rate_hz = self._spec.rate_hz
+        return spec if rate_hz is None else spec.at_rate(rate_hz, self._spec.band_hz)
+
+    def _change(self, name: str, value: object, gesture: int | None) -> None:
+        self._last = name
+        try:
+            after = replace(self._recipe, **{name: value})
+        except InvalidInputError as error:
+            self._refuse(sentence(str(error)))
+            return
+        self._tell(after, gesture)
+
+    def _change_kind(self, _: str, name: str, gesture: int | None) -> None:
+        self._last = "kind"
+        kind = next(one for one in self._spec.kinds() if one.__name__ == name)
+        rate_hz = self._spec.rate_hz or facts_of("").sample_rate_hz
+        self._tell(as_kind(self._recipe, kind, rate_hz), gesture)
+
+    def _refuse(self, reason: str) -> None:
+        self.show_recipe(self._recipe)
+        self.show_reason(reason)
+
+    def _tell(self, after: Any, gesture: int | None) -> None:
+        if after != self._recipe:
+            self._recipe = after
+            self.edited.emit(after, gesture)
+
+
+# The name of a part in a list: opens it, is dragged, takes the keys.
+
+# The arrow and the edges.
+_BESIDE_PX = 30
+
+
+class RowTitle(QToolButton):
+    """Shows or hides the fields of a part; drags it to another place.
+
+    Parameters
+    ----------
+    words
+        What the part is called; what is too long ends with dots.
+    place
+        Where the keys are listed that it takes.
+    where
+        Where it is moved, for the tooltip: "in the chain".
+
+    Attributes
+    ----------
+    open
+        Whether the fields are shown.
+    """
+
+    #: Whether the fields shall be shown.
+    opened = Signal(bool)
+    #: What a key means, as the table of keys names it.
+    pressed_key = Signal(str)
+    #: Where the pointer is, on the screen, during a drag; where it let go.
+    dragged = Signal(int)
+    dropped = Signal(int)
+    #: The drag was given up.
+    given_up = Signal()
+
+    def __init__(self, words: str, place: str, where: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._words, self._place = "", place
+        self._start_y: int | None = None
+        self._dragging = False
+        self.open = False
+        self.setObjectName(f"{place}_title")
+        self.setStyleSheet("QToolButton { text-align: left; }")
+        self.setAutoRaise(True)
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        keys = f"{key_text(place, 'shift_up')}, {key_text(place, 'shift_down')}"
+        self._hint = f"Click: show or hide its settings. Drag, or {keys}: another place {where}"
+        self.set_words(words)
+        self.clicked.connect(lambda: self.set_open(not self.open))
+        self._point()
+
+    def set_words(self, words: str) -> None:
+        """Call the part otherwise."""
+        if words != self._words:
+            self._words = words
+            self.setAccessibleName(words)
+            self.setToolTip(tooltip(words, self._hint))
+            self._fit()
+
+    def set_open(self, open_: bool) -> None:
+        """Point down, to fields that are shown, or not."""
+        if open_ != self.open:
+            self.open = open_
+            self._point()
+            self.opened.emit(open_)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        name = meaning_of(self._place, event)
+        if self._dragging and event.key() == Qt.Key.Key_Escape:
+            self._let_go()
+            self.given_up.emit()
+        elif name:
+            self.pressed_key.emit(name)
+        else:
+            event.ignore()
+
+    def event(self, event: QEvent) -> bool:
+        return claims_shortcut(event, self._wants) or super().event(event)
+
+    def _wants(self, event: QKeyEvent) -> bool:
+        gives_up = self._dragging and event.key() == Qt.Key.Key_Escape
+        return gives_up or bool(meaning_of(self._place, event))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        super().mousePressEvent(event)
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._start_y = round(event.globalPosition().y())
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        super().mouseMoveEvent(event)
+        if self._start_y is None:
+            return
+        y = round(event.globalPosition().y())
+        if not self._dragging and abs(y - self._start_y) >= QApplication.startDragDistance():
+            self._dragging = True
+            # It is dragged, not clicked.
+            self.setDown(False)
+            self.setCursor(Qt.CursorShape.ClosedHandCursor)
+        if self._dragging:
+            self.dragged.emit(y)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if self._dragging and event.button() == Qt.MouseButton.LeftButton:
+            self._let_go()
+            self.dropped.emit(round(event.globalPosition().y()))
+            event.accept()
+            return
+        self._start_y = None
+        super().mouseReleaseEvent(event)
+
+    def _fit(self) -> None:
+        room = max(self.width() - _BESIDE_PX, 0)
+        text = self.fontMetrics().elidedText(self._words, Qt.TextElideMode.ElideRight, room)
+        self.setText(text)
+
+    def _let_go(self) -> None:
+        self._start_y, self._dragging = None, False
+        self.setDown(False)
+        self.unsetCursor()
+
+    def _point(self) -> None:
+        self.setArrowType(Qt.ArrowType.DownArrow if self.open else Qt.ArrowType.RightArrow)
+
+
+# One recipe of a list.
+
+PLACE = "parts"
+
+
+class PartRow(QWidget):
+    """Name of a part, buttons that move and remove it, and its fields while it is open.
+
+    The fields are made when they are shown first.
+
+    Attributes
+    ----------
+    part
+        What it shows.
+    title
+        The name; tells of drags and keys.
+    """
+
+    #: A key of the table: up or down.
+    stepped = Signal(str)
+    removed = Signal()
+    #: The part as it is changed; number of the gesture or None.
+    edited = Signal(object, object)
+    #: The Tab key has other stops.
+    restopped = Signal()
+
+    def __init__(self, spec: RecipeSpec, new_editor: NewEditor, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._spec, self._new_editor = spec, new_editor
+        self.part: Any = None
+        self._fields: PartFields | None = None
+        self.title = RowTitle("", PLACE, "in the list")
+        self._up = _step_button("↑", "Move up", "shift_up")
+        self._down = _step_button("↓", "Move down", "shift_down")
+        self._remove = remove_button()
+        self._grid = FieldGrid()
+        self._grid.hide()
+        head = QHBoxLayout()
+        head.setContentsMargins(0, 0, 0, 0)
+        head.setSpacing(0)
+        for part in (self.title, self._up, self._down, self._remove):
+            head.addWidget(part, 1 if part is self.title else 0)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(UNIT_PX // 4)
+        column.addLayout(head)
+        column.addWidget(self._grid)
+        # Whose fields they are.
+        self._grid.set_margins(UNIT_PX, 0, 0, UNIT_PX // 2)
+        self.title.opened.connect(self._open)
+        self._up.clicked.connect(lambda: self.stepped.emit("shift_up"))
+        self._down.clicked.connect(lambda: self.stepped.emit("shift_down"))
+        self._remove.clicked.connect(self.removed)
+
+    @property
+    def stops(self) -> tuple[QWidget, ...]:
+        """Where the Tab key stops, in order."""
+        cells = self._fields.cells if self._fields is not None else ()
+        return (self.title, self._up, self._down, self._remove, *(cell.field for cell in cells))
+
+    @property
+    def open(self) -> bool:
+        """Whether its fields are shown."""
+        return self.title.open
+
+    @property
+    def fields(self) -> PartFields | None:
+        """Its fields, once they were shown."""
+        return self._fields
+
+    def show_part(self, part: Any, index: int, count: int, fewest: int) -> None:
+        """Show another part, the ``index``-th of ``count``, of which ``fewest`` have to stay."""
+        self.part = part
+        self.title.set_words(f"{index + 1} · {part_words(part)}")
+        name = f"{self._spec.label.lower()} {index + 1}"
+        for button, can in ((self._up, index > 0), (self._down, index < count - 1)):
+            if button.hasFocus() and not can:
+                self.title.setFocus(Qt.FocusReason.OtherFocusReason)
+            button.setEnabled(can)
+        self._remove.setEnabled(count > fewest)
+        words = f"Remove {name} ({key_text(PLACE, 'remove')})"
+        self._remove.setToolTip(tooltip(words if count > fewest else stays_words(fewest)))
+        self._remove.setAccessibleName(f"Remove {name}")
+        if self._fields is not None:
+            self._fields.show_recipe(part)
+
+    def set_open(self, open_: bool) -> None:
+        """Show its fields, or hide them."""
+        self.title.set_open(open_)
+
+    def set_spec(self, spec: RecipeSpec) -> None:
+        """Take over the rate of another limb."""
+        self._spec = spec
+        if self._fields is not None:
+            self._fields.set_spec(spec)
+
+    def forget_typing(self) -> None:
+        """Close an open editor without committing."""
+        if self._fields is not None:
+            self._fields.forget_typing()
+
+    def _open(self, open_: bool) -> None:
+        if open_ and self._fields is None:
+            self._fields = PartFields(self._spec, self._new_editor, self)
+            self._fields.edited.connect(self.edited)
+            self._fields.rebuilt.connect(self._show_cells)
+            self._fields.show_recipe(self.part)
+        focused = self.focusWidget()
+        if not open_ and focused is not None and self._grid.isAncestorOf(focused):
+            self.title.setFocus(Qt.FocusReason.OtherFocusReason)
+        self._grid.setVisible(open_)
+
+    def _show_cells(self) -> None:
+        if self._fields is not None:
+            self._grid.show_cells(self._fields.cells)
+        self.restopped.emit()
+
+
+def stays_words(fewest: int) -> str:
+    """Why the last parts cannot be removed."""
+    return f"At least {fewest} {'has' if fewest == 1 else 'have'} to stay"
+
+
+def _step_button(letter: str, name: str, key: str) -> LetterButton:
+    button = LetterButton(letter, name)
+    button.setObjectName(f"{key}_button")
+    button.setToolTip(tooltip(f"{name} ({key_text(PLACE, key)})"))
+    return button
+
+
+# Rows that are put in another order by the mouse or by keys.
+
+_LINE_PX = 2
+
+
+class Row(Protocol):
+    """A widget in the column.
+
+    Attributes
+    ----------
+    title
+        Its name, by which it is dragged.
+    stops
+        Where the Tab key stops, in order.
+    """
+
+    title: RowTitle
+    stops: tuple[QWidget, ...]
+
+    def forget_typing(self) -> None:
+        """Close an open editor without committing."""
+
+
+class RowColumn(QWidget):
+    """Rows one below the other.
+
+    Parameters
+    ----------
+    head
+        Comes before the rows for the Tab key, and has the keyboard where none is left.
+    """
+
+    #: Place of a row, and the one that it is to be moved to.
+    moved = Signal(int, int)
+
+    def __init__(self, head: QWidget, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._head = head
+        self._rows: tuple[Any, ...] = ()
+        self._column = QVBoxLayout(self)
+        self._column.setContentsMargins(0, 0, 0, 0)
+        self._column.setSpacing(UNIT_PX // 4)
+        # Where a dragged row would go.
+        self._line = QFrame(self)
+        self._line.setBackgroundRole(QPalette.ColorRole.Highlight)
+        self._line.setAutoFillBackground(True)
+        self._line.hide()
+
+    @property
+    def rows(self) -> tuple[Any, ...]:
+        """The rows, in their order."""
+        return self._rows
+
+    def take_in(self, row: Any) -> None:
+        """Let a new row be dragged."""
+        row.title.dragged.connect(self._show_line)
+        row.title.dropped.connect(partial(self._drop, row))
+        row.title.given_up.connect(self._line.hide)
+
+    def show_rows(self, rows: tuple[Any, ...]) -> None:
+        """Show these rows; others are gone."""
+        if rows == self._rows:
+            return
+        gone = [row for row in self._rows if row not in rows]
+        was_focused = [k for k, row in enumerate(self._rows) if row in gone and _has_focus(row)]
+        for row in self._rows:
+            self._column.removeWidget(row)
+        for row in gone:
+            # What was being typed in it is for no other one.
+            row.forget_typing()
+            row.hide()
+            row.deleteLater()
+        self._rows = rows
+        for row in rows:
+            self._column.addWidget(row)
+            row.show()
+        self.order_stops()
+        if was_focused:
+            stops = [row.title for row in rows] or [self._head]
+            stops[min(was_focused[0], len(stops) - 1)].setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def order_stops(self) -> None:
+        """Let the Tab key go along the rows."""
+        before = self._head
+        for stop in (stop for row in self._rows for stop in row.stops):
+            self.setTabOrder(before, stop)
+            before = stop
+
+    def step(self, row: Any, name: str) -> None:
+        """Do what a key means to a row: move it, or go to another one."""
+        index, last = self._rows.index(row), len(self._rows) - 1
+        if name in ("shift_up", "shift_down"):
+            to = index + (1 if name == "shift_down" else -1)
+            if 0 <= to <= last:
+                self.moved.emit(index, to)
+            return
+        to = {"up": index - 1, "down": index + 1, "first": 0}.get(name, last)
+        self._rows[min(max(to, 0), last)].title.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def _gap(self, y: int) -> int:
+        """Before which row, or after the last one, something goes that is dropped at ``y``."""
+        middles = [row.mapToGlobal(QPoint(0, row.title.height() // 2)).y() for row in self._rows]
+        return sum(middle < y for middle in middles)
+
+    def _show_line(self, y: int) -> None:
+        gap = self._gap(y)
+        behind = gap == len(self._rows)
+        row = self._rows[gap - 1 if behind else gap]
+        at = row.y() + row.height() - _LINE_PX if behind else max(row.y() - _LINE_PX, 0)
+        self._line.setGeometry(0, at, self.width(), _LINE_PX)
+        self._line.raise_()
+        self._line.show()
+
+    def _drop(self, row: Any, y: int) -> None:
+        self._line.hide()
+        index, gap = self._rows.index(row), self._gap(y)
+        to = gap if gap <= index else gap - 1
+        if to != index:
+            self.moved.emit(index, to)
+
+
+def _has_focus(row: QWidget) -> bool:
+    focused = row.window().focusWidget()
+    return focused is not None and row.isAncestorOf(focused)
+
+
+# What edits a list of recipes: rows of them, and a button that adds one.
+
+
+class PartsEditor(QObject):
+    """Edits a tuple of recipes; a new one stands open.
+
+    Attributes
+    ----------
+    holder
+        Returns the recipe that holds the list, to which a new part is fitted; or None.
+    """
+
+    edited = Signal(object, object)
+    problem_changed = Signal(str)
+
+    def __init__(
+        self, spec: ListSpec, of: RecipeSpec, new_editor: NewEditor, parent: QWidget
+    ) -> None:
+        super().__init__(parent)
+        self._spec, self._of = spec, of
+        self._new_editor = new_editor
+        self._value: Parts = ()
+        self.holder: Callable[[], Any] = lambda: None
+        self.field = QWidget(parent)
+        self.field.setAccessibleName(spec.label)
+        self.label = QLabel(spec.label)
+        self.label.setToolTip(tooltip(spec.hint))
+        self._add = AddButton(spec, of)
+        self._add.chosen.connect(self._add_part)
+        self._column = RowColumn(self._add)
+        self._column.moved.connect(
+            lambda index, to: self._tell(moved_part(self._value, index, to), None)
+        )
+        head = QHBoxLayout()
+        head.setContentsMargins(0, 0, 0, 0)
+        head.addWidget(self.label, 1)
+        head.addWidget(self._add)
+        whole = QVBoxLayout(self.field)
+        whole.setContentsMargins(0, UNIT_PX // 4, 0, UNIT_PX // 4)
+        whole.setSpacing(UNIT_PX // 4)
+        whole.addLayout(head)
+        whole.addWidget(self._column)
+        self.field.setFocusProxy(self._add)
+
+    @property
+    def rows(self) -> tuple[PartRow, ...]:
+        """One for each part, in their order."""
+        return self._column.rows
+
+    def set_value(self, value: Parts) -> None:
+        """Show other parts, and tell nobody."""
+        self._value = value
+        self.problem_changed.emit("")
+        self._show()
+
+    def set_spec(self, spec: ListSpec) -> None:
+        """Take over the rate of another limb."""
+        self._spec = spec
+        if isinstance(spec.of, RecipeSpec):
+            self._of = spec.of
+        for row in self.rows:
+            row.set_spec(self._of)
+
+    def advice(self) -> str:
+        """Nothing needs a remark."""
+        return ""
+
+    def refuse(self, reason: str) -> None:
+        """It is said under the list."""
+
+    def cancel(self) -> None:
+        """Forget what is being entered."""
+        for row in self.rows:
+            row.forget_typing()
+
+    def _show(self) -> None:
+        count, found = len(self._value), _rows_of(self._value, self.rows, self._new_row)
+        for index, part in enumerate(self._value):
+            found[index].show_part(part, index, count, self._spec.fewest)
+        self._column.show_rows(found)
+        self._add.show_count(count)
+
+    def _new_row(self) -> PartRow:
+        row = PartRow(self._of, self._new_editor, self._column)
+        row.edited.connect(lambda part, gesture: self._change(row, part, gesture))
+        row.removed.connect(lambda: self._remove(row))
+        row.stepped.connect(lambda name: self._column.step(row, name))
+        row.restopped.connect(self._column.order_stops)
+        row.title.pressed_key.connect(lambda name: self._press(row, name))
+        self._column.take_in(row)
+        return row
+
+    def _add_part(self, name: str) -> None:
+        part = new_part(self._of, name, self.holder())
+        self._tell((*self._value, part), None)
+        # Unless it was refused.
+        if self.rows and self.rows[-1].part is self._value[-1] is part:
+            self.rows[-1].set_open(True)
+            self.rows[-1].title.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def _remove(self, row: PartRow) -> None:
+        if len(self._value) <= self._spec.fewest:
+            self.problem_changed.emit(
+                f"{self._spec.label}: {stays_words(self._spec.fewest).lower()}."
+            )
+            return
+        self._tell(without_part(self._value, self.rows.index(row)), None)
+
+    def _change(self, row: PartRow, part: Any, gesture: int | None) -> None:
+        self._tell(with_part(self._value, self.rows.index(row), part), gesture)
+
+    def _press(self, row: PartRow, name: str) -> None:
+        if name == "open":
+            row.set_open(not row.open)
+        elif name == "remove":
+            self._remove(row)
+        else:
+            self._column.step(row, name)
+
+    def _tell(self, parts: Parts, gesture: int | None) -> None:
+        if parts != self._value:
+            self.problem_changed.emit("")
+            self._value = parts
+            self._show()
+            self.edited.emit(parts, gesture)
+
+
+def _rows_of(
+    parts: Parts, rows: tuple[PartRow, ...], new_row: Callable[[], PartRow]
+) -> tuple[PartRow, ...]:
+    """A row goes on with its part, wherever that stands, or with what came to its place."""
+    left = list(rows)
+    found: dict[int, PartRow] = {}
+    for index, part in enumerate(parts):
+        own = next((row for row in left if row.part is part), None)
+        if own is not None:
+            found[index] = own
+            left.remove(own)
+    for index in range(len(parts)):
+        if index not in found:
+            here = [row for row in rows[index : index + 1] if row in left]
+            found[index] = here[0] if here else new_row()
+            left = [row for row in left if row not in here]
+    return tuple(found[index] for index in range(len(parts)))

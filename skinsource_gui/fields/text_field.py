@@ -1,0 +1,174 @@
+"""A text that means something, followed while it is typed."""
+
+from PySide6.QtCore import QEvent, QMimeData, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QFocusEvent,
+    QFont,
+    QFontDatabase,
+    QKeyEvent,
+    QKeySequence,
+    QPaintEvent,
+    QResizeEvent,
+)
+from PySide6.QtWidgets import QPlainTextEdit, QSizePolicy, QWidget
+
+from skinsource.base.errors import InvalidInputError
+from skinsource.signals.formula.reading import column_of
+from skinsource.specs.spec import TextSpec
+from skinsource_gui.fields.editor import Burst, TextMark
+from skinsource_gui.qt.tooltips import tooltip
+
+_MOST_LINES = 6
+_EDGE_PX = 5
+_UNDOING = (QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo)
+
+
+class LiveText(QPlainTextEdit):
+    """Edits a text of ``spec``, whose reader understands it.
+
+    Each text that can be read is told at once; quick ones share a gesture, until a pause, Enter,
+    or the focus goes.  One that cannot stays as it is typed, underlined where reading stopped, and
+    the last one that could stays the value; Esc brings that back.  A long line is wrapped.
+    """
+
+    #: The new text; number of the gesture that quick further ones share.
+    edited = Signal(str, object)
+    #: Why what is typed cannot be read, or "".
+    problem_changed = Signal(str)
+
+    def __init__(self, spec: TextSpec, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._spec = spec
+        self._value, self._told = "", ""
+        self._burst, self._mark = Burst(self), TextMark(self)
+        self.problem = ""
+        self.setAccessibleName(spec.label)
+        self.setToolTip(tooltip(spec.label, spec.hint))
+        self.setTabChangesFocus(True)
+        # The document undoes, each text that could be read.
+        self.setUndoRedoEnabled(False)
+        self.setAcceptDrops(False)  # files are dropped on the window
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setMinimumWidth(72)
+        family = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont).family()
+        font = QFont(self.font())
+        font.setFamily(family)
+        self.setFont(font)
+        self.document().setDocumentMargin(_EDGE_PX)
+        self.textChanged.connect(self._read)
+        # Lines are laid out after the text changed.
+        self.document().documentLayout().documentSizeChanged.connect(lambda _: self._fit())
+
+    def text(self) -> str:
+        """What stands there."""
+        return self.toPlainText()
+
+    def set_value(self, value: str) -> None:
+        """Show another value, and tell nobody.  What is typed stays as long as it is the same."""
+        before, self._value = self._value, value
+        if value == self.text():
+            self._mark.put(None)
+            self._say("")
+        elif value != before:
+            self._restore()
+
+    def refuse(self, reason: str) -> None:
+        """Mark the place that a reason names, and say it as long as what is typed stays."""
+        if self.text() != self._value:
+            self._mark.put(column_of(reason))
+            self._say(reason)
+
+    def cancel(self) -> None:
+        """Bring the value back."""
+        if self.text() != self._value:
+            self._restore()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._mark.put(self._mark.column)
+
+    def sizeHint(self) -> QSize:
+        lines = min(max(self._lines(), 1), _MOST_LINES)
+        height = lines * self.fontMetrics().lineSpacing() + 2 * _EDGE_PX + 2
+        return QSize(160, height)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(72, self.sizeHint().height())
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
+            if any(event.matches(key) for key in _UNDOING):
+                event.ignore()
+                return False
+            if event.key() == Qt.Key.Key_Escape and self.text() != self._value:
+                event.accept()
+                return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self._burst.end()
+        elif event.key() == Qt.Key.Key_Escape:
+            event.setAccepted(self.text() != self._value)
+            self.cancel()
+        else:
+            super().keyPressEvent(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self._burst.end()
+
+    def insertFromMimeData(self, source: QMimeData) -> None:
+        # One line, whatever is pasted.
+        self.insertPlainText(" ".join(source.text().split()))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        self._mark.paint_frame()
+
+    def _read(self) -> None:
+        self._fit()
+        text = self.text()
+        if text == self._told:
+            return  # a mark changes no text
+        self._told = text
+        problem, column = "", None
+        try:
+            self._spec.checked(text)
+        except InvalidInputError as error:
+            problem, column = str(error), getattr(error, "column", None)
+        self._mark.put(column)
+        self._say(problem)
+        if not problem and text != self._value:
+            self.edited.emit(text, self._burst.gesture())
+
+    def _restore(self) -> None:
+        self._burst.end()
+        self._told = self._value
+        self.setPlainText(self._value)
+        self._mark.put(None)
+        self._say("")
+
+    def _say(self, problem: str) -> None:
+        if problem != self.problem:
+            self.problem = problem
+            self.problem_changed.emit(problem)
+
+    def _lines(self) -> int:
+        return int(self.document().documentLayout().documentSize().height())
+
+    def _fit(self) -> None:
+        wanted = self.sizeHint().height()
+        if wanted != self.height():
+            self.setFixedHeight(wanted)
+        more = self._lines() > _MOST_LINES
+        policy = Qt.ScrollBarPolicy
+        self.setVerticalScrollBarPolicy(
+            policy.ScrollBarAsNeeded if more else policy.ScrollBarAlwaysOff
+        )

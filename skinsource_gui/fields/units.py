@@ -1,0 +1,474 @@
+"""Levels and outputs in words."""
+
+import math
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from itertools import pairwise
+
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.quoting import sentence
+from skinsource.design.amplitudes import ARBITRARY_UNIT
+from skinsource.design.labels import span_words
+from skinsource.limbs.locations import output_words
+from skinsource.specs.numbers import ListSpec, NumberSpec, PointsSpec
+
+
+def minus(text: str) -> str:
+    """``text`` with real minus signs."""
+    return text.replace("-", "−")
+
+
+def level_text(level_db: float, span: str) -> str:
+    """A level in dB and as an acceleration, and what it is the RMS over."""
+    if level_db <= FLOOR_DB:
+        return "silent"
+    acceleration = 10.0 ** (level_db / 20.0)
+    if acceleration >= 0.1:
+        amount = f"{acceleration:.3g} m/s²"
+    elif acceleration >= 1e-4:
+        amount = f"{acceleration * 1e3:.3g} mm/s²"
+    else:
+        amount = f"{acceleration:.2e} m/s²"
+    return minus(f"{level_db:z.1f} dB re 1 m/s²  ({amount} RMS, {span_words(span)})")
+
+
+def output_text(number: int, limb: str = "") -> str:
+    """Number and place of an output."""
+    place = output_words(number, limb)
+    if place.name == f"Output {number}":
+        return place.name
+    name = place.name if place.kind or limb else place.short_name
+    return f"Output {number}, {name}"
+
+
+# Numbers as a user reads and types them: milliseconds, degrees, hertz.
+
+#: Significant digits of a number that is shown, and of one that is being edited.
+SHOWN_DIGITS = 6
+EDITED_DIGITS = 12
+
+#: From this length on times are said in seconds.
+LONG_S = 1.0
+
+# A number, and its unit if any: what goes on with a digit or a sign is neither.
+_NUMBER = re.compile(
+    r"([+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(|[^\s\d.,:;'’_+*/^-].*)", re.DOTALL
+)
+# A bound that was shown in a rounded form can be typed.
+_BOUND_TOLERANCE = 1e-12
+# No number of ours has an exponent beyond; to write one out as a fraction takes for ever.
+_LARGEST_EXPONENT = 400
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DisplayUnit:
+    """How values of one SI unit are shown.
+
+    Attributes
+    ----------
+    symbol
+        What stands behind the number.
+    si
+        One of what is shown, in SI units; rational, so that nothing is lost twice.
+    spellings
+        Other units that can be typed, and one of each in SI units.
+    """
+
+    symbol: str
+    si: Fraction = Fraction(1)
+    spellings: tuple[tuple[str, Fraction], ...] = ()
+
+    def shown(self, value_si: float) -> float:
+        """Number to show for a value."""
+        return float(Fraction(value_si) / self.si)
+
+    def value_si(self, shown: str | float | Fraction) -> float:
+        """Value of a number that is shown."""
+        return float(Fraction(shown) * self.si)
+
+
+_MILLI = Fraction(1, 1000)
+_DEGREE = Fraction(math.pi) / 180
+_DISPLAY_UNITS = {
+    "s": DisplayUnit(
+        symbol="ms",
+        si=_MILLI,
+        spellings=(
+            ("s", Fraction(1)),
+            ("sec", Fraction(1)),
+            ("µs", _MILLI**2),
+            ("us", _MILLI**2),
+            ("min", Fraction(60)),
+        ),
+    ),
+    "rad": DisplayUnit(
+        symbol="°",
+        si=_DEGREE,
+        spellings=(
+            ("deg", _DEGREE),
+            ("rad", Fraction(1)),
+            ("pi", Fraction(math.pi)),
+            ("π", Fraction(math.pi)),
+        ),
+    ),
+    "m": DisplayUnit(
+        symbol="mm",
+        si=_MILLI,
+        spellings=(("cm", 10 * _MILLI), ("m", Fraction(1)), ("µm", _MILLI**2), ("um", _MILLI**2)),
+    ),
+    "Hz": DisplayUnit(symbol="Hz", spellings=(("kHz", 1 / _MILLI),)),
+    "m/s²": DisplayUnit(
+        symbol="m/s²",
+        spellings=(
+            ("m/s^2", Fraction(1)),
+            ("m/s2", Fraction(1)),
+            ("mm/s²", _MILLI),
+            ("mm/s^2", _MILLI),
+            ("mm/s2", _MILLI),
+        ),
+    ),
+    "H": DisplayUnit(
+        symbol="mH", si=_MILLI, spellings=(("H", Fraction(1)), ("µH", _MILLI**2), ("uH", _MILLI**2))
+    ),
+    "F": DisplayUnit(
+        symbol="nF",
+        si=_MILLI**3,
+        spellings=(("F", Fraction(1)), ("µF", _MILLI**2), ("uF", _MILLI**2), ("pF", _MILLI**4)),
+    ),
+    "kg": DisplayUnit(symbol="g", si=_MILLI, spellings=(("kg", Fraction(1)), ("mg", _MILLI**2))),
+    "A": DisplayUnit(symbol="mA", si=_MILLI, spellings=(("A", Fraction(1)),)),
+    "W": DisplayUnit(symbol="mW", si=_MILLI, spellings=(("W", Fraction(1)),)),
+    ARBITRARY_UNIT: DisplayUnit(
+        symbol=ARBITRARY_UNIT, spellings=(("au", Fraction(1)), ("a.u", Fraction(1)))
+    ),
+    "×": DisplayUnit(symbol="×", spellings=(("x", Fraction(1)),)),
+}
+
+
+# Long times read better in whole seconds.
+_LONG_TIMES = DisplayUnit(
+    symbol="s",
+    spellings=(("ms", _MILLI), *(pair for pair in _DISPLAY_UNITS["s"].spellings if pair[0] != "s")),
+)
+
+
+def display_unit(unit: str, value_si: float = 0.0) -> DisplayUnit:
+    """How a value of the SI unit ``unit`` is shown; one of an unknown unit is shown as it is.
+
+    Times are shown in milliseconds, and from one second on in seconds.
+    """
+    if unit == "s" and abs(value_si) >= LONG_S:
+        return _LONG_TIMES
+    return _DISPLAY_UNITS.get(unit) or DisplayUnit(symbol=unit)
+
+
+@lru_cache(maxsize=512)
+def number_text(value_si: float, unit: str, digits: int = SHOWN_DIGITS) -> str:
+    """Number to show for a value, without its unit, to ``digits`` significant digits.
+
+    Digits left of the point are never rounded away.
+    """
+    shown = display_unit(unit, value_si).shown(value_si)
+    if shown == 0:
+        return "0"
+    magnitude = math.floor(math.log10(abs(shown)))
+    if magnitude < -4:
+        return f"{shown:.{digits}g}"
+    text = f"{shown:.{max(0, digits - 1 - magnitude)}f}"
+    if "." in text:
+        text = text.rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text
+
+
+def with_unit(number: str, unit: DisplayUnit) -> str:
+    """``number`` followed by the symbol of its unit, with the space that belongs there."""
+    symbol = unit.symbol
+    return f"{number}{symbol}" if symbol in ("", "°") else f"{number} {symbol}"
+
+
+def axis_unit(until_s: float) -> tuple[str, float]:
+    """Unit of a time axis that ends there, and how many of them are a second."""
+    return ("s", 1.0) if until_s >= LONG_S * (1 - 1e-9) else ("ms", 1e3)
+
+
+def value_text(value_si: float, unit: str, digits: int = SHOWN_DIGITS) -> str:
+    """Number and unit to show for a value: ``"200 ms"``."""
+    return with_unit(number_text(value_si, unit, digits), display_unit(unit, value_si))
+
+
+def range_text(spec: NumberSpec) -> str:
+    """What a number may be, in words: ``"1 to 649 Hz"``."""
+    kind = "whole number" if spec.whole else "number"
+    low, high = math.isfinite(spec.minimum), math.isfinite(spec.maximum)
+    if low and high:
+        units = [display_unit(spec.unit, end).symbol for end in (spec.minimum, spec.maximum)]
+        said_once = units[0] == units[1] or spec.minimum == 0
+        lowest = (number_text if said_once else value_text)(spec.minimum, spec.unit)
+        return minus(f"{lowest} to {value_text(spec.maximum, spec.unit)}")
+    if low:
+        return minus(f"{value_text(spec.minimum, spec.unit)} or more")
+    if high:
+        return minus(f"{value_text(spec.maximum, spec.unit)} or less")
+    return f"any {kind}"
+
+
+def parse_number(text: str, spec: NumberSpec, beside_si: float = 0.0) -> float:
+    """Value in SI units of what a user typed: ``"250"``, ``"0,2 s"``, ``"200 ms"``.
+
+    A number alone is in the unit in which ``beside_si`` is shown, the value that it replaces.
+
+    Raises
+    ------
+    InvalidInputError
+        It is not a number, has a unit of something else, or is not allowed by ``spec``; the
+        message names what is.
+    """
+    unit = display_unit(spec.unit, beside_si)
+    allowed = sentence(f"Allowed: {'whole numbers ' if spec.whole else ''}{range_text(spec)}")
+    typed = text.strip().replace("−", "-")
+    if not typed:
+        raise InvalidInputError(f"{spec.label}: nothing typed. {allowed}")
+    match = _NUMBER.fullmatch(typed)
+    if match is None:
+        raise InvalidInputError(f"{spec.label}: “{typed}” is not a number. {allowed}")
+    factor = _factor(match[2], unit)
+    if factor is None:
+        known = ", ".join(name for name in (unit.symbol, *dict(unit.spellings)) if name)
+        instead = sentence(f"Units: {known}") if known else "Type the number alone."
+        raise InvalidInputError(f"{spec.label}: “{match[2]}” is not one of its units. {instead}")
+    try:
+        value = _at_bound(_read(match[1].replace(",", "."), factor), spec)
+    except (OverflowError, ValueError):  # beyond all floats; more digits than Python reads
+        raise InvalidInputError(f"{spec.label}: the number is too long. {allowed}") from None
+    if math.isinf(value) or not spec.minimum <= value <= spec.maximum:
+        side = "low" if value < spec.minimum else "high"
+        found = minus(with_unit(match[1], unit) if not match[2] else typed)
+        raise InvalidInputError(f"{spec.label}: {found} is too {side}. {allowed}")
+    if spec.whole and value != int(value):
+        raise InvalidInputError(f"{spec.label}: {typed} is not a whole number. {allowed}")
+    return value
+
+
+def _factor(name: str, unit: DisplayUnit) -> Fraction | None:
+    spellings = {"": unit.si, unit.symbol.casefold(): unit.si}
+    spellings |= {spelling.casefold(): si for spelling, si in unit.spellings}
+    return spellings.get(name.strip().casefold())
+
+
+def _read(number: str, factor: Fraction) -> float:
+    digits, _, exponent = number.lower().partition("e")
+    if abs(int(exponent or 0)) <= _LARGEST_EXPONENT:
+        return float(Fraction(number) * factor)
+    mantissa = float(digits)
+    return math.copysign(math.inf, mantissa) if mantissa and "-" not in exponent else 0.0
+
+
+def _at_bound(value: float, spec: NumberSpec) -> float:
+    for bound in (spec.minimum, spec.maximum):
+        if math.isfinite(bound) and math.isclose(value, bound, rel_tol=_BOUND_TOLERANCE):
+            return bound
+    return value
+
+
+# Round numbers, one step apart.
+
+#: Sizes of a step, in plain steps.
+FINE, PLAIN, COARSE = Fraction(1, 10), Fraction(1), Fraction(10)
+
+# What is this near to a round number, in steps, is that number.
+_TOLERANCE = 1e-9
+
+
+def clamped(value_si: float, spec: NumberSpec) -> float:
+    """The allowed value nearest to ``value_si``."""
+    return float(min(max(value_si, spec.minimum), spec.maximum))
+
+
+def stepped(value_si: float, direction: int, spec: NumberSpec, size: Fraction = PLAIN) -> float:
+    """The next round number above or below, within the allowed range.
+
+    Round are the multiples of 1, 2 or 5 times a power of ten, as shown in the display unit:
+    with ``spec.logarithmic`` of the one nearest to ``spec.step`` times the value, else of the one
+    nearest to ``spec.step``.  From 150 Hz steps of about 2 % go to 152, 154, …, 160, 165, 170.
+
+    Parameters
+    ----------
+    value_si
+        Where to start.
+    direction
+        1: up, -1: down.
+    spec
+        What is allowed.
+    size
+        `FINE`, `PLAIN` or `COARSE`: a tenth of a step, a step, ten steps.
+    """
+    unit = display_unit(spec.unit)
+    step = _step_shown(value_si, spec, unit) * size
+    if spec.whole:
+        step = max(step, Fraction(1))
+    position = Fraction(value_si) / unit.si / step
+    nearest = round(position)
+    if abs(position - nearest) < _TOLERANCE * max(1, abs(nearest)):
+        target = nearest + direction
+    else:
+        target = math.ceil(position) if direction > 0 else math.floor(position)
+    return clamped(unit.value_si(target * step), spec)
+
+
+class Ladder:
+    """Values to either side of an anchor, each one step from the next.
+
+    The anchor itself need not be round, and is what the way back leads to.
+
+    Parameters
+    ----------
+    anchor_si
+        Value at position 0.
+    spec, size
+        See `stepped`.
+    """
+
+    def __init__(self, anchor_si: float, spec: NumberSpec, size: Fraction) -> None:
+        self.size = size
+        self._spec = spec
+        self._values = {1: [anchor_si], -1: [anchor_si]}
+
+    def value_si(self, position: int) -> float:
+        """Value that many steps above (or, negative, below) the anchor."""
+        direction = 1 if position >= 0 else -1
+        values = self._values[direction]
+        while len(values) <= abs(position):
+            values.append(stepped(values[-1], direction, self._spec, self.size))
+        return values[abs(position)]
+
+
+def _step_shown(value_si: float, spec: NumberSpec, unit: DisplayUnit) -> Fraction:
+    """The plain step at a value, as it is shown: 1, 2 or 5 times a power of ten."""
+    size_si = spec.step * value_si if spec.logarithmic and value_si > 0 else spec.step
+    wanted = unit.shown(size_si)
+    decade = Fraction(10) ** math.floor(math.log10(wanted))
+    return min(
+        (factor * decade for factor in (1, 2, 5, 10)),
+        key=lambda step: abs(math.log(wanted / step)),
+    )
+
+
+# Lists of numbers, and points of several, as a user reads and types them.
+
+_DIGITS = 12
+# Times of points are shown to so many digits behind the point, milliseconds.
+_TIME_DECIMALS = 2
+
+
+def number_of(spec: ListSpec) -> NumberSpec:
+    """What each number of a list of numbers may be."""
+    if not isinstance(spec.of, NumberSpec):
+        raise TypeError(f"{spec.label}: a list of {type(spec.of).__name__}, expected of numbers")
+    return spec.of
+
+
+def numbers_text(values: tuple[float, ...], spec: ListSpec) -> str:
+    """Numbers in their display unit, between commas: ``"50, 84.1"``."""
+    return ", ".join(_shown(value, number_of(spec)) for value in values)
+
+
+def read_numbers(text: str, spec: ListSpec) -> tuple[float, ...]:
+    """Numbers between commas, semicolons or spaces; where there are semicolons, commas are points.
+
+    Raises
+    ------
+    InvalidInputError
+        One of them is no number that is allowed, or there are too few or too many.
+    """
+    values = tuple(parse_number(one, number_of(spec)) for one in _parts(text))
+    if not spec.fewest <= len(values) <= spec.most:
+        raise InvalidInputError(
+            f"{spec.label}: {len(values)} typed. Allowed: {spec.fewest} to {spec.most} numbers, "
+            "between commas."
+        )
+    return values
+
+
+def points_text(points: tuple[tuple[float, ...], ...], spec: PointsSpec) -> str:
+    """Points in their display units, between semicolons: ``"0 60 0; 100 60 1"``.
+
+    Times are rounded to 0.01 ms, unless two of them would be the same then; `as_known` takes that
+    back.
+    """
+    if spec.columns[0].unit == "s":
+        times_s = [point[0] for point in points]
+        rounded = [_rounded(one) for one in times_s]
+        if len(set(rounded)) == len(set(times_s)):
+            points = tuple((time, *point[1:]) for time, point in zip(rounded, points, strict=True))
+    return "; ".join(
+        " ".join(_shown(value, one) for value, one in zip(point, spec.columns, strict=True))
+        for point in points
+    )
+
+
+def read_points(text: str, spec: PointsSpec) -> tuple[tuple[float, ...], ...]:
+    """Points between semicolons, their numbers between spaces or commas.
+
+    Raises
+    ------
+    InvalidInputError
+        One of the numbers is not allowed, a point has too few or too many, there are too few or
+        too many points, or they go back.
+    """
+    names = ", ".join(column_words(one) for one in spec.columns)
+    points = []
+    for row in filter(str.strip, text.split(";")):
+        parts = list(filter(None, re.split(r"[,\s]+", row.strip())))
+        if len(parts) != len(spec.columns):
+            raise InvalidInputError(
+                f"{spec.label}: “{row.strip()}” has {len(parts)} numbers. Each point has "
+                f"{len(spec.columns)}: {names}."
+            )
+        points.append(tuple(map(parse_number, parts, spec.columns)))
+    if not spec.fewest <= len(points) <= spec.most:
+        raise InvalidInputError(
+            f"{spec.label}: {len(points)} typed. Allowed: {spec.fewest} to {spec.most} points, "
+            "between semicolons."
+        )
+    for before, after in pairwise(points):
+        if after[0] < before[0]:
+            first = spec.columns[0]
+            raise InvalidInputError(
+                f"{spec.label}: {_shown(after[0], first)} comes after {_shown(before[0], first)}. "
+                f"Put the points in the order of their {first.label.lower()}."
+            )
+    return tuple(points)
+
+
+def as_known(
+    points: tuple[tuple[float, ...], ...], known: tuple[tuple[float, ...], ...]
+) -> tuple[tuple[float, ...], ...]:
+    """Points that were typed, with the exact times of those that were shown rounded."""
+    exact = {_rounded(point[0]): point[0] for point in known}
+    return tuple((exact.get(point[0], point[0]), *point[1:]) for point in points)
+
+
+def column_words(spec: NumberSpec) -> str:
+    """What a number of a point is, and its unit: ``"time in ms"``."""
+    symbol = display_unit(spec.unit).symbol
+    return f"{spec.label.lower()} in {symbol}" if symbol else spec.label.lower()
+
+
+def _parts(text: str) -> list[str]:
+    for separator in (";", ","):
+        if separator in text:
+            return [part for part in text.split(separator) if part.strip()]
+    return text.split()
+
+
+def _rounded(time_s: float) -> float:
+    # As it is read back from the text.
+    return float(f"{round(1e3 * time_s, _TIME_DECIMALS):.{_DIGITS}g}e-3")
+
+
+def _shown(value_si: float, spec: NumberSpec) -> str:
+    # In one unit throughout: in a list a number alone has to mean the same everywhere.
+    return minus(f"{display_unit(spec.unit).shown(value_si):.{_DIGITS}g}")

@@ -1,1 +1,0 @@
-"""File > Own limbs: what a lab measured itself, imported, listed, mirrored, removed."""

@@ -1,0 +1,12 @@
+from .accuracy import AccuracyPage as AccuracyPage
+from .checking import CheckingPage as CheckingPage
+from .dataset import DatasetPage as DatasetPage
+from .importing.page import ImportPage as ImportPage
+from .library import SavePage as SavePage
+from .library import fragments_to_save as fragments_to_save
+from .limbs.page import LimbPage as LimbPage
+from .matching import MatchingPage as MatchingPage
+from .motion import MotionPage as MotionPage
+from .rig.page import RigPage as RigPage
+from .scenes import ScenesPage as ScenesPage
+from .stimulus.page import StimulusPage as StimulusPage

@@ -1,0 +1,335 @@
+"""The plot of error against run time: all rows, with names beside those of one case."""
+
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt, SignalInstance
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QShowEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QFileDialog,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QSplitter,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.files import write_bytes
+from skinsource.base.job import Job, Progress, Stop, left_in_words
+from skinsource.base.quoting import sentence
+from skinsource.limbs.catalogue import load_limb
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.studies.accuracy.cases import cases_of
+from skinsource.studies.accuracy.measuring import (
+    COLUMNS,
+    MEANING,
+    QUICK_REPEATS,
+    Row,
+    cells_of,
+    measure,
+    table_csv,
+)
+from skinsource_gui.fields.choice_field import DropDown
+from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
+from skinsource_gui.qt.buttons import page_button
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.job_runner import JobProgress, JobRunner, PageJob
+from skinsource_gui.state.preferences import Preferences
+
+_NOTHING = "Nothing is measured yet"
+_LEAST_POWER, _MOST_POWER = -17.0, 1.0
+_RADIUS_PX, _OTHER_RADIUS_PX, _REACH_PX = 5.0, 2.5, 12.0
+#: Names rise, so that those of neighbours do not lie on each other.
+_SLOPE_DEGREES = -55.0
+
+
+class AccuracyPlot(Figure):
+    """A point for each row; the lower left is better."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__("accuracy_plot", "Error against run time", parent)
+        self._rows: Sequence[Row] = ()
+        self._case = ""
+        self._axes: Axes | None = None
+        self.say(_NOTHING)
+
+    def show_rows(self, rows: Sequence[Row]) -> None:
+        """Take over all rows."""
+        self._rows = rows
+        self.say("" if rows else _NOTHING)
+
+    def show_case(self, case: str) -> None:
+        """Write names beside the rows of this case."""
+        self._case = case
+        self.update()
+
+    def draw(self, painter: QPainter, room: QRectF) -> None:
+        metrics = QFontMetricsF(painter.font())
+        times_ms = [1e3 * row.time_s for row in self._rows]
+        x = Axis(
+            shown=(0.5 * min(times_ms), 20.0 * max(times_ms)), title="Fastest run (ms)", log=True
+        )
+        y = Axis(shown=(_LEAST_POWER, _MOST_POWER), title="Error (power of ten)")
+        self._axes = fitted_axes(room, x, y, metrics)
+        self._axes.paint(painter, current_theme())
+        points = list(zip(self._rows, self._points(self._axes), strict=True))
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(current_theme().dim))
+        for _, point in points:
+            painter.drawEllipse(point, _OTHER_RADIUS_PX, _OTHER_RADIUS_PX)
+        for row, point in points:
+            if row.case == self._case:
+                self._paint_named(painter, row.way, point)
+
+    def read(self, at: QPointF) -> str:
+        points = [] if self._axes is None else self._points(self._axes)
+        away = [(point - at).manhattanLength() for point in points]
+        if not away or min(away) > _REACH_PX:
+            return ""
+        row = self._rows[int(np.argmin(away))]
+        case, way, error, time_ms = cells_of(row)
+        return f"{case}, {way}: error {error} in {time_ms} ms"
+
+    def keys_area(self) -> QRectF:
+        return QRectF() if self._axes is None or self.message else self._axes.frame
+
+    def _points(self, axes: Axes) -> list[QPointF]:
+        errors = np.array([row.error for row in self._rows])
+        powers = np.log10(np.clip(errors, 10.0**_LEAST_POWER, 10.0**_MOST_POWER))
+        times_ms = np.array([1e3 * row.time_s for row in self._rows])
+        return [QPointF(*place) for place in axes.to_screen(times_ms, powers)]
+
+    def _paint_named(self, painter: QPainter, name: str, point: QPointF) -> None:
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(current_theme().accent))
+        painter.drawEllipse(point, _RADIUS_PX, _RADIUS_PX)
+        painter.setPen(QColor(current_theme().text))
+        painter.save()
+        painter.translate(point)
+        painter.rotate(_SLOPE_DEGREES)
+        painter.drawText(QPointF(2.0 * _RADIUS_PX, _RADIUS_PX), name)
+        painter.restore()
+
+
+# Help > Accuracy and speed: error against run time of this program and of others.
+
+_TITLE = "Measuring accuracy and speed"
+_BEGIN = "Measuring takes about half a minute; other work would spoil the times."
+_SIZE_PX = (1180, 640)
+
+
+def measured(limb: str, digest: str, *, progress: Progress, stop: Stop) -> tuple[Row, ...]:
+    """The rows of a short run on a limb; on synthetic responses where none is named."""
+    on = load_limb(limb, digest) if limb else None
+    cases = cases_of(on, quick=True, progress=progress, stop=stop)
+    return tuple(measure(cases, repeats=QUICK_REPEATS, progress=progress, stop=stop))
+
+
+class Status(Protocol):
+    """What tells how fast and how exact the studio is now."""
+
+    changed: SignalInstance
+
+    def times_and_error(self) -> str:
+        """Times of the latest edits, and the error of the traces, as a sentence or two."""
+        ...
+
+
+class AccuracyPage(QDialog):
+    """Stands beside the window; closing it gives up what is being measured.
+
+    Parameters
+    ----------
+    runner
+        Measures.
+    status
+        Knows the times of the latest edits, and the error of the traces.
+    preferences
+        Know where files were last written.
+    document
+        Has the design, on whose limb can be measured.
+    """
+
+    def __init__(
+        self,
+        runner: JobRunner,
+        status: Status,
+        preferences: Preferences,
+        document: Document,
+        parent: QWidget,
+    ) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("Accuracy and speed")
+        self.setObjectName("accuracy_page")
+        self.resize(*_SIZE_PX)
+        self._status = status
+        self._preferences, self._document = preferences, document
+        self.run = PageJob(runner, self)
+        self.rows: tuple[Row, ...] = ()
+        self.table, self.plot = _table(), AccuracyPlot()
+        self.words, self.now = QLabel(_BEGIN), QLabel()
+        self._limb = DropDown()
+        self._limb.setObjectName("accuracy_limb")
+        self._limb.setAccessibleName("Limb to be measured on")
+        self._limb.setMinimumContentsLength(19)
+        self._limb.addItems(["Synthetic responses", ""])
+        self._measure = page_button("measure", "Measure now", "Run skinsource bench --quick")
+        self._save = page_button("save_table", "Save table…", "Save the table as CSV")
+        self._close = page_button("close_page", "Close", "Close this page (Esc)")
+        self._lay_out()
+        self._connect()
+        self._name_limb()
+        self._show_rows(())
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._refresh()
+
+    def save(self, path: Path) -> None:
+        """Write the table."""
+        try:
+            write_bytes(path, table_csv(self.rows).encode())
+        except SkinSourceError as error:
+            self._say(sentence(str(error)))
+            return
+        self._preferences.folder = path.parent
+        self._say(f"Saved {path.name}.")
+
+    def _lay_out(self) -> None:
+        meaning = QLabel(MEANING)
+        for label in (meaning, self.now, self.words):
+            label.setWordWrap(True)
+        split = QSplitter()
+        split.addWidget(self.table)
+        split.addWidget(self.plot)
+        split.setSizes([_SIZE_PX[0] // 2, _SIZE_PX[0] // 2])
+        limb = QLabel("Limb")
+        limb.setBuddy(self._limb)
+        below = QHBoxLayout()
+        below.addWidget(self.words, 1)
+        for widget in (limb, self._limb, self._measure, self._save, self._close):
+            below.addWidget(widget)
+        column = QVBoxLayout(self)
+        column.addWidget(meaning)
+        column.addWidget(self.now)
+        column.addWidget(split, 1)
+        column.addLayout(below)
+
+    def _connect(self) -> None:
+        self._status.changed.connect(self._refresh)
+        self._document.changed.connect(self._name_limb)
+        self._measure.clicked.connect(self._start_or_cancel)
+        self._save.clicked.connect(self._ask_and_save)
+        self._close.clicked.connect(self.close)
+        self.table.currentCellChanged.connect(self._choose)
+        self.plot.reading.connect(self._read)
+        self.run.progressed.connect(self._follow)
+        self.run.done.connect(self._take)
+        self.run.ended.connect(self._end)
+        self.finished.connect(self._give_up)
+
+    def _refresh(self) -> None:
+        if self.isVisible():
+            self.now.setText(self._status.times_and_error())
+
+    def _name_limb(self) -> None:
+        self._limb.setItemText(1, facts_of(self._document.design.limb).title)
+
+    def _start_or_cancel(self) -> None:
+        if self.run.runs:
+            self._give_up()
+            return
+        design, chosen = self._document.design, bool(self._limb.currentIndex())
+        limb = (design.limb, design.limb_digest) if chosen else ("", "")
+        self._show_rows(())
+        self._say("Waiting until other work is done…")
+        self.run.start(Job(_TITLE, partial(measured, *limb)))
+        self._show_running()
+
+    def _give_up(self) -> None:
+        if self.run.runs:
+            self.run.give_up()
+            self._end("Cancelled. Nothing was kept.")
+
+    def _follow(self, step: JobProgress) -> None:
+        left = left_in_words(step.seconds_left)
+        self._say(f"{step.done} of {step.total}: {step.text}{f', {left}' if left else ''}")
+
+    def _take(self, rows: tuple[Row, ...]) -> None:
+        self._show_rows(rows)
+        self._end("Choose a row: its case is named in the plot.")
+        self.table.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def _end(self, text: str) -> None:
+        self._say(sentence(text))
+        self._show_running()
+
+    def _show_running(self) -> None:
+        self._measure.setText("Cancel" if self.run.runs else "Measure now")
+        self._limb.setEnabled(not self.run.runs)
+
+    def _show_rows(self, rows: tuple[Row, ...]) -> None:
+        self.rows = rows
+        self._save.setEnabled(bool(rows))
+        self.plot.show_rows(rows)
+        _fill(self.table, rows)
+
+    def _choose(self, line: int, *_: int) -> None:
+        if 0 <= line < len(self.rows):
+            self.plot.show_case(self.rows[line].case)
+
+    def _ask_and_save(self) -> None:
+        start = str(self._preferences.folder / "accuracy.csv")
+        name, _ = QFileDialog.getSaveFileName(self, "Save the table", start, "CSV (*.csv)")
+        if name:
+            self.save(Path(name))
+
+    def _read(self, text: str) -> None:
+        if text:
+            self._say(text)
+
+    def _say(self, text: str) -> None:
+        self.words.setText(text)
+
+
+def _table() -> QTableWidget:
+    table = QTableWidget(0, len(COLUMNS))
+    table.setObjectName("accuracy_table")
+    table.setAccessibleName("Errors and run times")
+    table.setHorizontalHeaderLabels(COLUMNS)
+    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+    table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+    table.setTabKeyNavigation(False)
+    table.setShowGrid(False)
+    table.setFont(tabular(table.font()))
+    table.verticalHeader().hide()
+    table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + UNIT_PX)
+    header = table.horizontalHeader()
+    header.setHighlightSections(False)
+    header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+    header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
+    return table
+
+
+def _fill(table: QTableWidget, rows: Sequence[Row]) -> None:
+    table.setRowCount(len(rows))
+    right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+    for line, row in enumerate(rows):
+        for column, text in enumerate(cells_of(row)):
+            item = QTableWidgetItem(text)
+            if column > 1:
+                item.setTextAlignment(right)
+            table.setItem(line, column, item)
+    if rows:
+        table.setCurrentCell(0, 0)

@@ -1,0 +1,566 @@
+"""Where a recording goes, in words and as an edit."""
+
+import importlib
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
+from PySide6.QtGui import QDragMoveEvent, QDropEvent
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.files import is_there
+from skinsource.design import edits
+from skinsource.design.design import Design, Input
+from skinsource.design.design_file import SUFFIX
+from skinsource.design.edits.edit import Edit, Refusal, clip_of, place_words
+from skinsource.design.edits.inputs import usual_location
+from skinsource.design.labels import limb_word
+from skinsource.design.presets import presets
+from skinsource.design.view import View
+from skinsource.design.waveforms.samples import Recording
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.studies import scenes
+from skinsource_gui import pages
+from skinsource_gui.pages.files.exports import ExportJobs
+from skinsource_gui.pages.files.file_actions import FileActions
+from skinsource_gui.plots.small_map import coloured_like
+from skinsource_gui.qt.asking import may_replace
+from skinsource_gui.qt.frames import DropPlace
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.job_runner import JobRunner
+from skinsource_gui.state.panel import MadePanels, Panel
+from skinsource_gui.state.playing import Player
+from skinsource_gui.state.preferences import InstalledLimbs, Preferences
+
+if TYPE_CHECKING:
+    from skinsource.design.presets.presets import Preset
+    from skinsource_gui.pages.library import SavePage
+    from skinsource_gui.pages.scenes import ScenesPage
+
+
+# The page stays open while its design is edited.
+_GONE = Refusal(sentence="That recording is no longer there; import it to another place.")
+
+
+def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[str, str], ...]:
+    """Name and words of each place, the likeliest one first."""
+    found = [_track(design, one.id) for one in design.inputs if one.id in _tracks(view, place)]
+    first = usual_location(design.limb)
+    if place is not None and place.location is not None:
+        first = place.location
+    elif view.selected_input in design.ids:
+        first = design.input(view.selected_input).location
+    locations = [first, *(k for k in range(1, facts_of(design.limb).n_inputs + 1) if k != first)]
+    new = [(f"new {k}", f"A new input at {place_words(k, design.limb)}") for k in locations]
+    by_place = place is not None and place.location is not None and place.input_id is None
+    if place is not None:
+        return (*new, *found) if by_place else (*found, *new)
+    instead = _instead(design, view)
+    if instead is None:
+        return (*found, *new)
+    option, stands_in = instead
+    return (option, *found, *new) if stands_in else (*found, option, *new)
+
+
+def _instead(design: Design, view: View) -> tuple[tuple[str, str], bool] | None:
+    """In place of the selected recording; and whether that only stands for one to be chosen."""
+    if view.selected_input not in design.ids:
+        return None
+    one = design.input(view.selected_input)
+    clip = clip_of(one, view)
+    if clip is None or not isinstance(clip.waveform, Recording):
+        return None
+    where = f"input {design.index_of(one.id) + 1}, at {place_words(one.location, design.limb)}"
+    # Samples without a name were taken over from another kind of waveform.
+    return (f"clip {clip.id}", f"In place of the recording on {where}"), not clip.waveform.name
+
+
+def _tracks(view: View, place: DropPlace | None) -> set[int]:
+    dropped = {place.input_id} if place and place.input_id is not None else set()
+    return dropped or set(view.selected_inputs[-1:])
+
+
+def _holds(one: Input, clip_id: int) -> bool:
+    return any(clip.id == clip_id for clip in one.clips)
+
+
+def _track(design: Design, id: int) -> tuple[str, str]:
+    where = place_words(design.input(id).location, design.limb)
+    return f"track {id}", f"A clip on input {design.index_of(id) + 1}, at {where}"
+
+
+def placed(
+    design: Design, view: View, option: str, onset_s: float, recording: Recording
+) -> Edit | Refusal:
+    """The edit that puts ``recording`` where ``option`` says."""
+    what, _, number = option.partition(" ")
+    if what == "clip":
+        one = next((one for one in design.inputs if _holds(one, int(number))), None)
+        if one is None:
+            return _GONE
+        chosen = replace(view, selected_inputs=(one.id,), selected_clips=(int(number),))
+        return edits.change_waveform(design, chosen, (one.id,), recording)
+    if what == "track":
+        return edits.add_clip(design, view, int(number), onset_s, recording)
+    return edits.place_waveform(design, view, int(number), recording, onset_s)
+
+
+# Files that are dropped on the window: designs, presets, and recordings.
+
+
+class FileDrops(QObject):
+    """Takes files that are dropped on ``window``, and asks its panels where they belong.
+
+    Parameters
+    ----------
+    window
+        Takes the drops; also the parent.
+    panels
+        Show where a recording would go, and say where it was dropped.
+    """
+
+    #: A design, `Path`.
+    design_dropped = Signal(object)
+    #: A recording, `Path`, and its `DropPlace` or None.
+    recording_dropped = Signal(object, object)
+    #: A preset, also one that is dragged from the library, `Path`, and its `DropPlace` or None.
+    preset_dropped = Signal(object, object)
+
+    def __init__(self, window: QWidget, panels: MadePanels) -> None:
+        super().__init__(window)
+        self._window, self._panels = window, panels
+        window.setAcceptDrops(True)
+        window.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        handlers: dict[QEvent.Type, Callable[..., None]] = {
+            QEvent.Type.DragEnter: self._take_along,
+            QEvent.Type.DragMove: self._take_along,
+            QEvent.Type.DragLeave: self._leave,
+            QEvent.Type.Drop: self._drop,
+        }
+        handler = handlers.get(event.type()) if watched is self._window else None
+        if handler is None:
+            return super().eventFilter(watched, event)
+        handler(event)
+        return True
+
+    def _take_along(self, event: QDragMoveEvent) -> None:
+        paths = _paths(event)
+        if not paths:
+            event.ignore()
+            return
+        event.setDropAction(Qt.DropAction.CopyAction)
+        event.accept()
+        at = event.position().toPoint()
+        for panel in self._panels:
+            placed = paths[0].suffix != SUFFIX and self._inside(panel, at)
+            panel.show_drop(panel.mapFrom(self._window, at) if placed else None)
+
+    def _leave(self, event: QEvent) -> None:
+        for panel in self._panels:
+            panel.show_drop(None)
+
+    def _drop(self, event: QDropEvent) -> None:
+        paths = _paths(event)
+        self._leave(event)
+        if not paths:
+            event.ignore()
+            return
+        # Whoever offers a file to be moved would delete it afterwards.
+        event.setDropAction(Qt.DropAction.CopyAction)
+        event.accept()
+        if paths[0].suffix == SUFFIX:
+            self.design_dropped.emit(paths[0])
+        else:
+            kind = paths[0].suffix == presets.SUFFIX
+            dropped = self.preset_dropped if kind else self.recording_dropped
+            dropped.emit(paths[0], self._place(event.position().toPoint()))
+
+    def _place(self, at: QPoint) -> DropPlace | None:
+        for panel in self._panels:
+            if self._inside(panel, at):
+                return panel.drop_place(panel.mapFrom(self._window, at))
+        return None
+
+    def _inside(self, panel: Panel, at: QPoint) -> bool:
+        # Panels in tabs lie above each other; one that floats is a window of its own.
+        visible = panel.isVisible() and panel.window() is self._window
+        return visible and panel.rect().contains(panel.mapFrom(self._window, at))
+
+
+def _paths(event: QDropEvent) -> list[Path]:
+    return [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
+
+
+# Importing recordings: asks for a file, opens the page, and places what was chosen.
+
+
+class ImportActions(QObject):
+    """Imports recordings into the open design.
+
+    Parameters
+    ----------
+    document, preferences
+        Where recordings go; where files were last looked for.
+    window
+        In front of which pages open; also the parent.
+    """
+
+    #: What went well, in a few words.
+    done = Signal(str)
+    #: What follows might end the studio: unsaved work is to be kept now.
+    risk_ahead = Signal()
+
+    def __init__(
+        self,
+        document: Document,
+        preferences: Preferences,
+        window: QWidget,
+    ) -> None:
+        super().__init__(window)
+        self._document, self._preferences = document, preferences
+        self._window = window
+        self._pages: list[Any] = []
+
+    @property
+    def pages(self) -> tuple[Any, ...]:
+        """The pages that are open."""
+        return tuple(self._pages)
+
+    def ask_and_import(self) -> None:
+        """Ask for a file, and open the page on it."""
+        readers = importlib.import_module("skinsource.readers.readers")
+        kinds = " ".join(f"*{ending}" for ending in readers.endings())
+        name, _ = QFileDialog.getOpenFileName(
+            self._window,
+            "Import a recording",
+            str(self._preferences.folder),
+            f"Recordings ({kinds});;All files (*)",
+        )
+        if name:
+            self.open_page(Path(name))
+
+    def open_page(self, path: Path, place: DropPlace | None = None) -> None:
+        """Open the page on a file that shall go to ``place``, or where the user says."""
+        self.risk_ahead.emit()
+        # Few import anything; the start of the studio shall not wait for it.
+        places = options(self._document.design, self._document.view, place)
+        limb = facts_of(self._document.design.limb)
+        page = pages.ImportPage(path, limb, places, self._window)
+
+        def put(recording: Any, option: str) -> None:
+            design, view = self._document.design, self._document.view
+            onset_s = place.onset_s if place else view.playhead_s
+            outcome = placed(design, view, option, onset_s, recording)
+            self._document.apply(outcome, None)
+            self._preferences.folder = path.absolute().parent
+            if isinstance(outcome, Edit):
+                self.done.emit(f"Imported {path.name}")
+
+        page.chosen.connect(put)
+        page.finished.connect(lambda: self._pages.remove(page))
+        self._pages.append(page)
+        page.show()
+
+    def end(self) -> None:
+        """Close all pages."""
+        for page in self.pages:
+            page.reject()
+
+
+# Saving what is open to the library, and placing presets whose files are dropped.
+
+
+class LibraryActions(QObject):
+    """Moves presets between the open design and files.
+
+    Parameters
+    ----------
+    document
+        What is open.
+    window
+        In front of which the page opens; also the parent.
+    """
+
+    failed = Signal(str)
+    #: What went well, in a few words.
+    done = Signal(str)
+
+    def __init__(self, document: Document, window: QWidget) -> None:
+        super().__init__(window)
+        self._document, self._window = document, window
+
+    def ask_and_save(self) -> "SavePage | None":
+        """Open the page that asks for a name; None where there is nothing to keep."""
+        found = pages.fragments_to_save(self._document.design, self._document.view)
+        if not found:
+            self.failed.emit("There is no clip to keep; place one first.")
+            return None
+        page = pages.SavePage(found, self._window)
+
+        def save(preset: "Preset") -> None:
+            try:
+                presets.save_preset(presets.users_folder(), preset)
+            except SkinSourceError as error:
+                page.show_problem(str(error))
+                return
+            self.done.emit(f"Saved “{preset.name}” to the library")
+            page.accept()
+
+        page.chosen.connect(save)
+        page.open()
+        return page
+
+    def place_file(self, path: Path, place: DropPlace | None) -> None:
+        """Place the preset of a file where it was dropped, or at the playhead."""
+        try:
+            preset = presets.read_preset(path)
+        except SkinSourceError as error:
+            self.failed.emit(str(error))
+            return
+        design, view = self._document.design, self._document.view
+        where = place or DropPlace()
+        named = where.input_id is not None or where.location is not None
+        outcome = edits.place_fragment(
+            design,
+            view,
+            preset.fragment,
+            preset.name,
+            where.onset_s if named else None,
+            where.input_id,
+            None if where.input_id is not None else where.location,
+        )
+        self._document.apply(outcome, None)
+
+
+# Opens the matching page.
+
+
+class MatchingActions(QObject):
+    """One page at a time, in front of the window.
+
+    Parameters
+    ----------
+    document, preferences, player
+        Whose limb is played; where tables lie; what it is played on, and how loud.
+    window
+        In front of which it opens; also the parent.
+
+    Attributes
+    ----------
+    page
+        The page, while it is open.
+    """
+
+    def __init__(
+        self, document: Document, preferences: Preferences, player: Player, window: QWidget
+    ) -> None:
+        super().__init__(window)
+        self._document, self._preferences = document, preferences
+        self._player, self._window = player, window
+        self.page: Any = None
+
+    def show(self) -> None:
+        """Open the page; what the window plays ends."""
+        settings = self._player.settings
+        if not settings.rig_is_read():
+            return
+        # Few match anything; the start of the studio shall not wait for it.
+        gain_db = self._player.gain.gain_db
+        self._player.stop()
+        page = pages.MatchingPage(
+            self._document.design.limb,
+            self._preferences.folder,
+            settings.output,
+            settings.rig,
+            gain_db,
+            self._window,
+        )
+        page.finished.connect(self._forget)
+        self.page = page
+        page.open()
+
+    def end(self) -> None:
+        """Close the page, and let go of the device."""
+        if self.page is not None:
+            self.page.done(0)
+
+    def _forget(self) -> None:
+        self.page = None
+
+
+# Opening scenes in the window, in the arrangement that shows them.
+
+
+class SceneActions(QObject):
+    """Shows the gallery, and opens what is chosen there.
+
+    Parameters
+    ----------
+    document, preferences, files, limbs
+        What is open, where and how it is saved, and which limbs there are.
+    arrange
+        Takes up the arrangement of a name, with the panels of some names in sight.
+    window
+        In front of which the gallery opens; also the parent.
+    """
+
+    failed = Signal(str)
+    #: The name of a scene that was opened.
+    opened = Signal(str)
+    #: What went well, in a few words.
+    done = Signal(str)
+
+    def __init__(
+        self,
+        document: Document,
+        preferences: Preferences,
+        files: FileActions,
+        limbs: InstalledLimbs,
+        arrange: Callable[[str, Sequence[str]], None],
+        window: QWidget,
+    ) -> None:
+        super().__init__(window)
+        self._document, self._files, self._limbs = document, files, limbs
+        self._preferences, self._arrange = preferences, arrange
+        self._window = window
+        self._last = self._last_limb = ""
+
+    def show(self) -> "ScenesPage":
+        """Open the gallery; the scene that was opened last is selected."""
+        page = pages.ScenesPage(self._limbs.names, self._last, self._window, limb=self._last_limb)
+        page.chosen.connect(self.open)
+        page.open()
+        return page
+
+    def open(self, name: str, limb: str = "") -> None:
+        """Open a scene in place of what is open, which is asked for if it is not saved.
+
+        Levels stay in the colours that were chosen.  ``limb`` is the one that it is played on;
+        empty: those of the paper.
+        """
+        try:
+            opened = scenes.open_scene(name, available=self._limbs.names, limb=limb)
+        except SkinSourceError as error:
+            self.failed.emit(str(error))
+            return
+        if not self._files.may_lose_changes():
+            return
+        view = coloured_like(opened.view, self._document.view)
+        self._document.start_over(opened.design, view, None, scene=opened.scene.title)
+        self._files.leave_file()
+        self._files.suggested = self._preferences.folder / f"{opened.scene.name}{SUFFIX}"
+        self._last, self._last_limb = opened.scene.name, limb
+        self._arrange(opened.scene.arrangement, opened.scene.panels)
+        self.opened.emit(name)
+        words = f"Opened {opened.scene.heading}"
+        if opened.synthetic:
+            words += ", on a SYNTHETIC limb"
+        elif limb:
+            words += f", on {limb_word(limb).title}"
+        self.done.emit(words)
+
+
+# Exporting stimuli: opens the page, asks where to, and tells what came of it.
+
+
+class StimulusActions(QObject):
+    """Exports the stimulus of the open design.
+
+    Parameters
+    ----------
+    document, preferences, files
+        What is exported; where files were last written; who asks where to.
+    runner
+        Carries the exports out.
+    window
+        In front of which the page opens; also the parent.
+    """
+
+    #: Why something was not exported.
+    failed = Signal(str)
+
+    def __init__(
+        self,
+        document: Document,
+        preferences: Preferences,
+        files: FileActions,
+        runner: JobRunner,
+        window: QWidget,
+    ) -> None:
+        super().__init__(window)
+        self._document, self._preferences, self._files = document, preferences, files
+        self._window = window
+        self._jobs = ExportJobs(runner, files, self)
+        self._jobs.failed.connect(self.failed)
+        #: The page, while it is open.
+        self.page: Any = None
+
+    def show(self) -> None:
+        """Open the page on the design as it is now."""
+        # Few export anything; the start of the studio shall not wait for it.
+        design, view = self._document.design, self._document.view
+        kept = self._preferences.export_text
+        rig = self._preferences.rig_path
+        page = pages.StimulusPage(design, view, self._window, kept, rig)
+        page.chosen.connect(partial(self._export, design))
+        page.finished.connect(self._forget_page)
+        self.page = page
+        page.open()
+
+    def end(self) -> None:
+        """Close the page."""
+        if self.page is not None:
+            self.page.reject()
+
+    def _forget_page(self) -> None:
+        self.page = None
+
+    def _export(
+        self, design: Design, order: Any, overview: Any, confirmed: bool, kept: str
+    ) -> None:
+        # What was right for this one mostly is for the next.
+        self._preferences.export_text = kept
+        kind = order.format
+        own = self._document.path
+        name = "stimulus" if own is None else own.stem
+        start = self._preferences.folder / f"{name}{kind.suffix}"
+        words = "Folder" if kind.folder else kind.title
+        offered = f"{words} (*{kind.suffix})" if kind.suffix else "All files (*)"
+        path = self._files.ask_where("Export stimulus", start, offered, ending=kind.suffix)
+        # It was loaded with the page.
+        stimulus_export = importlib.import_module("skinsource.export.stimulus_export")
+        if path is None or not self._may_write(
+            path, stimulus_export.written_files(path, kind, overview.marks)
+        ):
+            return
+        work = partial(
+            stimulus_export.export_stimulus,
+            design,
+            path,
+            kind.name,
+            order.rate_hz,
+            options=replace(order.options, accept_loss=confirmed),
+            actuation=order.actuation,
+            rig=order.rig,
+            equaliser=order.equaliser,
+            confirmed=confirmed,
+        )
+        self._jobs.add(path, work, written=lambda result: result.files[0])
+
+    def _may_write(self, path: Path, written: Iterable[tuple[Path, ...]]) -> bool:
+        """Whether nothing is lost beside ``path``, which the dialog asked about, or may be."""
+        # Who lets a file go lets its sidecar go.
+        agreed = is_there(path)
+        firsts = (
+            next(filter(is_there, files), None)
+            for files in written
+            if not (agreed and files[0] == path)
+        )
+        there = [one for one in firsts if one is not None]
+        return not there or may_replace(self._window, there)

@@ -1,0 +1,637 @@
+"""Box plots of one figure, a box for each frequency."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+from typing import cast
+
+import numpy as np
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QFileDialog,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import SkinSourceError, Stopped
+from skinsource.base.job import Job, Progress, Stop
+from skinsource.base.published import Axes as PublishedAxes
+from skinsource.base.quoting import printable, sentence
+from skinsource.design.design import Design
+from skinsource.design.design_file import open_design
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.readers.reading_process import ReadingProcess
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.spec import ChoiceSpec
+from skinsource.studies.checking import (
+    FIGURES,
+    Condition,
+    Recorded,
+    by_frequency,
+    condition_of,
+    quartiles,
+    write_report,
+)
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.fields.units import minus
+from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
+from skinsource_gui.qt.buttons import page_button
+from skinsource_gui.qt.room import LetterWidth
+from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, set_tone, tabular
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.job_runner import JobRunner, PageJob
+from skinsource_gui.state.preferences import Preferences
+
+_WIDEST_PX = 40.0
+_NOTHING = "Channels above twice the noise appear here"
+
+
+class BoxFigure(Figure):
+    """Whiskers, box and median of each group.
+
+    Parameters
+    ----------
+    name, title
+        Object name; what is measured, with its unit.
+    """
+
+    def __init__(self, name: str, title: str, parent: QWidget | None = None) -> None:
+        super().__init__(name, title, parent)
+        self._title = title
+        self.groups: Sequence[tuple[str, Floats]] = ()
+        self.axes: Axes | None = None
+        self.say(_NOTHING)
+
+    def show_groups(self, groups: Sequence[tuple[str, Floats]]) -> None:
+        """Take over groups: what stands below each, and its values."""
+        self.groups = [(label, values) for label, values in groups if values.size]
+        self.say("" if self.groups else _NOTHING)
+        self.read_again()
+
+    def draw(self, painter: QPainter, room: QRectF) -> None:
+        theme = current_theme()
+        ends = [quartiles(values) for _, values in self.groups]
+        low = min(0.0, *(one[0] for one in ends))
+        high = max(1e-9, *(one[4] for one in ends))
+        edge = 0.05 * (high - low)
+        line = QFontMetricsF(painter.font()).height()
+        x = Axis(shown=(0.0, float(len(ends))), title="Main frequency (Hz)")
+        y = Axis(shown=(low - (edge if low < 0.0 else 0.0), high + edge), title=self._title)
+        self.axes = axes = fitted_axes(room, x, y, QFontMetricsF(painter.font()))
+        _paint_frame(painter, axes, theme, [label for label, _ in self.groups], line)
+        for rank, one in enumerate(ends):
+            self._paint_box(painter, axes, rank, one)
+
+    def read(self, at: QPointF) -> str:
+        rank = self._rank_at(at)
+        if rank is None:
+            return ""
+        label, values = self.groups[rank]
+        first, low, middle, high, last = (minus(f"{one:.3g}") for one in quartiles(values))
+        return (
+            f"{label} Hz: median {middle}, quartiles {low} to {high}, whiskers {first} to {last}, "
+            f"{values.size} channels"
+        )
+
+    def keys_area(self) -> QRectF:
+        return QRectF() if self.axes is None or self.message else self.axes.frame
+
+    def _rank_at(self, at: QPointF) -> int | None:
+        """The group under a place."""
+        found = None if self.axes is None else self.axes.value_at(at)
+        if found is None or not self.groups:
+            return None
+        return min(max(int(found[0]), 0), len(self.groups) - 1)
+
+    def _paint_box(self, painter: QPainter, axes: Axes, rank: int, ends: tuple[float, ...]) -> None:
+        theme = current_theme()
+        places = axes.to_screen(np.full(5, rank + 0.5), np.array(ends))
+        x = float(places[0, 0])
+        first, bottom, middle, top, last = (float(one) for one in places[:, 1])
+        wide = min(0.5 * axes.frame.width() / len(self.groups), _WIDEST_PX)
+        painter.setPen(QPen(QColor(theme.dim), 1.5))
+        painter.drawLine(QLineF(x, first, x, last))
+        for end in (first, last):
+            painter.drawLine(QLineF(x - wide / 4, end, x + wide / 4, end))
+        fill = QColor(theme.accent)
+        painter.setPen(QPen(fill, 1.5))
+        painter.setBrush(QColor(theme.base))
+        box = QRectF(x - wide / 2, top, wide, max(bottom - top, 0.5))
+        painter.drawRect(box)
+        fill.setAlphaF(0.25)
+        painter.setBrush(fill)
+        painter.drawRect(box)
+        painter.setPen(QPen(QColor(theme.text), 2.0))
+        painter.drawLine(QLineF(x - wide / 2, middle, x + wide / 2, middle))
+
+
+def _paint_frame(
+    painter: QPainter, axes: Axes, theme: Theme, labels: Sequence[str], line: float
+) -> None:
+    """Frame and numbers of y as on all figures; below the boxes their frequencies."""
+    frame = axes.frame
+    right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+    for tick in axes.y.ticks(frame.height(), 34.0):
+        y = float(axes.to_screen(np.zeros(1), np.array([tick.value]))[0, 1])
+        painter.setPen(QPen(QColor(theme.grid), 1))
+        painter.drawLine(QLineF(frame.left(), y, frame.right(), y))
+        painter.setPen(QColor(theme.dim))
+        beside = QRectF(0.0, y - line / 2, frame.left() - 4.0, line)
+        painter.drawText(beside, right, tick.label)
+    painter.setPen(QPen(QColor(theme.border), 1))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.drawRect(frame)
+    painter.setPen(QColor(theme.dim))
+    step = frame.width() / len(labels)
+    for rank, label in enumerate(labels):
+        below = QRectF(frame.left() + rank * step, frame.bottom() + 2.0, step, line)
+        painter.drawText(below, Qt.AlignmentFlag.AlignCenter, label)
+    title = QRectF(frame.left(), frame.bottom() + line + 2.0, frame.width(), line)
+    painter.drawText(title, Qt.AlignmentFlag.AlignCenter, axes.x.title)
+    painter.save()
+    painter.translate(line / 2 + 1, frame.center().y())
+    painter.rotate(-90.0)
+    side = QRectF(-frame.height() / 2, -line / 2, frame.height(), line)
+    painter.drawText(side, Qt.AlignmentFlag.AlignCenter, axes.y.title)
+    painter.restore()
+
+
+# What is checked, and the job that does it.
+
+TITLE = "Check against a recording"
+CHECKING = "Checking against recordings"
+# Steps of one design: predicted, checked, read.
+_STEPS = 3
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Row:
+    """A design, and what was recorded of it.
+
+    Attributes
+    ----------
+    name
+        What the report calls it.
+    design
+        As it was when it was put here.
+    recording
+        A file of responses; None: none was chosen.
+    result
+        What was found, or why nothing was; None: not checked yet.
+    """
+
+    name: str
+    design: Design
+    recording: Path | None = None
+    result: Condition | str | None = None
+
+
+def check_rows(
+    rows: Sequence[Row],
+    axes: str,
+    rate_hz: float,
+    *,
+    progress: Progress,
+    stop: Stop,
+) -> tuple[Condition | str, ...]:
+    """Check each row; return what was found of it, or why nothing was.
+
+    Parameters
+    ----------
+    rows
+        The designs.
+    axes
+        Axes that were recorded; empty: all of the limb.
+    rate_hz
+        Rate of recordings that say none themselves.
+    progress, stop
+        As for all long work.
+    """
+    found: list[Condition | str] = []
+    with ReadingProcess() as process:
+        for number, row in enumerate(rows):
+
+            def tell(done: int, total: int, text: str, before: int = number) -> None:
+                del total
+                progress(before * _STEPS + done, len(rows) * _STEPS, text)
+
+            recorded = (
+                None if row.recording is None else Recorded(path=row.recording, rate_hz=rate_hz)
+            )
+            try:
+                found.append(
+                    condition_of(
+                        row.design,
+                        row.name,
+                        recorded,
+                        axes=cast(PublishedAxes, axes),
+                        process=process,
+                        progress=tell,
+                        stop=stop,
+                    )
+                )
+            except Stopped:
+                raise
+            except SkinSourceError as error:
+                found.append(str(error))
+    return tuple(found)
+
+
+# The designs that are checked, as a table.
+
+_ERROR = "|p/P - m/M|; p predicted, m measured, P and M their RMS, mean over all channels"
+_AMPLITUDE = "100 |RMS(p/P) - RMS(m/M)| / RMS(m/M); letters as of Error"
+_COLUMNS = (
+    ("Design", "What is predicted"),
+    ("Recording", "What was measured of it"),
+    ("Hz", "Frequency with the most power in the prediction"),
+    ("Linear", "Smallest adjusted R² of outputs over the level of the inputs; 1: in proportion"),
+    ("Superposed", "Smallest Pearson's r between the sum of the inputs and all together"),
+    ("Channels", "How many are above twice the noise, and so count"),
+    (
+        "Error",
+        f"Normalised mean absolute error, median over the channels: mean over time of {_ERROR}",
+    ),
+    ("Amplitude %", f"Difference in amplitude, median over the channels: {_AMPLITUDE}"),
+    ("r", "Pearson's r over time, median over the channels"),
+    ("Shift", "By how many samples the recording was moved onto the prediction"),
+)
+
+
+class CheckTable(QTableWidget):
+    """A row for each design; the first columns are wide, the others numbers."""
+
+    def __init__(self) -> None:
+        super().__init__(0, len(_COLUMNS))
+        self.setObjectName("check_table")
+        self.setAccessibleName("Designs that are checked")
+        for k, (title, hint) in enumerate(_COLUMNS):
+            item = QTableWidgetItem(title)
+            item.setToolTip(hint)
+            self.setHorizontalHeaderItem(k, item)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setTabKeyNavigation(False)
+        self.setShowGrid(False)
+        self.setWordWrap(False)
+        self.setFont(tabular(self.font()))
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + UNIT_PX)
+        header = self.horizontalHeader()
+        header.setHighlightSections(False)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        for wide in (0, 1):
+            header.setSectionResizeMode(wide, QHeaderView.ResizeMode.Stretch)
+
+    def show_rows(self, rows: Sequence[Row]) -> None:
+        """Show them; the selected row stays selected."""
+        chosen = max(self.currentRow(), 0)
+        self.setRowCount(len(rows))
+        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        for k, row in enumerate(rows):
+            for column, text in enumerate(_texts(row)):
+                item = QTableWidgetItem(text)
+                item.setToolTip(_hint(row, column) or text)
+                if column > 1:
+                    item.setTextAlignment(right)
+                self.setItem(k, column, item)
+        if rows:
+            self.setCurrentCell(min(chosen, len(rows) - 1), 0)
+
+
+def _hint(row: Row, column: int) -> str:
+    """What is more to be said of a cell than is in it; "": nothing."""
+    found = row.result
+    if isinstance(found, str):
+        return sentence(found)
+    if found is None or found.agreement is None or _COLUMNS[column][0] != "Channels":
+        return ""
+    return f"{found.noise_words[0].upper()}{found.noise_words[1:]}"
+
+
+def _texts(row: Row) -> list[str]:
+    recording = "–" if row.recording is None else row.recording.name
+    found = row.result
+    if not isinstance(found, Condition):
+        return [row.name, recording, *([""] * (len(_COLUMNS) - 2))]
+    texts = [_text(found.frequency_hz, "silent"), _text(found.linear), _text(found.superposed)]
+    if found.agreement is None:
+        texts += ["–"] * 5
+    else:
+        counted = found.agreement.counted
+        texts += [f"{int(counted.sum())} of {counted.size}"]
+        texts += [_text(value) for value in found.agreement.medians]
+        texts += [str(found.shift_samples)]
+    return [row.name, recording, *(minus(text) for text in texts)]
+
+
+def _text(value: float, otherwise: str = "–") -> str:
+    return f"{value:.3g}" if np.isfinite(value) else otherwise
+
+
+# The designs that are checked, and the buttons that choose them and their recordings.
+
+_RECORDINGS = "Recordings (*.csv *.tsv *.txt *.npy *.npz *.mat *.h5 *.hdf5);;All files (*)"
+_DESIGNS = "Designs (*.skinsource);;All files (*)"
+
+
+class CheckList(QWidget):
+    """Rows that are checked.
+
+    Parameters
+    ----------
+    rows
+        Those at the start.
+    preferences
+        Know where files were taken from last.
+
+    Attributes
+    ----------
+    rows, table
+        The rows, and what shows them.
+    bar
+        Where the buttons stand; others can be put beside them.
+    """
+
+    #: Other rows, or other results.
+    changed = Signal()
+    #: Why a file was not taken.
+    failed = Signal(str)
+    #: What was taken, and what comes next.
+    took = Signal(str)
+
+    def __init__(self, rows: Sequence[Row], preferences: Preferences) -> None:
+        super().__init__()
+        self.rows, self._preferences = tuple(rows), preferences
+        self.table = CheckTable()
+        recording = page_button(
+            "choose_recording", "Recording…", "Choose what was recorded of the selected design"
+        )
+        add = page_button("add_design", "Add design…", "Check another design as well")
+        remove = page_button("remove_design", "Remove", "Take the selected design off")
+        self._of_row, self._add = (recording, remove), add
+        self.bar = QHBoxLayout()
+        for button in (recording, add, remove):
+            self.bar.addWidget(button)
+        self.bar.addStretch(1)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(UNIT_PX)
+        column.addLayout(self.bar)
+        column.addWidget(self.table, 1)
+        recording.clicked.connect(self._ask_recording)
+        add.clicked.connect(self._ask_design)
+        remove.clicked.connect(self._take_off)
+        self.show_running(False)
+
+    @property
+    def conditions(self) -> tuple[Condition, ...]:
+        """What was found of the designs that could be checked."""
+        return tuple(row.result for row in self.rows if isinstance(row.result, Condition))
+
+    def add_design(self, path: Path) -> None:
+        """Check the design of a file as well."""
+        try:
+            design = open_design(path).design
+        except SkinSourceError as error:
+            self.failed.emit(str(error))
+            return
+        self._put((*self.rows, Row(name=path.name, design=design)))
+        self.table.setCurrentCell(len(self.rows) - 1, 0)
+
+    def take_recording(self, path: Path) -> None:
+        """Take a recording of the selected design."""
+        rows, chosen = list(self.rows), self.table.currentRow()
+        if 0 <= chosen < len(rows):
+            rows[chosen] = replace(rows[chosen], recording=path, result=None)
+            self._put(tuple(rows))
+            name = printable(path.name)
+            self.took.emit(f"{name} is chosen for {rows[chosen].name}. Now press Check.")
+
+    def take_results(self, results: Sequence[Condition | str]) -> None:
+        """Take over what was found of each row."""
+        pairs = zip(self.rows, results, strict=True)
+        self._put(tuple(replace(row, result=result) for row, result in pairs))
+
+    def forget_results(self) -> None:
+        """What was found was found of something else."""
+        if any(row.result is not None for row in self.rows):
+            self._put(tuple(replace(row, result=None) for row in self.rows))
+
+    def show_running(self, runs: bool) -> None:
+        """While they are checked the rows stay as they are."""
+        self._add.setEnabled(not runs)
+        for button in self._of_row:
+            button.setEnabled(bool(self.rows) and not runs)
+        self.table.show_rows(self.rows)
+
+    def _ask_recording(self) -> None:
+        folder = str(self._preferences.folder)
+        name, _ = QFileDialog.getOpenFileName(self, "Choose a recording", folder, _RECORDINGS)
+        if name:
+            self.take_recording(Path(name))
+
+    def _ask_design(self) -> None:
+        folder = str(self._preferences.folder)
+        name, _ = QFileDialog.getOpenFileName(self, "Add a design", folder, _DESIGNS)
+        if name:
+            self.add_design(Path(name))
+
+    def _take_off(self) -> None:
+        chosen = self.table.currentRow()
+        self._put(tuple(row for k, row in enumerate(self.rows) if k != chosen))
+
+    def _put(self, rows: tuple[Row, ...]) -> None:
+        self.rows = rows
+        self.show_running(False)
+        self.changed.emit()
+
+
+# The page on which designs are checked, alone and against recordings.
+
+_ALL = "all"
+_AXES = ChoiceSpec(
+    label="Axes",
+    options=((_ALL, "All of the limb"), ("x", "x"), ("y", "y"), ("z", "z")),
+    hint="Along which axes was recorded",
+)
+_RATE = NumberSpec(
+    label="Rate",
+    unit="Hz",
+    minimum=1.0,
+    maximum=768_000.0,
+    hint="Of recordings that say none themselves; other rates than that of the limb are resampled",
+)
+_BEGIN = (
+    "Choose a recording of the design: an array of times × outputs × axes, or a column for each "
+    "output and axis. Without one it is checked whether the prediction is linear."
+)
+_AGAIN = "Now press Check."
+_REPORTED = "The paper reports errors {0}, differences in amplitude {1} and r {2}."
+_SIZE_PX = (1080, 620)
+
+
+class CheckingPage(QDialog):
+    """Holds predictions against measurements, as the paper's Fig. 4 does, and writes a report.
+
+    Parameters
+    ----------
+    runner, document, preferences
+        Who checks, whose design, and where files were taken from last.
+    """
+
+    def __init__(
+        self,
+        runner: JobRunner,
+        document: Document,
+        preferences: Preferences,
+        parent: QWidget,
+    ) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setObjectName("checking_page")
+        self.setWindowTitle(TITLE)
+        self.resize(*_SIZE_PX)
+        self._preferences = preferences
+        self.run = PageJob(runner, self)
+        row = Row(name=_name_of(document), design=document.design)
+        self.list = CheckList((row,), preferences)
+        self.axes, self.rate = ChoiceField(_AXES), NumberField(_RATE)
+        self.axes.set_value(_ALL)
+        self.rate.set_value(facts_of(document.design.limb).sample_rate_hz)
+        self.boxes = tuple(
+            BoxFigure(f"check_boxes_{k}", f"{title} ({unit})" if unit else title)
+            for k, (title, unit, _) in enumerate(FIGURES)
+        )
+        self.words = QLabel(_BEGIN)
+        self.words.setObjectName("check_words")
+        self.words.setWordWrap(True)
+        self._check = page_button("check_designs", "Check", "Check all designs in the table")
+        self._save = page_button("save_report", "Save report…", "Save what was found as HTML")
+        self._close = page_button("close_page", "Close", "Close; what is being checked is given up")
+        self._lay_out()
+        self._connect()
+        self._show()
+
+    def check(self) -> None:
+        """Check all of them."""
+        axes = "" if self.axes.value == _ALL else self.axes.value
+        work = partial(check_rows, tuple(self.list.rows), axes, self.rate.value_si)
+        self.run.start(Job(CHECKING, work))
+        self._show()
+
+    def save(self, path: Path) -> None:
+        """Write the report, as the command ``check`` does."""
+        rows = self.list.rows
+        limbs = (row.design.limb for row in rows if isinstance(row.result, Condition))
+        try:
+            write_report(path, self.list.conditions, limbs)
+        except SkinSourceError as error:
+            self._complain(str(error))
+            return
+        self._preferences.folder = path.parent
+        self._say(f"Saved {path.name}.")
+
+    def _lay_out(self) -> None:
+        for field, spec, width_px in ((self.axes, _AXES, 150), (self.rate, _RATE, 110)):
+            label = QLabel(spec.label)
+            label.setBuddy(field)
+            LetterWidth(field, width_px)
+            self.list.bar.addWidget(label)
+            self.list.bar.addWidget(field)
+        plots = QHBoxLayout()
+        for box in self.boxes:
+            plots.addWidget(box, 1)
+        below = QHBoxLayout()
+        below.addWidget(self.words, 1)
+        for button in (self._check, self._save, self._close):
+            below.addWidget(button)
+        column = QVBoxLayout(self)
+        column.setSpacing(UNIT_PX)
+        column.addWidget(self.list, 2)
+        column.addLayout(plots, 3)
+        column.addLayout(below)
+
+    def _connect(self) -> None:
+        self._check.clicked.connect(self.check)
+        self._save.clicked.connect(self._ask_and_save)
+        self._close.clicked.connect(self.close)
+        self.list.changed.connect(self._show)
+        self.list.failed.connect(self._complain)
+        self.list.took.connect(self._say)
+        # What was found was found along other axes, or at another rate.
+        self.axes.chosen.connect(self._begin_anew)
+        self.rate.edited.connect(self._begin_anew)
+        for box in self.boxes:
+            box.reading.connect(self._read)
+        self.run.progressed.connect(lambda progress: self._say(f"{progress.text}…"))
+        self.run.done.connect(self._take)
+        self.run.ended.connect(self._note_ended)
+        self.finished.connect(self.run.give_up)
+
+    def _begin_anew(self) -> None:
+        """What was said is of something else, and what was found."""
+        self.list.forget_results()
+        taken = any(row.recording is not None for row in self.list.rows)
+        self._say(_AGAIN if taken else _BEGIN)
+
+    def _ask_and_save(self) -> None:
+        start = str(self._preferences.folder / "check.html")
+        name, _ = QFileDialog.getSaveFileName(self, "Save the report", start, "HTML (*.html)")
+        if name:
+            self.save(Path(name))
+
+    def _show(self) -> None:
+        """Show what is known, and offer what can be done now."""
+        runs, conditions = self.run.runs, self.list.conditions
+        for k, box in enumerate(self.boxes):
+            box.show_groups(by_frequency(conditions, k))
+        self.list.show_running(runs)
+        self._check.setEnabled(bool(self.list.rows) and not runs)
+        self._save.setEnabled(bool(conditions) and not runs)
+
+    def _take(self, results: Sequence[Condition | str]) -> None:
+        self.list.take_results(results)
+        problems = [one for one in results if isinstance(one, str)]
+        if problems:
+            self._complain(problems[0])
+        elif any(one.agreement is not None for one in self.list.conditions):
+            self._say(_REPORTED.format(*(reported for _, _, reported in FIGURES)))
+        else:
+            self._say("Checked. Choose a recording to hold it against.")
+
+    def _note_ended(self, reason: str) -> None:
+        self._show()
+        self._complain(reason)
+
+    def _read(self, words: str) -> None:
+        if words:
+            self._say(words)
+
+    def _say(self, words: str) -> None:
+        set_tone(self.words, "")
+        self.words.setText(words)
+
+    def _complain(self, reason: str) -> None:
+        set_tone(self.words, "error")
+        self.words.setText(sentence(reason))
+
+
+def _name_of(document: Document) -> str:
+    """What a report calls the open design: a file is not what was checked once it was edited."""
+    if document.path is None:
+        return document.design.title or "This design"
+    edited = ", with unsaved edits" if document.modified else ""
+    return f"{document.path.name}{edited}"

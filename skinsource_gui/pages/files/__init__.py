@@ -1,0 +1,1 @@
+"""Files of designs: opening, saving, autosave, exports."""

@@ -1,0 +1,519 @@
+"""The one table of exports: menus, shortcuts and the palette are made from it."""
+
+import logging
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QWidget
+
+from skinsource.actuators import rigs
+from skinsource.base.errors import MissingExtraError, SkinSourceError, TooInaccurateError
+from skinsource.base.extras import package_of_extra
+from skinsource.base.job import Job, Progress, Stop
+from skinsource.design.design import Design
+from skinsource.design.view import View
+from skinsource.export import packing
+from skinsource.export.map_files import export_map
+from skinsource.export.tables import export_field, export_levels, export_traces, export_windows
+from skinsource_gui.pages.files.file_actions import FileActions
+from skinsource_gui.panels.skin.film import (
+    KINDS,
+    MOST_PX,
+    SIZE_PX,
+    export_animation,
+    film_name,
+    film_options,
+    film_remark,
+)
+from skinsource_gui.plots.pictures import (
+    ALL_IN_SIGHT,
+    IN_USE,
+    PictureOptions,
+    Remark,
+    WholePicture,
+    ask_picture_options,
+    caption_px,
+    letters_remark,
+    save_drawing,
+)
+from skinsource_gui.qt.asking import agreed
+from skinsource_gui.qt.error_label import VISIBLE
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.job_runner import JobRunner
+from skinsource_gui.state.preferences import Preferences
+
+#: By name, what a function that writes may want besides: `PictureOptions`, the part of the skin map
+#: that is in sight, and the path of this machine's rig, or None.
+SIZED, SEEN, WIRED = "options", "seen", "rig_path"
+
+
+#: A function of `skinsource.export.exported_design`: given path, design and view, and by name
+#: ``progress``, ``stop``, ``largest_error`` and what the export wants, it computes and writes.
+Write = Callable[..., Any]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ExportSpec:
+    """One thing that can be exported.
+
+    It is either written by a function, as a job, or a picture of a panel.
+
+    Attributes
+    ----------
+    name
+        Of the action, after ``export_``.
+    title
+        What the menu says, after "Export".
+    file_name, kinds
+        Suggested name of the file; what can be written, as words and ending, first that of the
+        suggested name.
+    named
+        The name that is suggested instead, of what is open and was chosen.
+    hint
+        What is written, in a sentence.
+    write
+        Computes and writes the file.
+    wants
+        What ``write`` is given besides: `SIZED` is asked of the user before, the others are known.
+    begun, remark
+        What is asked of the user begins with these, for what is open and with the sizes of the last
+        time, and says as what it is written; what is said of what is chosen.
+    panel, size_px
+        The panel whose picture is saved, and width and height of that.
+    package
+        Name of what writes it, and of the extra that it comes with; none where it is always there.
+    enabled
+        Whether there is anything to export; always when not given.
+    keys, keywords
+        As those of an action.
+    """
+
+    name: str
+    title: str
+    file_name: str
+    kinds: tuple[tuple[str, str], ...]
+    hint: str
+    write: Write | None = None
+    begun: Callable[[Design, View, PictureOptions], PictureOptions] | None = None
+    named: Callable[[Design, View, Any], str] | None = None
+    wants: frozenset[str] = frozenset()
+    remark: Callable[[Design, View, Any], Remark] | None = None
+    panel: str = ""
+    size_px: tuple[int, int] = (1200, 1800)
+    package: tuple[str, str] | None = None
+    enabled: Callable[[Design, View], bool] | None = None
+    keys: tuple[str, ...] = ()
+    keywords: str = ""
+
+    @property
+    def filter(self) -> str:
+        """What the dialog offers."""
+        return self.filter_for(self.kinds[0][1])
+
+    def filter_for(self, ending: str) -> str:
+        """The same, with one of the endings first: that is the one that it begins with."""
+        kinds = sorted(self.kinds, key=lambda kind: kind[1] != ending)
+        return ";;".join(f"{words} (*{ending})" for words, ending in kinds)
+
+    @property
+    def window_title(self) -> str:
+        """Of the windows that ask how and where to."""
+        return f"Export {self.title.removesuffix('…')}"
+
+    @property
+    def kind_words(self) -> str:
+        """What can be written, as a sentence goes on: "PNG, SVG or PDF"."""
+        *others, last = (words for words, _ in self.kinds)
+        return f"{', '.join(others)} or {last}" if others else last
+
+    @property
+    def endings(self) -> tuple[str, ...]:
+        """The endings that the file may have."""
+        return tuple(ending for _, ending in self.kinds)
+
+
+_PICTURES = (("PNG", ".png"), ("SVG", ".svg"), ("PDF", ".pdf"))
+
+
+def _has_outputs(design: Design, view: View) -> bool:
+    return bool(view.outputs)
+
+
+def _pack(
+    path: Path,
+    design: Design,
+    view: View,
+    *,
+    rig_path: Path | None,
+    progress: Progress,
+    stop: Stop,
+    largest_error: float,
+) -> None:
+    del largest_error  # each table says its own
+    rig = None if rig_path is None else rigs.open_rig(rig_path)
+    packing.pack(path, design, view, rig=rig, progress=progress, stop=stop)
+
+
+EXPORTS: tuple[ExportSpec, ...] = (
+    ExportSpec(
+        name="picture",
+        title="picture of the skin map…",
+        file_name="skin-map.png",
+        kinds=_PICTURES,
+        hint="Save the skin map as PNG, SVG or PDF, with its colour bar",
+        panel="skin",
+        keys=("Ctrl+Shift+E",),
+        keywords="image figure screenshot heatmap vector pdf svg png",
+    ),
+    ExportSpec(
+        name="panel_picture",
+        title="picture of the panel in use…",
+        file_name="panel.png",
+        kinds=_PICTURES,
+        hint="Save the panel that has the keyboard as PNG, SVG or PDF, for a paper or a slide",
+        panel=IN_USE,
+        keywords="image figure screenshot vector pdf svg png plot paper",
+    ),
+    ExportSpec(
+        name="window_picture",
+        title="picture of all panels…",
+        file_name="studio.png",
+        kinds=_PICTURES,
+        hint="Save all panels that are in sight, arranged as they are, as PNG, SVG or PDF",
+        panel=ALL_IN_SIGHT,
+        keywords="image figure screenshot vector pdf svg png arrangement window slide",
+    ),
+    ExportSpec(
+        name="animation",
+        title="animation of the skin map…",
+        file_name="skin-map.mp4",
+        named=film_name,
+        kinds=KINDS,
+        hint="Save the skin map in time, in slow motion, as MP4, WebM or GIF",
+        write=export_animation,
+        wants=frozenset({SIZED, SEEN}),
+        begun=film_options,
+        remark=film_remark,
+        size_px=SIZE_PX,
+        package=("imageio_ffmpeg", "video"),
+        keywords="video film movie wave gif mp4 webm slow motion time",
+    ),
+    ExportSpec(
+        name="traces",
+        title="traces as CSV…",
+        file_name="traces.csv",
+        kinds=(("CSV", ".csv"),),
+        hint="Save the traces of the selected outputs, with times and units",
+        write=export_traces,
+        enabled=_has_outputs,
+        keys=("Ctrl+E",),
+        keywords="table excel matlab waveform acceleration",
+    ),
+    ExportSpec(
+        name="levels",
+        title="RMS levels as CSV…",
+        file_name="rms-levels.csv",
+        kinds=(("CSV", ".csv"),),
+        hint="Save the RMS of all outputs, in m/s² and dB",
+        write=export_levels,
+        keywords="table excel matlab decibels",
+    ),
+    ExportSpec(
+        name="map",
+        title="map of levels as CSV…",
+        file_name="map.csv",
+        kinds=(("CSV", ".csv"),),
+        hint="Save the map as numbers, in dB: a row for each y, a column for each x, in mm",
+        write=export_map,
+        keywords="table excel matlab decibels skin heatmap surface",
+    ),
+    ExportSpec(
+        name="windows",
+        title="windows as CSV…",
+        file_name="windows.csv",
+        kinds=(("CSV", ".csv"),),
+        hint="Save the RMS of all outputs in consecutive windows, and how far each window reaches",
+        write=export_windows,
+        keywords="table excel matlab windowed rms extent distance strip contraction",
+    ),
+    ExportSpec(
+        name="windows_picture",
+        title="picture of the windows…",
+        file_name="windows.png",
+        kinds=(("PNG", ".png"), ("SVG", ".svg"), ("PDF", ".pdf")),
+        hint="Save the strip of windows as PNG, SVG or PDF, with its colour scale and the extent",
+        panel="windowed",
+        size_px=(1600, 1100),
+        keywords="image figure screenshot vector pdf svg png windowed rms strip",
+    ),
+    ExportSpec(
+        name="field",
+        title="whole field as NPZ…",
+        file_name="field.npz",
+        kinds=(("NumPy archive", ".npz"),),
+        hint="Save the acceleration of all outputs on three axes, for NumPy",
+        write=export_field,
+        keywords="python numpy matlab data array",
+    ),
+    ExportSpec(
+        name="pack",
+        title="all of it as ZIP…",
+        file_name="design.zip",
+        kinds=(("ZIP", ".zip"),),
+        hint="Save design, stimulus, rig, figure, tables, versions and what to cite as one file",
+        write=_pack,
+        wants=frozenset({WIRED}),
+        keywords="zip archive pack share publish supplement reproduce citation",
+    ),
+)
+
+
+# What becomes of exports that run as jobs.
+
+_log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True, slots=True)
+class _Running:
+    """Where to, which file is named, who answers for an error first, what is said besides."""
+
+    path: Path
+    written: Callable[[Any], Path]
+    answered: Callable[[Exception], bool]
+    note: str
+
+
+class ExportJobs(QObject):
+    """Has exports carried out, and tells how each ended.
+
+    Parameters
+    ----------
+    runner, files
+        Who carries them out; who tells of files that were written.
+    parent
+        As in Qt.
+    """
+
+    #: Why something was not exported.
+    failed = Signal(str)
+
+    def __init__(self, runner: JobRunner, files: FileActions, parent: QObject) -> None:
+        super().__init__(parent)
+        self._runner, self._files = runner, files
+        self._running: dict[Job[Any], _Running] = {}
+        runner.done.connect(self._note_written)
+        runner.cancelled.connect(self._note_cancelled)
+        runner.failed.connect(self._note_failed)
+
+    def add(
+        self,
+        path: Path,
+        work: Callable[..., Any],
+        *,
+        written: Callable[[Any], Path] | None = None,
+        answered: Callable[[Exception], bool] = lambda error: False,
+        note: str = "",
+    ) -> None:
+        """Export to ``path``.
+
+        Parameters
+        ----------
+        path, work
+            What is named while it runs; takes what a job's work takes.
+        written
+            Says of the result which file to name; ``path`` unless given.
+        answered
+            Is told of an error first; whether nothing more is to be said of it.
+        note
+            What is said beside the name of the file that was written.
+        """
+        job = Job(f"Exporting {path.name}", work)
+        self._running[job] = _Running(path, written or (lambda result: path), answered, note)
+        self._runner.add(job)
+
+    def _note_written(self, job: Job[Any], result: Any) -> None:
+        one = self._running.pop(job, None)
+        if one is not None:
+            self._files.note_written(one.written(result), one.note)
+
+    def _note_cancelled(self, job: Job[Any]) -> None:
+        one = self._running.pop(job, None)
+        if one is not None:
+            self._files.done.emit(f"Export of {one.path.name} cancelled; nothing was written")
+
+    def _note_failed(self, job: Job[Any], error: Exception) -> None:
+        one = self._running.pop(job, None)
+        if one is None or one.answered(error):
+            return
+        if isinstance(error, SkinSourceError):
+            self.failed.emit(str(error))
+            return
+        _log.error("an export failed", exc_info=error)
+        self.failed.emit(
+            f"{one.path.name} was not exported: the studio made a mistake "
+            f"({type(error).__name__}: {error}). Please report this."
+        )
+
+
+# Exports: where to, and what came of it.
+
+#: Asked for the name of a panel: its picture, with the present results.
+DrawerOf = Callable[[str], WholePicture]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Order:
+    """What is to be exported, as it was when the user asked for it."""
+
+    spec: ExportSpec
+    path: Path
+    design: Design
+    view: View
+    largest_error: float = VISIBLE
+    besides: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def work(self) -> Callable[..., Any]:
+        """Writes it."""
+        what = self.path, self.design, self.view
+        if self.spec.write is None:
+            raise TypeError(f"{self.spec.name} is a picture of a panel: nothing writes it")
+        return partial(self.spec.write, *what, largest_error=self.largest_error, **self.besides)
+
+
+class ExportActions(QObject):
+    """Exports the present design, and tells what becomes of it.
+
+    Parameters
+    ----------
+    document, preferences, files
+        What is exported; where files were last written; who asks where to.
+    runner
+        Carries the exports out.
+    drawer_of
+        Knows who draws pictures.
+    window
+        In front of which questions are asked; also the parent.
+    """
+
+    #: Why something was not exported.
+    failed = Signal(str)
+
+    def __init__(
+        self,
+        document: Document,
+        preferences: Preferences,
+        files: FileActions,
+        runner: JobRunner,
+        drawer_of: DrawerOf,
+        window: QWidget,
+    ) -> None:
+        super().__init__(window)
+        self._document, self._preferences, self._files = document, preferences, files
+        self._drawer_of, self._window = drawer_of, window
+        self._jobs = ExportJobs(runner, files, self)
+        self._jobs.failed.connect(self.failed)
+        self._picture_options: dict[str, PictureOptions] = {}
+
+    def export(self, name: str) -> None:
+        """Ask for a file, and export to it what the table calls ``name``."""
+        spec = next(one for one in EXPORTS if one.name == name)
+        # What the user sees now, whatever happens while the dialog is open.
+        design, view = self._document.design, self._document.view
+        if spec.package is not None:
+            try:
+                package_of_extra(*spec.package)
+            except MissingExtraError as error:
+                self.failed.emit(str(error))
+                return
+        if spec.panel:
+            self._export_picture(spec)
+            return
+        besides: dict[str, Any] = {}
+        options: PictureOptions | None = None
+        if SIZED in spec.wants:
+            remark = None if spec.remark is None else partial(spec.remark, design, view)
+            options = self._ask_options(spec, spec.size_px, most_px=MOST_PX, remark=remark)
+            if options is None:
+                return
+            besides[SIZED] = options
+        if SEEN in spec.wants:
+            besides[SEEN] = self._drawer_of("skin").seen
+        if WIRED in spec.wants:
+            rig = self._preferences.rig_path
+            besides[WIRED] = Path(rig) if rig else None
+        path = self._ask_where(spec, options)
+        if path is not None:
+            order = _Order(spec=spec, path=path, design=design, view=view, besides=besides)
+            self._add(order)
+
+    def copy_citation(self) -> None:
+        """Put what to cite for the open design on the clipboard."""
+        QGuiApplication.clipboard().setText(packing.citation(self._document.design))
+        self._files.done.emit("Copied what to cite")
+
+    def _ask_where(self, spec: ExportSpec, options: PictureOptions | None = None) -> Path | None:
+        document, name = self._document, spec.file_name
+        if spec.named is not None:
+            name = spec.named(document.design, document.view, options)
+        start = self._preferences.folder / name
+        kinds = spec.filter_for(start.suffix)
+        return self._files.ask_where(spec.window_title, start, kinds, spec.endings)
+
+    def _export_picture(self, spec: ExportSpec) -> None:
+        picture = self._drawer_of(spec.panel)
+        if spec.panel == IN_USE:
+            # Which one that is, is not seen any more behind the windows that ask.
+            name = picture.title.lower().replace(" ", "-")
+            spec = replace(
+                spec, title=f"picture of the panel {picture.title}…", file_name=f"{name}.png"
+            )
+        size, remark = picture.size_px or spec.size_px, letters_remark(picture)
+        below = partial(caption_px, picture.caption)
+        options = self._ask_options(spec, size, remark=remark, below=below)
+        path = None if options is None else self._ask_where(spec)
+        if options is None or path is None:
+            return
+        draw = partial(picture.draw, theme=options.theme)
+        try:
+            save_drawing(path, draw, options.width_px, options.height_px, dpi=options.dpi)
+        except SkinSourceError as error:
+            self.failed.emit(str(error))
+        else:
+            self._files.note_written(path)
+
+    def _ask_options(
+        self, spec: ExportSpec, size_px: tuple[int, int], **about: Any
+    ) -> PictureOptions | None:
+        """Ask how large, and in which colours; the next time it begins with these."""
+        usual = PictureOptions(width_px=size_px[0], height_px=size_px[1])
+        known = self._picture_options.get(spec.name, usual)
+        kinds = spec.kind_words
+        if spec.begun is not None:
+            known, kinds = spec.begun(self._document.design, self._document.view, known), ""
+        about |= {"title": spec.window_title, "kinds": kinds, "shape": size_px}
+        options = ask_picture_options(self._window, known, **about)
+        if options is not None:
+            self._picture_options[spec.name] = options
+        return options
+
+    def _add(self, order: _Order) -> None:
+        # Tables and films hold the design, not what makes it as loud as another one.
+        matched = order.view.match_gain(order.design) != 1.0
+        note = "amplitudes are as stored, levels are not matched" if matched else ""
+        answered = partial(self._accepted, order)
+        self._jobs.add(order.path, order.work, answered=answered, note=note)
+
+    def _accepted(self, order: _Order, error: Exception) -> bool:
+        if not isinstance(error, TooInaccurateError):
+            return False
+        question = f"{order.path.name}: {error} Export it all the same?"
+        if agreed(self._window, "Inaccurate numbers", question):
+            self._add(replace(order, largest_error=math.inf))
+        return True

@@ -1,0 +1,415 @@
+"""What the open file holds on disk, as far as this studio knows."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from hashlib import sha256
+from pathlib import Path
+from typing import Literal
+
+from PySide6.QtCore import QEvent, QObject, Signal
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from skinsource.base.errors import SkinSourceError, StorageError
+from skinsource.base.files import is_there, named, read_bytes
+from skinsource.base.lock import Lock, Owner, still_runs
+from skinsource.base.quoting import printable
+from skinsource.design import edits
+from skinsource.design.design import Design
+from skinsource.design.design_file import SUFFIX, open_design, save_design
+from skinsource.design.edits.edit import Refusal
+from skinsource.design.view import View
+from skinsource.limbs.catalogue import available_limbs, default_limb
+from skinsource.specs.image import MAX_IMAGE_BYTES
+from skinsource_gui.qt.asking import agreed, may_replace, saved_or_given_up
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.preferences import Preferences
+
+State = Literal["same", "changed", "gone"]
+
+
+class FileOnDisk:
+    """Remembers what a file held when it was last read or written here."""
+
+    def __init__(self) -> None:
+        self._path: Path | None = None
+        self._stamp: tuple[int, ...] | None = None
+        self._digest = b""
+
+    def note(self, path: Path | None) -> None:
+        """Remember what ``path`` holds now; None: no file."""
+        self._path = path
+        self._stamp = _stamp(path) if path else None
+        self._digest = _digest(path) if path else b""
+
+    def state(self) -> State:
+        """Whether the file still holds what it held."""
+        if self._path is None:
+            return "same"
+        stamp = _stamp(self._path)
+        if stamp == self._stamp:
+            return "same" if stamp else "gone"
+        if stamp is None:
+            return "gone"
+        # Backups and sync programs touch files without changing them.
+        if _digest(self._path) != self._digest:
+            return "changed"
+        self._stamp = stamp
+        return "same"
+
+
+def _stamp(path: Path) -> tuple[int, ...] | None:
+    try:
+        found = path.stat()
+    except (OSError, ValueError):
+        return None
+    return found.st_ino, found.st_size, found.st_mtime_ns
+
+
+def _digest(path: Path) -> bytes:
+    try:
+        return sha256(read_bytes(path, most=MAX_IMAGE_BYTES)).digest()
+    except SkinSourceError:
+        return b""
+
+
+# The lock that this studio has on the file that is open.
+
+
+class HeldFile:
+    """Takes and gives up locks on files.
+
+    Where no lock can be written, as in a folder that is read-only, a file is opened without.
+    """
+
+    def __init__(self) -> None:
+        self._locks: dict[Path, Lock] = {}
+
+    def take(self, path: Path, *, from_other: bool = False) -> Owner | None:
+        """Have ``path``, beside what is held already; returns who has it, or None."""
+        lock = Lock(path)
+        try:
+            other = lock.take(from_other=from_other)
+        except StorageError:
+            return None
+        if other is None:
+            self._locks[lock.file] = lock
+        return other
+
+    def keep_only(self, path: Path | None) -> None:
+        """Give up all but ``path``; None: all."""
+        # A link and what it leads to have one lock.
+        kept = None if path is None else Lock(path).file
+        for held in [held for held in self._locks if held != kept]:
+            self._locks.pop(held).release()
+
+
+def who_has(path: Path, other: Owner) -> str:
+    """Words such as "tap.skinsource is open in another studio (ana on lab-3, since 10:15)"."""
+    return f"{path.name} is open in another studio ({other.words})"
+
+
+def may_have_ended(other: Owner) -> bool:
+    """Whether nobody can say here that ``other`` still runs."""
+    return still_runs(other) is None
+
+
+# Files that were opened or saved lately.
+
+#: So many are remembered.
+MOST_RECENT = 10
+
+
+class RecentFiles:
+    """Paths of recent files, remembered between sessions."""
+
+    def __init__(self, preferences: Preferences) -> None:
+        self._preferences = preferences
+
+    @property
+    def paths(self) -> list[Path]:
+        """Files that were opened or saved, newest first."""
+        return [Path(name) for name in self._preferences.recent_names]
+
+    def remember(self, path: Path) -> None:
+        """Put a file at the front."""
+        self._keep([path, *(known for known in self.paths if known != path)])
+
+    def forget(self, path: Path) -> None:
+        """Take a file out."""
+        self._keep([known for known in self.paths if known != path])
+
+    def _keep(self, paths: list[Path]) -> None:
+        self._preferences.recent_names = [str(path) for path in paths[:MOST_RECENT]]
+
+
+# A design of a file, kept beside the present one to be compared with it.
+
+_LONGEST = 60
+
+
+class SnapshotFiles:
+    """Takes designs of files as snapshots; what is open stays open.
+
+    Parameters
+    ----------
+    document, preferences, window
+        Where they are kept, where files were taken from last, and over what is asked.
+    kinds
+        Which files are offered.
+    fail, tell
+        Say why one was not taken, and that it was.
+    """
+
+    def __init__(
+        self,
+        document: Document,
+        preferences: Preferences,
+        window: QWidget,
+        kinds: str,
+        fail: Callable[[str], object],
+        tell: Callable[[str], object],
+    ) -> None:
+        self._document, self._preferences, self._window = document, preferences, window
+        self._kinds, self._fail, self._tell = kinds, fail, tell
+
+    def ask(self) -> None:
+        """Ask for a file and take its design."""
+        folder = self._document.path.parent if self._document.path else self._preferences.folder
+        name, _ = QFileDialog.getOpenFileName(
+            self._window, "Compare with a design", str(folder), self._kinds
+        )
+        if name:
+            self.take(Path(name))
+
+    def take(self, path: Path) -> None:
+        """Keep the design of ``path`` under the first free number, with its name."""
+        try:
+            design = open_design(path).design
+        except SkinSourceError as error:
+            self._fail(str(error))
+            return
+        if not design.title.strip():
+            design = replace(design, title=printable(path.stem)[:_LONGEST])
+        document = self._document
+        outcome = edits.take_snapshot(document.design, document.view, design)
+        document.apply(outcome)
+        if not isinstance(outcome, Refusal):
+            number = outcome.view.snapshots[-1].number
+            self._tell(f"{path.name} is snapshot {number}; X shows it, and this again")
+
+
+# New, open, save, recent files, and the question before work is lost.
+
+_FILTER = f"SkinSource designs (*{SUFFIX})"
+_READ_ONLY = "It is read-only here: saving asks for another name."
+_MAYBE_ENDED = "Nobody can say here whether that has ended. Replace the file, and have it here?"
+_CHANGED = "was changed by another program, or in another window, since it was opened here"
+
+
+class FileActions(QObject):
+    """Moves designs between the document and files."""
+
+    failed = Signal(str)
+    #: What went well, in a few words.
+    done = Signal(str)
+    #: A file was opened; the bytes are the window's arrangement that it holds.
+    opened = Signal(bytes)
+    #: What is open is new, as at a start.
+    started_over = Signal()
+    recent_changed = Signal()
+    #: What follows might end the studio: unsaved work is to be kept now.
+    risk_ahead = Signal()
+    #: The folder in which the next file is expected, `Path`.
+    folder_changed = Signal(object)
+
+    def __init__(
+        self,
+        document: Document,
+        preferences: Preferences,
+        window: QWidget,
+        arrangement: Callable[[], bytes],
+    ):
+        super().__init__(window)
+        self._document, self._preferences, self._window = document, preferences, window
+        self.recent = RecentFiles(preferences)
+        self._arrangement = arrangement
+        self._on_disk, self._told = FileOnDisk(), "same"
+        self.held = HeldFile()
+        #: Asks for a file whose design is kept as a snapshot.
+        self.take_snapshot = SnapshotFiles(
+            document, preferences, window, _FILTER, self.failed.emit, self.done.emit
+        ).ask
+        #: Where a design without a file is expected to go; None: anywhere.
+        self.suggested: Path | None = None
+        window.installEventFilter(self)
+
+    def new(self) -> None:
+        """Start over with an empty design on the person's limb, in the person's panels."""
+        if self.may_lose_changes():
+            self._document.start_over(Design(limb=_limb_to_start_on(self._document)), View(), None)
+            self.leave_file()
+            self.started_over.emit()
+            self.done.emit("Started a new design")
+
+    def leave_file(self) -> None:
+        """No file is open any more: others may have the one that was."""
+        self._note_file(None)
+        self.held.keep_only(None)
+
+    def ask_and_open(self) -> None:
+        """Ask for a file and open it."""
+        folder = self._document.path.parent if self._document.path else self._preferences.folder
+        name, _ = QFileDialog.getOpenFileName(self._window, "Open a design", str(folder), _FILTER)
+        if name:
+            self.open(Path(name))
+
+    def open(self, path: Path) -> None:
+        """Open ``path``; on any fault say so and keep what is open."""
+        self.risk_ahead.emit()
+        on_disk = FileOnDisk()
+        on_disk.note(path)
+        try:
+            content = open_design(path)
+        except SkinSourceError as error:
+            self.recent.forget(path)
+            self.recent_changed.emit()
+            self.failed.emit(str(error))
+            return
+        # What cannot be opened is said before anything is asked.
+        if not self.may_lose_changes():
+            return
+        other = self.held.take(path)
+        self.held.keep_only(path)
+        self._document.start_over(content.design, content.view, path, read_only=other is not None)
+        self._on_disk, self._told, self.suggested = on_disk, "same", None
+        self.recent.remember(path)
+        self._note_folder(path)
+        self.recent_changed.emit()
+        self.opened.emit(content.layout)
+        if other is None:
+            self.done.emit(f"Opened {path.name}")
+        else:
+            self.failed.emit(f"{who_has(path, other)}. {_READ_ONLY}")
+
+    def save(self) -> bool:
+        """Save where it was saved before, or ask; whether it is saved now."""
+        if self._document.path is None:
+            return self.ask_and_save()
+        path = self._document.path
+        if self._document.read_only and self.held.take(path) is not None:
+            return self.ask_and_save()
+        return self._may_overwrite(path) and self._save_to(path)
+
+    def ask_and_save(self) -> bool:
+        """Ask for a name and save there; whether it is saved now."""
+        unnamed = self.suggested or self._preferences.folder / f"design{SUFFIX}"
+        start = self._document.path or unnamed
+        path = self.ask_where("Save the design", start, _FILTER)
+        return path is not None and self._save_to(path)
+
+    def ask_where(
+        self,
+        title: str,
+        start: Path,
+        kinds: str,
+        endings: tuple[str, ...] = (),
+        *,
+        ending: str = "",
+    ) -> Path | None:
+        """Ask for a file to write; None if there shall be none.
+
+        It has one of the ``endings``, or that of ``start``; a name without one gets ``ending``
+        where that is longer than a suffix: ``_stim.tsv.gz``.
+        """
+        name, _ = QFileDialog.getSaveFileName(self._window, title, str(start), kinds)
+        if not name:
+            return None
+        path = Path(name)
+        if path.suffix.lower() not in (start.suffix.lower(), *endings):
+            # The dialog asked about the name as it was typed.
+            for part in Path(ending).suffixes:
+                name = name.removesuffix(part)
+            path = Path(f"{name}{ending or start.suffix}")
+            if is_there(path) and not may_replace(self._window, [path]):
+                return None
+        return path
+
+    def note_written(self, path: Path, note: str = "") -> None:
+        """Remember the folder of a file that was written, and tell that all went well.
+
+        ``note`` is what else is to be said of it.
+        """
+        self._note_folder(path)
+        self.done.emit("; ".join(part for part in (f"Saved {named(path)}", note) if part))
+
+    def _note_folder(self, path: Path) -> None:
+        self._preferences.folder = path.absolute().parent
+        self.folder_changed.emit(self._preferences.folder)
+
+    def may_lose_changes(self) -> bool:
+        """Whether unsaved edits may go: there are none, they are saved now, or the user agrees."""
+        self.look_at_disk()
+        if not self._document.modified:
+            return True
+        question = "The design has edits that are not saved. Save them?"
+        return saved_or_given_up(self._window, "Unsaved design", question, self.save)
+
+    def look_at_disk(self) -> None:
+        """Tell, once, that another program has changed or deleted the open file."""
+        state, path = self._on_disk.state(), self._document.path
+        if path is None or state == self._told:
+            return
+        self._told = state
+        if state == "gone":
+            self._document.mark_lost()
+            self.failed.emit(
+                f"{path.name} is no longer in {named(path.parent)}. Save the design to keep it."
+            )
+        elif state == "changed":
+            self.failed.emit(f"{path.name} {_CHANGED}. Saving will ask before it is replaced.")
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.WindowActivate:
+            self.look_at_disk()
+        return super().eventFilter(watched, event)
+
+    def _note_file(self, path: Path | None) -> None:
+        self._on_disk.note(path)
+        self._told, self.suggested = "same", None
+
+    def _may_overwrite(self, path: Path) -> bool:
+        return self._on_disk.state() != "changed" or agreed(
+            self._window,
+            "Replace what another program saved?",
+            f"{path.name} {_CHANGED}. Replace it, and lose what was saved there?",
+        )
+
+    def _save_to(self, path: Path) -> bool:
+        document, other = self._document, self.held.take(path)
+        if other is not None:
+            words = who_has(path, other)
+            if not may_have_ended(other):
+                self.failed.emit(f"{words}. Save the design under another name.")
+                return False
+            if not agreed(self._window, "Replace the file?", f"{words}. {_MAYBE_ENDED}"):
+                return False
+            self.held.take(path, from_other=True)
+        try:
+            save_design(path, document.design, document.view, layout=self._arrangement())
+        except SkinSourceError as error:
+            self.held.keep_only(None if document.read_only else document.path)
+            self.failed.emit(str(error))
+            return False
+        self.held.keep_only(path)
+        self._document.mark_saved(path)
+        self._note_file(path)
+        self.recent.remember(path)
+        self.recent_changed.emit()
+        self.note_written(path)
+        return True
+
+
+def _limb_to_start_on(document: Document) -> str:
+    """The one that is open, unless a scene brought it, or it is not here."""
+    limb = document.design.limb
+    return limb if not document.scene and limb in available_limbs() else default_limb()

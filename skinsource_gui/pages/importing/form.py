@@ -1,0 +1,601 @@
+"""What a file leaves open about a recording, as fields."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+from PySide6.QtCore import QLineF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+
+from skinsource.base.arrays import Floats
+from skinsource.base.published import SAMPLE_RATE_HZ, Band
+from skinsource.design.recordings import ImportChoice, Taken, suggested, usual_scale
+from skinsource.readers.limits import LEAST_RATE_HZ, MOST_PART_S, MOST_RATE_HZ
+from skinsource.readers.reader import Found, Series, other_axes
+from skinsource.readers.units import UNITS
+from skinsource.signals.spectra import share_outside_band
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.samples import Samples
+from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.plots.preview import SpectrumPreview, WaveformPreview
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
+
+#: Of a file that says none, until it is typed.
+ASSUMED_RATE_HZ = SAMPLE_RATE_HZ
+# Of a longer recording, its beginning to start with.
+_WHOLE_UP_TO_S, _BEGINNING_S = 60.0, 10.0
+_LONGEST_START_S = 1e6
+_STEADY = "steady"
+_SIGNAL = ChoiceSpec(label="Signal", options=(), hint="Which channel, column or dataset")
+_AXES = ChoiceSpec(
+    label="Axes",
+    options=(),
+    hint="As one: the energy of all three at each frequency, and the phase of their sum (DFT321, "
+    "Landin et al. 2010)",
+)
+_TIMING = ChoiceSpec(label="Times", options=(), hint="What says when each sample was taken")
+_TIME_UNIT = ChoiceSpec(
+    label="Stamps in", options=(("1", "s"), ("0.001", "ms"), ("1e-06", "µs")), hint="Their unit"
+)
+_UNIT = ChoiceSpec(
+    label="Unit",
+    options=tuple((name, unit.title) for name, unit in UNITS.items()),
+    hint="Velocities and displacements become accelerations, from 25 Hz on",
+)
+_SCALE = ChoiceSpec(
+    label="Size",
+    options=(("peak", "Scale to a peak of 1"), ("keep", "Keep as it is")),
+    hint="What is kept is in m/s² where the unit is one of motion",
+)
+_RATE = NumberSpec(
+    label="Sample rate",
+    unit="Hz",
+    minimum=LEAST_RATE_HZ,
+    maximum=MOST_RATE_HZ,
+    step=0.02,
+    logarithmic=True,
+    hint="The file does not say it",
+)
+_START = NumberSpec(
+    label="Start", unit="s", minimum=0.0, maximum=_LONGEST_START_S, step=0.1, hint="Of the part"
+)
+_DURATION = NumberSpec(
+    label="Length", unit="s", minimum=0.001, maximum=MOST_PART_S, step=0.1, hint="Of the part"
+)
+
+
+class ChoiceForm(QWidget):
+    """Asks only for what ``found`` leaves open; the rest is said by `given`."""
+
+    #: The `ImportChoice` that is wanted now.
+    changed = Signal(object)
+
+    def __init__(self, found: Found, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("import_form")
+        self._found = found
+        self._series = found.signals()[0]
+        self._choice = suggested(found)
+        self._lasts_s: float | None = None
+        self._part_chosen = False
+        # How long the part shall be, also where less is left after its start.
+        self._wanted_s = _BEGINNING_S
+        # Keys of the other axes, by what is chosen.
+        self._others: dict[str, tuple[str, ...]] = {"": ()}
+        self._signal, self._timing = ChoiceField(_SIGNAL), ChoiceField(_TIMING)
+        self._axes = ChoiceField(_AXES)
+        self._time_unit, self._unit = ChoiceField(_TIME_UNIT), ChoiceField(_UNIT)
+        self._scale = ChoiceField(_SCALE)
+        self._rate, self._start = NumberField(_RATE), NumberField(_START)
+        self._duration = NumberField(_DURATION)
+        self._offset = QCheckBox("Take the offset off")
+        self._missing = QCheckBox("Count missing numbers as 0")
+        self._widgets: dict[str, QWidget] = {
+            "signal": self._signal,
+            "axes": self._axes,
+            "timing": self._timing,
+            "time_unit": self._time_unit,
+            "rate": self._rate,
+            "unit": self._unit,
+            "scale": self._scale,
+            "offset": self._offset,
+            "start": self._start,
+            "duration": self._duration,
+            "missing": self._missing,
+        }
+        for name, widget in self._widgets.items():
+            widget.setObjectName(f"import_{name}")
+        self._lay_out()
+        _fill(self._form, self._signal, [(one.key, one.name) for one in found.signals()])
+        self._take_series(self._series)
+
+    @property
+    def choice(self) -> ImportChoice:
+        """What is wanted now."""
+        return self._choice
+
+    @property
+    def series(self) -> Series:
+        """The signal that is chosen."""
+        return self._series
+
+    @property
+    def assumes_rate(self) -> bool:
+        """Whether a rate counts that neither the file nor the user has said."""
+        stated = self._found.rate_of(self._series) is not None
+        return self._choice.time is None and not stated and not self._rate_typed
+
+    @property
+    def lasts_s(self) -> float | None:
+        """Length of the whole signal; None while only its time stamps know."""
+        rate_hz = self._choice.rate_hz
+        return self._lasts_s if rate_hz is None else self._series.n_samples / rate_hz
+
+    def take_part(self, start_s: float, duration_s: float) -> None:
+        """Want another part, as a user does."""
+        self._start.set_value(start_s)
+        self._choose_part(max(duration_s, _DURATION.minimum))
+
+    def show_length(self, lasts_s: float) -> None:
+        """Take over how long the whole signal is, and all of it unless a part was chosen."""
+        self._lasts_s = lasts_s
+        self._start.set_spec(replace(_START, maximum=lasts_s))
+        whole_s = max(lasts_s, _DURATION.minimum) if lasts_s <= _WHOLE_UP_TO_S else _BEGINNING_S
+        if not self._part_chosen:
+            self._wanted_s = whole_s
+        before = self._choice
+        self._fit()
+        if self._choice != before:
+            self.changed.emit(self._choice)
+
+    def show_missing(self, n_missing: int) -> None:
+        """Offer to count missing numbers as 0, where there are some."""
+        wanted = n_missing > 0 or self._missing.isChecked()
+        self._form.setRowVisible(self._missing, wanted)
+
+    def _lay_out(self) -> None:
+        self._form = QFormLayout(self)
+        self._form.setContentsMargins(0, 0, 0, 0)
+        self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        labels = {
+            "signal": "Signal",
+            "axes": "Axes",
+            "timing": "Times",
+            "time_unit": "Stamps in",
+            "rate": "Sample rate",
+            "unit": "Unit",
+            "scale": "Size",
+            "start": "Start",
+            "duration": "Length",
+        }
+        for name, widget in self._widgets.items():
+            self._form.addRow(labels.get(name, ""), widget)
+        self._form.setRowVisible(self._missing, False)
+        self._signal.chosen.connect(self._choose_signal)
+        self._unit.chosen.connect(lambda unit, *_: self._scale.set_value(usual_scale(unit)))
+        for field in (self._axes, self._timing, self._time_unit, self._unit, self._scale):
+            field.chosen.connect(self._take_over)
+        self._start.edited.connect(lambda *_: self._choose_part())
+        self._duration.edited.connect(lambda length_s, *_: self._choose_part(length_s))
+        self._rate.edited.connect(lambda *_: self._take_over(rate_typed=True))
+        self._offset.toggled.connect(self._take_over)
+        self._missing.toggled.connect(self._take_over)
+
+    def _choose_signal(self, key: str) -> None:
+        series = self._found.one(key)
+        if series is not None:
+            self._take_series(series)
+            self._take_over()
+
+    def _take_series(self, series: Series) -> None:
+        """Show what the file says about a signal, and what is likely to be wanted."""
+        self._series = series
+        first = suggested(self._found, series)
+        stated = self._found.rate_of(series)
+        self._rate_typed = self._part_chosen = False
+        self._lasts_s = None
+        others = [
+            one
+            for one in self._found.series
+            if one.n_samples == series.n_samples and one.key != series.key
+        ]
+        # Columns that are not called time may be it, where nothing else says the rate.
+        stamps = [one for one in others if one.is_time or stated is None][:50]
+        steady = "At a steady rate" if stated is None else f"At {stated:g} Hz"
+        _fill(
+            self._form,
+            self._timing,
+            [(_STEADY, steady), *((one.key, f"In {one.name}") for one in stamps)],
+        )
+        axes = other_axes(self._found, series)
+        together = f"With {' and '.join(one.name for one in axes)}, as one (DFT321)"
+        offered = [(" ".join(one.key for one in axes), together)] if axes else []
+        _fill(self._form, self._axes, [("", f"{series.name} alone"), *offered])
+        self._others = {"": (), **{key: tuple(one.key for one in axes) for key, _ in offered}}
+        self._timing.set_value(first.time or _STEADY)
+        self._rate.set_value(stated or ASSUMED_RATE_HZ)
+        self._time_unit.set_value(f"{first.time_unit_s:g}")
+        self._unit.set_value(first.unit)
+        self._scale.set_value(first.scale)
+        self._form.setRowVisible(self._unit, not series.unit)
+        self._offset.setChecked(first.remove_offset)
+        lasts_s = series.n_samples / (stated or ASSUMED_RATE_HZ)
+        known = stated is not None and first.time is None
+        if known:
+            self._start.set_spec(replace(_START, maximum=lasts_s))
+        whole = known and lasts_s <= _WHOLE_UP_TO_S
+        self._wanted_s = max(lasts_s, _DURATION.minimum) if whole else _BEGINNING_S
+        self._start.set_value(0.0)
+        self._fit()
+        self._show_rows()
+
+    def _choose_part(self, length_s: float | None = None) -> None:
+        self._part_chosen = True
+        self._wanted_s = self._wanted_s if length_s is None else length_s
+        self._take_over()
+
+    def _fit(self) -> None:
+        """Take over what the fields say; of the length no more than is left after the start."""
+        # How long all of it is depends on the rate that is chosen.
+        self._choice = self._wanted()
+        most_s = MOST_PART_S
+        if self.lasts_s is not None:
+            left_s = self.lasts_s - self._start.value_si
+            most_s = min(max(left_s, _DURATION.minimum), MOST_PART_S)
+        self._duration.set_spec(replace(_DURATION, maximum=most_s))
+        self._duration.set_value(min(self._wanted_s, most_s))
+        self._choice = self._wanted()
+
+    def _take_over(self, *_: object, rate_typed: bool = False) -> None:
+        self._rate_typed = self._rate_typed or rate_typed
+        self._fit()
+        self._show_rows()
+        self.changed.emit(self._choice)
+
+    def _show_rows(self) -> None:
+        steady = self._timing.value == _STEADY
+        stated = self._found.rate_of(self._series) is not None
+        stamps = self._found.one(self._timing.value)
+        self._form.setRowVisible(self._rate, steady and not stated)
+        self._form.setRowVisible(self._time_unit, stamps is not None and not stamps.is_time)
+
+    def _wanted(self) -> ImportChoice:
+        timing = self._timing.value
+        stamps = self._found.one(timing)
+        unit_s = stamps.time_unit_s if stamps and stamps.is_time else float(self._time_unit.value)
+        stated = self._found.rate_of(self._series)
+        return ImportChoice(
+            series=self._series.key,
+            rate_hz=None if stamps else (stated or self._rate.value_si),
+            time=stamps.key if stamps else None,
+            time_unit_s=unit_s,
+            unit=self._unit.value,
+            scale="keep" if self._scale.value == "keep" else "peak",
+            remove_offset=self._offset.isChecked(),
+            start_s=self._start.value_si,
+            duration_s=self._duration.value_si,
+            missing="zero" if self._missing.isChecked() else "refuse",
+            others=self._others[self._axes.value],
+        )
+
+
+def _fill(form: QFormLayout, field: ChoiceField, options: list[tuple[str, str]]) -> None:
+    field.clear()
+    for option, words in options:
+        field.addItem(words, option)
+    form.setRowVisible(field, len(options) > 1)
+
+
+# What a recording will be: its waveform, its spectrum, and some numbers.
+
+
+class ImportPreview(QWidget):
+    """Shows a `Taken`, or a sentence that says why there is none."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("import_preview")
+        self._waveform = WaveformPreview(axis=True)
+        self._spectrum = SpectrumPreview()
+        self._numbers, self._notes = QLabel(), QLabel()
+        self._numbers.setObjectName("import_numbers")
+        self._numbers.setFont(tabular(self._numbers.font()))
+        self._notes.setObjectName("import_notes")
+        set_tone(self._notes, "dim")
+        for label in (self._numbers, self._notes):
+            label.setWordWrap(True)
+            label.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
+        self._waveform.setMinimumHeight(120)
+        self._spectrum.setMinimumHeight(120)
+        self._numbers.setMinimumHeight(2 * self.fontMetrics().lineSpacing())
+        self._notes.setMinimumHeight(3 * self.fontMetrics().lineSpacing())
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(UNIT_PX)
+        column.addWidget(self._waveform, 1)
+        column.addWidget(self._spectrum, 1)
+        column.addWidget(self._numbers)
+        column.addWidget(self._notes)
+
+    @property
+    def words(self) -> str:
+        """All that is said below the pictures, or in their place."""
+        return " ".join((self._waveform.words, self._numbers.text(), self._notes.text())).strip()
+
+    def sizeHint(self) -> QSize:
+        return QSize(440, 420)
+
+    def show_taken(self, taken: Taken, choice: ImportChoice, band_hz: Band | None) -> None:
+        """Show what ``choice`` will import, and the band in which the limb was measured."""
+        samples = taken.samples
+        rate = samples.sample_rate_hz
+        self._waveform.show_samples(samples.values / (samples.peak or 1.0), rate)
+        self._spectrum.show_samples(samples.values, rate, band_hz)
+        rms = float(np.sqrt(np.mean(samples.values**2)))
+        unit = f" {samples.unit}" if samples.unit else ""
+        also = _in_own_unit(samples, choice)
+        self._numbers.setText(
+            f"{samples.duration_s:.4g} s · peak {samples.peak:.3g}{unit}{also} · "
+            f"RMS {rms:.3g}{unit} · {samples.values.size} samples at {rate:g} Hz"
+            + ("" if band_hz is None else f"\n{_outside(samples, band_hz)}")
+        )
+        self._notes.setText(" ".join(taken.notes))
+        self.set_pale(False)
+
+    def show_words(self, words: str) -> None:
+        """Show nothing, and say why."""
+        self._waveform.show_words(words)
+        self._spectrum.show_samples(None)
+        self._numbers.clear()
+        self._notes.clear()
+
+    def set_pale(self, pale: bool) -> None:
+        """Whether something newer is on its way."""
+        self._waveform.set_pale(pale)
+
+
+def _in_own_unit(samples: Samples, choice: ImportChoice) -> str:
+    """The peak in the unit of the file, where that is another acceleration: ``" (0.50 g)"``."""
+    unit = UNITS[choice.unit]
+    if choice.scale != "keep" or unit.factor == 1.0 or unit.derivatives:
+        return ""
+    peak = samples.peak / unit.factor
+    return f" ({peak:.2f} {unit.name})" if peak >= 0.1 else f" ({peak:.2g} {unit.name})"
+
+
+def _outside(samples: Samples, band_hz: Band) -> str:
+    share = _percent(share_outside_band(samples.values, samples.sample_rate_hz, band_hz))
+    low_hz, high_hz = band_hz
+    return f"{share} of the energy lies outside the measured band, {low_hz:g} to {high_hz:g} Hz"
+
+
+def _percent(share: float) -> str:
+    if share < 0.001:
+        return "Less than 0.1 %"
+    return f"{100.0 * share:.1f} %" if share < 0.1 else f"{100.0 * share:.0f} %"
+
+
+# The part of a recording that is taken, dragged along a strip that shows all of it.
+
+_HANDLE_PX = 6
+_LEAST_PX = 3.0
+
+
+class TakenPart:
+    """A part of a recording, and what a drag makes of it.
+
+    Parameters
+    ----------
+    longest_s
+        Of the part.
+    width_px
+        How wide the strip is.
+
+    Attributes
+    ----------
+    start_s, end_s
+        The part.
+    lasts_s
+        How long the recording is.
+    """
+
+    def __init__(self, longest_s: float, width_px: Callable[[], int]) -> None:
+        self._longest_s, self._width_px = longest_s, width_px
+        self.start_s, self.end_s, self.lasts_s = 0.0, 1.0, 1.0
+        # What is dragged: an end, the part, or a new one; and where it was taken, s.
+        self._held: tuple[str, float] | None = None
+
+    def show(self, lasts_s: float, start_s: float, duration_s: float) -> None:
+        """Take over another part, of a recording of that length."""
+        self.lasts_s = lasts_s
+        self.start_s, self.end_s = start_s, min(start_s + duration_s, lasts_s)
+
+    def take_all(self) -> None:
+        """Take all, as far as it may be taken."""
+        self.start_s, self.end_s = 0.0, min(self.lasts_s, self._longest_s)
+
+    @property
+    def held(self) -> bool:
+        """Whether it is dragged."""
+        return self._held is not None
+
+    def hold(self, x_px: float) -> bool:
+        """Begin to drag there; whether the part came there already."""
+        end = self.end_at(x_px)
+        if end:
+            self._held = (end, 0.0)
+        elif self._all_is_taken:
+            self._held = ("new", self._time_of(x_px))
+        elif self.x_of(self.start_s) <= x_px <= self.x_of(self.end_s):
+            self._held = ("part", self._time_of(x_px) - self.start_s)
+        else:
+            self._held = ("part", (self.end_s - self.start_s) / 2.0)
+            return self.drag(x_px)
+        return False
+
+    def drag(self, x_px: float) -> bool:
+        """Follow the pointer; whether there is a part to be told of."""
+        held, offset_s = self._held or ("part", 0.0)
+        start_s, end_s = self.start_s, self.end_s
+        least_s = self.lasts_s / max(self._width_px(), 1)
+        at_s = self._time_of(x_px)
+        if held == "new":
+            if abs(self.x_of(at_s) - self.x_of(offset_s)) < _LEAST_PX:
+                return False
+            at_s = min(max(at_s, offset_s - self._longest_s), offset_s + self._longest_s)
+            start_s, end_s = sorted((offset_s, at_s))
+        elif held == "start":
+            start_s = min(max(at_s, end_s - self._longest_s), end_s - least_s)
+        elif held == "end":
+            end_s = max(min(at_s, start_s + self._longest_s), start_s + least_s)
+        else:
+            length_s = end_s - start_s
+            start_s = min(max(at_s - offset_s, 0.0), self.lasts_s - length_s)
+            end_s = start_s + length_s
+        self.start_s, self.end_s = max(start_s, 0.0), end_s
+        return True
+
+    def let_go(self) -> None:
+        """The drag has ended."""
+        self._held = None
+
+    def x_of(self, time_s: float) -> float:
+        """Where a time lies, px."""
+        return self._width_px() * time_s / self.lasts_s
+
+    def end_at(self, x_px: float) -> str:
+        """Which end of the part is meant there: "start" or "end"; empty for none."""
+        ends = {"start": self.start_s, "end": self.end_s}
+        near = [name for name, at_s in ends.items() if abs(self.x_of(at_s) - x_px) <= _HANDLE_PX]
+        return near[-1] if near else ""
+
+    @property
+    def _all_is_taken(self) -> bool:
+        return self.x_of(self.start_s) < 1.0 and self.x_of(self.end_s) > self._width_px() - 1.0
+
+    def _time_of(self, x_px: float) -> float:
+        return min(max(x_px / max(self._width_px(), 1), 0.0), 1.0) * self.lasts_s
+
+
+# All of a recording in a strip, and the part of it that is taken.
+
+_HEIGHT_PX = 44
+_SHADE_ALPHA = 46
+
+
+class OverviewStrip(QWidget):
+    """A drag moves the part, or one of its ends; where all is taken, it chooses a part.
+
+    A double click takes all.
+
+    Parameters
+    ----------
+    longest_s
+        Of the part.
+    """
+
+    #: Start and length of the part that is wanted, s.
+    part_wanted = Signal(float, float)
+
+    def __init__(self, longest_s: float, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._extremes: Floats | None = None
+        self._landmarks_s: Floats | None = None
+        self._part = TakenPart(longest_s, self.width)
+        self.setObjectName("import_overview")
+        self.setAccessibleName("Whole recording; type the part in Start and Length")
+        self.setToolTip(
+            "The whole recording: drag over what is to be taken; drag that or one of its ends to "
+            "change it; double click to take all"
+        )
+        self.setMouseTracking(True)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+
+    def sizeHint(self) -> QSize:
+        return QSize(400, _HEIGHT_PX)
+
+    @property
+    def extremes(self) -> Floats | None:
+        """What is drawn, (2, columns)."""
+        return self._extremes
+
+    def show_extremes(self, extremes: Floats | None) -> None:
+        """Draw least and largest of each stretch, (2, columns); nothing while unknown."""
+        self._extremes = extremes
+        self.update()
+
+    def show_landmarks(self, landmarks_s: Floats | None) -> None:
+        """Take over when samples were that are evenly chosen among all; None: at a steady rate."""
+        self._landmarks_s = landmarks_s
+        self.update()
+
+    def show_part(self, lasts_s: float, start_s: float, duration_s: float) -> None:
+        """Mark the part of a recording of that length."""
+        self._part.show(lasts_s, start_s, duration_s)
+        self.update()
+
+    def x_of(self, time_s: float) -> float:
+        """Where a time lies, px."""
+        return self._part.x_of(time_s)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), QColor(current_theme().base))
+        if self._extremes is not None:
+            self._paint_extremes(painter, self._extremes)
+        start, end = self.x_of(self._part.start_s), self.x_of(self._part.end_s)
+        part = QRectF(start, 0.0, max(end - start, _LEAST_PX), self.height())
+        shade = QColor(current_theme().accent)
+        painter.setPen(QPen(shade, 2))
+        shade.setAlpha(_SHADE_ALPHA)
+        painter.fillRect(part, shade)
+        painter.drawLine(QLineF(part.topLeft(), part.bottomLeft()))
+        painter.drawLine(QLineF(part.topRight(), part.bottomRight()))
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton and self._part.hold(event.position().x()):
+            self._tell()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        x = event.position().x()
+        if not self._part.held:
+            over_end = bool(self._part.end_at(x))
+            self.setCursor(Qt.CursorShape.SizeHorCursor if over_end else Qt.CursorShape.ArrowCursor)
+        elif self._part.drag(x):
+            self._tell()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._part.let_go()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        self._part.let_go()
+        self._part.take_all()
+        self._tell()
+
+    def _tell(self) -> None:
+        self.update()
+        start_s, end_s = self._part.start_s, self._part.end_s
+        self.part_wanted.emit(start_s, end_s - start_s)
+
+    def _paint_extremes(self, painter: QPainter, extremes: Floats) -> None:
+        # An offset would leave no room for what is heard.
+        known = np.nan_to_num(extremes - np.nanmean(np.nan_to_num(extremes)))
+        largest = max(float(np.abs(known).max()), np.finfo(np.float64).tiny)
+        middle, reach = self.height() / 2.0, self.height() / 2.0 - 2.0
+        columns = extremes.shape[1]
+        share = (np.arange(columns) + 0.5) / columns
+        if self._landmarks_s is not None:
+            among = np.linspace(0.0, 1.0, self._landmarks_s.size)
+            share = np.interp(share, among, self._landmarks_s) / self._part.lasts_s
+        x = share * self.width()
+        tops, bottoms = middle - reach * known[1] / largest, middle - reach * known[0] / largest
+        painter.setPen(QPen(QColor(current_theme().dim), 1))
+        painter.drawLines(
+            [
+                QLineF(at, top, at, max(bottom, top + 1.0))
+                for at, top, bottom in zip(x, tops, bottoms, strict=True)
+            ]
+        )

@@ -1,0 +1,363 @@
+"""Reads one foreign file for a page."""
+
+from functools import partial
+from pathlib import Path
+from time import monotonic
+
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import SkinSourceError, Stopped
+from skinsource.base.files import named
+from skinsource.base.job import Job, Progress, Stop, stop_if
+from skinsource.base.work import counted
+from skinsource.design.recordings import ImportChoice, RawPart, Taken, read_for, read_part
+from skinsource.limbs.limb import LimbFacts
+from skinsource.readers.limits import MOST_PART_S
+from skinsource.readers.reader import Found, Series
+from skinsource.readers.reading_process import ReadingProcess
+from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.pages.importing.form import (
+    ASSUMED_RATE_HZ,
+    ChoiceForm,
+    ImportPreview,
+    OverviewStrip,
+)
+from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.state.engine import LatestWins
+
+# What takes longer is given up for what is wanted meanwhile.
+_PATIENCE_S = 0.5
+_BETWEEN_PROGRESS_S = 0.05
+# Stretches of the picture of all.
+_COLUMNS = 600
+
+
+class ReadingWorker(LatestWins):
+    """Looks at a file, and takes parts of it; what need not be read again is not.
+
+    What failed is an `ImportChoice`, or None while the file is looked at.
+
+    Parameters
+    ----------
+    path
+        The file.
+    to_hz
+        The rate of what is taken.
+    """
+
+    #: `Found`.
+    looked = Signal(object)
+    #: `RawPart`: what was read for the choice that is being worked on.
+    read = Signal(object)
+    #: `ImportChoice`, and its `Taken`.
+    taken = Signal(object, object)
+    #: Key of a series, and the least and largest of each stretch of it, (2, columns).
+    surveyed = Signal(str, object)
+    #: Samples read, and of how many.
+    progressed = Signal(int, int)
+
+    def __init__(self, path: Path, to_hz: float, parent: QObject | None = None) -> None:
+        super().__init__("skinsource-import", parent)
+        self._path, self._to_hz = path, to_hz
+        self._process = ReadingProcess()
+        self._found: Found | None = None
+        self._raw: RawPart | None = None
+
+    def look(self) -> None:
+        """Find out what the file holds."""
+        self.want(None, self._look)
+
+    def take(self, choice: ImportChoice) -> None:
+        """Take what ``choice`` means, instead of whatever was wanted before."""
+        self.want(choice, partial(self._import, choice))
+
+    def survey(self, series: Series) -> None:
+        """Look at all of a series, once nothing else is wanted."""
+        self.want_besides(partial(self._look_at_all, series))
+
+    def close(self) -> None:
+        super().close()
+        self._process.close()
+
+    def _look(self) -> None:
+        self._found = self._process.look(self._path, stop=lambda: self.closed)
+        self.tell(self.looked, self._found)
+
+    def _import(self, choice: ImportChoice) -> None:
+        job = Job(f"Importing {self._path.name}", partial(self._take, choice))
+        self.tell(self.taken, choice, job.run(self._progress(), self._stop()))
+
+    def _look_at_all(self, series: Series) -> None:
+        try:
+            extremes = self._process.overview(
+                self._path, series.key, series.n_samples, _COLUMNS, stop=lambda: self.outdated
+            )
+        except SkinSourceError as error:
+            if isinstance(error, Stopped):
+                raise  # later, unless it is closed
+            return  # what is wrong is said about the part
+        self.tell(self.surveyed, series.key, extremes)
+
+    def _take(self, choice: ImportChoice, *, progress: Progress, stop: Stop) -> Taken:
+        if self._found is None:
+            raise Stopped  # nothing is taken before it is known what there is
+        if self._raw is None or self._raw.read_for != read_for(choice):
+            self._raw = None
+            self._raw = read_part(
+                self._path,
+                self._found,
+                choice,
+                process=self._process,
+                progress=progress,
+                stop=stop,
+            )
+        self.tell(self.read, self._raw)
+        stop_if(stop)
+        return self._raw.taken(choice, self._to_hz)
+
+    def _stop(self) -> Stop:
+        until_s = monotonic() + _PATIENCE_S
+
+        def stop() -> bool:
+            late = self.outdated and monotonic() > until_s
+            return self.closed or late
+
+        return stop
+
+    def _progress(self) -> Progress:
+        last_s = 0.0
+
+        def tell(done: int, total: int, _: str) -> None:
+            nonlocal last_s
+            if monotonic() - last_s >= _BETWEEN_PROGRESS_S:
+                last_s = monotonic()
+                self.tell(self.progressed, done, total)
+
+        return tell
+
+
+# The page on which a recording is looked at and chosen, before it is placed.
+
+_LEFT_PX = 300
+_READING = "Reading…"
+_ASSUMED = f"The file does not say its sample rate; {ASSUMED_RATE_HZ:g} Hz is assumed."
+
+
+class ImportPage(QDialog):
+    """Shows what a file holds, asks what it leaves open, and shows what will come of it.
+
+    Parameters
+    ----------
+    path
+        The file.
+    limb
+        That of the design: its rate and band.
+    places
+        Name and words of each place it can go to, the likeliest one first.
+    """
+
+    #: `skinsource.design.waveforms.samples.Recording`; the name of its place.
+    chosen = Signal(object, str)
+
+    def __init__(
+        self,
+        path: Path,
+        limb: LimbFacts,
+        places: tuple[tuple[str, str], ...],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setObjectName("import_page")
+        self.setWindowTitle(f"Import {named(Path(path.name))}")
+        self.resize(820, 520)
+        self._band_hz = limb.band_hz
+        self._form: ChoiceForm | None = None
+        self._taken: Taken | None = None
+        self._surveyed = ""
+        self._about, self._warning = QLabel(_READING), QLabel(_ASSUMED)
+        self._place = ChoiceField(ChoiceSpec(label="Goes to", options=places))
+        self._preview, self._strip = ImportPreview(), OverviewStrip(MOST_PART_S)
+        self._strip.hide()
+        self._bar = QProgressBar()
+        self._buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        )
+        self._name_parts()
+        self._lay_out()
+        self._worker = ReadingWorker(path, limb.sample_rate_hz, self)
+        self._connect()
+        self._worker.look()
+
+    @property
+    def form(self) -> ChoiceForm | None:
+        """The fields, once it is known what the file holds."""
+        return self._form
+
+    @property
+    def preview(self) -> ImportPreview:
+        """What is shown of the recording."""
+        return self._preview
+
+    @property
+    def busy(self) -> bool:
+        """Whether something is read or shown that was not asked for last."""
+        return self._bar.isVisible()
+
+    @property
+    def ready(self) -> bool:
+        """Whether what is shown is what will be imported."""
+        return self._import_button.isEnabled()
+
+    def done(self, result: int) -> None:
+        """Close it, with or without a recording."""
+        taken, place = self._taken, self._place.value
+        self._worker.close()
+        super().done(result)
+        if result == QDialog.DialogCode.Accepted and taken is not None:
+            self.chosen.emit(taken.waveform, place)
+
+    def _name_parts(self) -> None:
+        self._import_button = self._buttons.button(QDialogButtonBox.StandardButton.Ok)
+        self._import_button.setText("Import")
+        self._import_button.setEnabled(False)
+        self._about.setObjectName("import_about")
+        self._warning.setObjectName("import_warning")
+        self._place.setObjectName("import_place")
+        for label in (self._about, self._warning):
+            label.setWordWrap(True)
+        set_tone(self._warning, "warning")
+        self._warning.hide()
+        self._bar.setObjectName("import_progress")
+        self._bar.setAccessibleName("Progress of reading")
+        self._bar.setTextVisible(False)
+        self._bar.setRange(0, 0)
+        # Room is kept for it, so that nothing moves.
+        policy = self._bar.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self._bar.setSizePolicy(policy)
+
+    def _lay_out(self) -> None:
+        left = QWidget()
+        left.setFixedWidth(_LEFT_PX)
+        self._left = QVBoxLayout(left)
+        self._left.setContentsMargins(0, 0, 0, 0)
+        self._left.setSpacing(UNIT_PX)
+        self._left.addWidget(self._about)
+        self._left.addWidget(self._warning)
+        self._left.addStretch(1)
+        self._left.addWidget(QLabel("Goes to"))
+        self._left.addWidget(self._place)
+        columns = QHBoxLayout()
+        columns.setSpacing(2 * UNIT_PX)
+        columns.addWidget(left)
+        right = QVBoxLayout()
+        right.setSpacing(UNIT_PX)
+        right.addWidget(self._strip)
+        right.addWidget(self._preview, 1)
+        columns.addLayout(right, 1)
+        rows = QVBoxLayout(self)
+        rows.addLayout(columns, 1)
+        rows.addWidget(self._bar)
+        rows.addWidget(self._buttons)
+        self._preview.show_words(_READING)
+
+    def _connect(self) -> None:
+        worker = self._worker
+        worker.looked.connect(self._show_found)
+        worker.read.connect(self._show_read)
+        worker.taken.connect(self._show_taken)
+        worker.surveyed.connect(self._show_overview)
+        worker.failed.connect(self._show_failed)
+        worker.progressed.connect(self._show_progress)
+        self._buttons.accepted.connect(self.accept)
+        self._buttons.rejected.connect(self.reject)
+
+    def _show_found(self, found: Found) -> None:
+        self._about.setText(about(found))
+        self._form = ChoiceForm(found, self)
+        self._form.changed.connect(self._want)
+        self._left.insertWidget(2, self._form)
+        self._strip.part_wanted.connect(self._form.take_part)
+        self._want(self._form.choice)
+
+    def _want(self, choice: ImportChoice) -> None:
+        self._taken = None
+        self._import_button.setEnabled(False)
+        self._warning.setVisible(self._form is not None and self._form.assumes_rate)
+        self._preview.set_pale(True)
+        self._bar.show()
+        self._bar.setRange(0, 0)
+        self._worker.take(choice)
+        self._show_part(choice)
+
+    def _show_part(self, choice: ImportChoice) -> None:
+        form = self._form
+        lasts_s = form.lasts_s if form is not None else None
+        self._strip.setVisible(lasts_s is not None)
+        if form is None or lasts_s is None:
+            return
+        self._strip.show_part(lasts_s, choice.start_s, choice.duration_s)
+        if self._surveyed != choice.series:
+            self._surveyed = choice.series
+            self._strip.show_extremes(None)
+            self._worker.survey(form.series)
+
+    def _show_overview(self, key: str, extremes: Floats) -> None:
+        if self._form is not None and key == self._form.choice.series:
+            self._strip.show_extremes(extremes)
+
+    def _show_read(self, raw: RawPart) -> None:
+        if self._form is not None:
+            self._form.show_missing(raw.n_missing)
+            self._strip.show_landmarks(raw.landmarks_s)
+            self._form.show_length(raw.lasts_s)
+            self._show_part(self._form.choice)
+
+    def _show_taken(self, choice: ImportChoice, taken: Taken) -> None:
+        if self._form is None or choice != self._form.choice:
+            return
+        self._taken = taken
+        self._bar.hide()
+        self._preview.show_taken(taken, choice, self._band_hz)
+        self._import_button.setEnabled(True)
+        self._import_button.setDefault(True)
+
+    def _show_failed(self, choice: ImportChoice | None, words: str) -> None:
+        if choice is None:
+            self._about.setText("This file cannot be imported.")
+        elif self._form is None or choice != self._form.choice:
+            return
+        self._bar.hide()
+        self._preview.show_words(words)
+
+    def _show_progress(self, done: int, total: int) -> None:
+        self._bar.setRange(0, 1000)
+        self._bar.setValue(1000 * done // max(total, 1))
+
+
+def about(found: Found) -> str:
+    """What a file says about itself, in a few lines."""
+    signals = found.signals()
+    one = signals[0]
+    rate_hz = found.rate_of(one)
+    many = f"{len(signals)} signals" if len(signals) > 1 else "one signal"
+    words = [f"{found.format}, {many} of {counted(one.n_samples, 'sample')}"]
+    if rate_hz is not None:
+        words.append(f"{rate_hz:g} Hz, {one.n_samples / rate_hz:.4g} s")
+    if one.unit:
+        words.append(f"in {one.unit}")
+    # Numbers stay with their units.
+    facts = ", ".join(one.replace(" Hz", "\u00a0Hz").replace(" s", "\u00a0s") for one in words)
+    return facts + "." + "".join(f"\n{note}" for note in found.notes[:3])

@@ -1,0 +1,168 @@
+"""Edit > Save to library…: what is kept, and under which name; and presets that are dropped."""
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QLabel,
+    QLineEdit,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.quoting import sentence
+from skinsource.base.work import counted
+from skinsource.design import edits
+from skinsource.design.clips import Fragment
+from skinsource.design.design import Design
+from skinsource.design.presets.presets import Preset, tags_of, whole_design
+from skinsource.design.view import View
+from skinsource_gui.fields.choice_field import DropDown
+from skinsource_gui.qt.theme import set_tone
+
+# What of a design can be kept as a preset.
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Choice:
+    """Clips, what they are called in the list of choices, and a name to begin with."""
+
+    words: str
+    name: str
+    fragment: Fragment
+
+
+def fragments_to_save(design: Design, view: View) -> tuple[Choice, ...]:
+    """Selected clips, all clips of the selected tracks, the whole design; each once."""
+    tracks = [one for one in design.inputs if one.id in view.selected_inputs]
+    on_tracks = tuple(clip.id for one in tracks for clip in one.clips)
+    found: list[Choice] = []
+    for words, ids in (
+        ("Selected", view.selected_clips),
+        ("On the selected tracks" if len(tracks) > 1 else "On the selected track", on_tracks),
+    ):
+        fragment = edits.fragment_of(design, ids)
+        if fragment is not None:
+            found.append(_choice(words, _name(fragment), fragment))
+    everything = whole_design(design)
+    if everything is not None:
+        found.append(_choice("The whole design", design.title or _name(everything), everything))
+    once: list[Choice] = []
+    for one in found:
+        if all(one.fragment != other.fragment for other in once):
+            once.append(one)
+    return tuple(once)
+
+
+def _choice(words: str, name: str, fragment: Fragment) -> Choice:
+    n = sum(len(lane.clips) for lane in fragment.lanes)
+    clips = counted(n, "clip")
+    if len(fragment.lanes) > 1:
+        clips += f" on {len(fragment.lanes)} tracks"
+    return Choice(words=f"{words}: {clips}", name=name[:100], fragment=fragment)
+
+
+def _name(fragment: Fragment) -> str:
+    first = fragment.lanes[0].clips[0]
+    return first.label.strip() or first.waveform.title
+
+
+# The page on which a preset gets its name.
+
+TITLE = "Save to library"
+
+
+class SavePage(QDialog):
+    """Asks what is kept, its name, tags, and words.
+
+    Parameters
+    ----------
+    choices
+        What can be kept, the likeliest first; at least one.
+    """
+
+    #: `Preset`.
+    chosen = Signal(object)
+
+    def __init__(self, choices: tuple[Choice, ...], parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setObjectName("save_to_library_page")
+        self.setWindowTitle(TITLE)
+        self.setMinimumWidth(460)
+        self._choices = choices
+        self.what = DropDown()
+        self.what.addItems([one.words for one in choices])
+        self.name, self.tags = QLineEdit(), QLineEdit()
+        self.description, self.source = QLineEdit(), QLineEdit()
+        self.problem = QLabel()
+        self.problem.setObjectName("library_problem")
+        self.problem.setWordWrap(True)
+        set_tone(self.problem, "error")
+        self.problem.hide()
+        self.buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
+        )
+        self._lay_out()
+        self.what.currentIndexChanged.connect(self._suggest)
+        self.name.textChanged.connect(self._check)
+        self.buttons.accepted.connect(self._choose)
+        self.buttons.rejected.connect(self.reject)
+        self._suggest()
+        self.name.setFocus()
+
+    def show_problem(self, words: str) -> None:
+        """Say why it was not kept; the page stays."""
+        self.problem.setText(words)
+        self.problem.setVisible(bool(words))
+
+    def _lay_out(self) -> None:
+        form = QFormLayout()
+        self.tags.setPlaceholderText("between commas: tap, texture")
+        self.description.setPlaceholderText("what it is for")
+        self.source.setPlaceholderText("where its numbers come from")
+        for label, field, name in (
+            ("Keep", self.what, "library_what"),
+            ("Name", self.name, "library_name"),
+            ("Tags", self.tags, "library_tags"),
+            ("Description", self.description, "library_description"),
+            ("Source", self.source, "library_source"),
+        ):
+            field.setObjectName(name)
+            field.setAccessibleName(label)
+            form.addRow(label, field)
+        column = QVBoxLayout(self)
+        column.addLayout(form)
+        column.addWidget(self.problem)
+        column.addStretch(1)
+        column.addWidget(self.buttons)
+
+    def _suggest(self) -> None:
+        suggested = {one.name for one in self._choices}
+        # What was typed stays.
+        if not self.name.text() or self.name.text() in suggested:
+            self.name.setText(self._choices[self.what.currentIndex()].name)
+            self.name.selectAll()
+        self._check()
+
+    def _check(self) -> None:
+        save = self.buttons.button(QDialogButtonBox.StandardButton.Save)
+        save.setEnabled(bool(self.name.text().strip()))
+
+    def _choose(self) -> None:
+        try:
+            preset = Preset(
+                name=" ".join(self.name.text().split()),
+                tags=tags_of(self.tags.text()),
+                source=self.source.text().strip(),
+                description=self.description.text().strip(),
+                fragment=self._choices[self.what.currentIndex()].fragment,
+            )
+        except InvalidInputError as error:
+            self.show_problem(sentence(str(error)))
+            return
+        self.chosen.emit(preset)

@@ -1,0 +1,1 @@
+"""Limbs of the user."""

@@ -1,0 +1,598 @@
+"""The limb that is being put together on the page."""
+
+import dataclasses
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QObject, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QImage,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QPolygonF,
+    QTransform,
+)
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QWidget,
+)
+
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.work import counted
+from skinsource.design.labels import AXES
+from skinsource.limbs.limb_import import LimbSource, read_points
+from skinsource.limbs.own_limbs import NAME_RULE
+from skinsource.readers.reading_process import ReadingProcess
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.pages.limbs import photograph
+from skinsource_gui.qt.buttons import page_button
+from skinsource_gui.qt.labels import NameLine
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
+from skinsource_gui.qt.tooltips import tooltip
+
+_NO_POINTS, _TURN = np.empty((0, 2)), np.array((1.0, -1.0))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Draft:
+    """Files and values as they are chosen.
+
+    Attributes
+    ----------
+    responses
+        Where the responses are; None: not chosen yet.
+    shape
+        Of the responses, inputs, outputs, axes and taps, as far as the file says; None: unknown.
+    in_layout
+        Whether the file says all that is needed.
+    outline, inputs, outputs
+        Points, (n, 2), as they are drawn: x right, y down where there is a photograph, else up.
+    hand
+        The two ends of the length of the hand, (n, 2), clicked on a photograph.
+    y_down
+        Whether y points down: points are pixels of a photograph.
+    tables, turned
+        What of these points comes from files; whether y was turned in it, since the outline is an
+        SVG, where y points down, and the tables beside it are taken to do as it does.
+    input_names, output_names
+        From tables.
+    values
+        What is typed: fields of `skinsource.limbs.own_limbs.OwnLimb`.
+    """
+
+    responses: Path | None = None
+    shape: tuple[int, ...] | None = None
+    in_layout: bool = False
+    outline: Floats = dataclasses.field(default_factory=_NO_POINTS.copy)
+    inputs: Floats = dataclasses.field(default_factory=_NO_POINTS.copy)
+    outputs: Floats = dataclasses.field(default_factory=_NO_POINTS.copy)
+    hand: Floats = dataclasses.field(default_factory=_NO_POINTS.copy)
+    y_down: bool = False
+    tables: frozenset[str] = frozenset()
+    turned: bool = False
+    order: str = ""
+    input_names: tuple[str, ...] = ()
+    output_names: tuple[str, ...] = ()
+    values: dict[str, Any] = dataclasses.field(default_factory=dict)
+
+    def with_point(self, what: str, point: tuple[float, float]) -> "Draft":
+        """With one more point of ``what``: a third end of the hand takes the place of the first."""
+        points = np.vstack((getattr(self, what), [point]))
+        changed: dict[str, Any] = {what: points[-2:] if what == "hand" else points}
+        return replace(self, **changed)
+
+    def with_file(self, what: str, points: Floats, *, y_down: bool) -> "Draft":
+        """With the points of a file, whose y points down or, as far as it says, up."""
+        if self.y_down:
+            # Pixels of the photograph.
+            as_clicked: dict[str, Any] = {what: points}
+            return replace(self, **as_clicked)
+        turned = y_down if what == "outline" else self.turned
+        changed: dict[str, Any] = {what: points * _TURN if turned else points}
+        if turned != self.turned:
+            changed |= {one: getattr(self, one) * _TURN for one in self.tables - {what}}
+        return replace(self, tables=self.tables | {what}, turned=turned, **changed)
+
+    def with_array(self, path: Path) -> "Draft":
+        """With an array for responses: what a file in the layout said of its own ones goes."""
+        nothing: dict[str, Any] = {"responses": path, "shape": None, "in_layout": False}
+        if self.in_layout and not self.y_down:
+            for what in {"outline", "inputs", "outputs"} - self.tables:
+                nothing[what] = _NO_POINTS.copy()
+        return replace(self, **nothing)
+
+    def without_last(self, what: str) -> "Draft":
+        """Without the last point of ``what``."""
+        return replace(self, **{what: getattr(self, what)[:-1]})
+
+    def source(self) -> LimbSource:
+        """What is imported; where nothing was chosen, the file's own values stand."""
+        if self.responses is None:
+            raise ValueError("no responses are chosen")
+        values = dict(self.values)
+        if len(self.hand) == 2:
+            values["hand_length_px"] = float(np.linalg.norm(self.hand[1] - self.hand[0]))
+        for name in ("input_names", "output_names"):
+            if getattr(self, name):
+                values[name] = getattr(self, name)
+        return LimbSource(
+            responses=self.responses,
+            order=self.order,
+            outline=self.outline if len(self.outline) else None,
+            inputs=self.inputs if len(self.inputs) else None,
+            outputs=self.outputs if len(self.outputs) else None,
+            y_down=self.y_down,
+            values=values,
+        )
+
+    def missing(self) -> str:
+        """What is still to be done, in a sentence; empty: it can be tried."""
+        if self.responses is None:
+            return "Choose the file of the responses."
+        placed = (self.inputs, self.outputs, self.outline, self.hand)
+        if self.in_layout and self.y_down and not any(map(len, placed)):
+            # Nothing was clicked on the photograph: what the file says stands.
+            return ""
+        if not self.values.get("name"):
+            return "Give the limb a name."
+        axes = self.values.get("axes", "")
+        if self.shape and len(axes) != self.shape[2]:
+            axes_there = f"{self.shape[2]} ax{'is' if self.shape[2] == 1 else 'es'}"
+            return f"The responses have {axes_there}; choose as many."
+        for what, index in (("inputs", 0), ("outputs", 1)):
+            n, wanted = len(getattr(self, what)), self.shape[index] if self.shape else 0
+            if wanted and n != wanted:
+                return f"{n} of {wanted} {what} have a place: click them, or open a table."
+        if self.in_layout and len(self.outline) < 3:
+            return "Click the corners of the outline: the file's has another unit."
+        if self.y_down and len(self.hand) != 2:
+            return "Click both ends of the hand's length: fingertip and wrist."
+        return ""
+
+
+# The photograph, the outline and the places, as they lie; places are clicked here.
+
+_RADIUS_PX, _DOT_PX = 8.0, 4.0
+# In a crowd a mark takes this share of the way to the nearest one of its kind, but stays to be
+# seen; numbers stand in those that are not smaller than this.
+_OF_SPACING, _CROWDED_PX, _NUMBERED_PX = 0.44, 2.0, 7.0
+_NOTHING = "Outline and places appear here. Open a photograph to click them."
+
+
+class PlacesCanvas(QWidget):
+    """Shows a draft; tells where it was clicked, in the coordinates of the draft."""
+
+    #: x, y
+    clicked = Signal(float, float)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._draft = Draft()
+        self._photograph = QImage()
+        self.setObjectName("places_canvas")
+        self.setAccessibleName("Outline and places of the limb")
+        self.setMinimumSize(260, 320)
+
+    def show_photograph(self, photograph: QImage) -> None:
+        """Lay a photograph under the places."""
+        self._photograph = photograph
+        can_click = not photograph.isNull()
+        self.setCursor(Qt.CursorShape.CrossCursor if can_click else Qt.CursorShape.ArrowCursor)
+        self.update()
+
+    def show_draft(self, draft: Draft) -> None:
+        """Show outline and places."""
+        self._draft = draft
+        placed = f"{counted(len(draft.inputs), 'input')}, {counted(len(draft.outputs), 'output')}"
+        self.setAccessibleDescription(
+            f"{placed}, outline of {counted(len(draft.outline), 'corner')}"
+        )
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        return QSize(380, 460)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if event.button() != Qt.MouseButton.LeftButton or self._photograph.isNull():
+            return
+        back, can_turn = self._transform().inverted()
+        if can_turn:
+            at = back.map(event.position())
+            self.clicked.emit(at.x(), at.y())
+
+    def place_of(self, x: float, y: float) -> QPointF:
+        """Where a point of the draft is on the screen."""
+        return self._transform().map(QPointF(x, y))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter, theme, draft = QPainter(self), current_theme(), self._draft
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.fillRect(self.rect(), QColor(theme.base))
+        transform = self._transform()
+        if not self._photograph.isNull():
+            painter.save()
+            painter.setTransform(transform)
+            painter.drawImage(0, 0, self._photograph)
+            painter.restore()
+        if self._bounds().isEmpty():
+            painter.setPen(QColor(theme.dim))
+            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+            painter.drawText(self.rect().adjusted(8, 8, -8, -8), int(flags), _NOTHING)
+        self._paint_outline(painter, transform, draft.outline)
+        self._paint_hand(painter, transform, draft.hand)
+        font = painter.font()
+        font.setPixelSize(10)
+        painter.setFont(font)
+        for points, colour, radius in (
+            (draft.outputs, theme.text, _DOT_PX),
+            (draft.inputs, theme.accent, _RADIUS_PX),
+        ):
+            self._paint_points(painter, transform, points, QColor(colour), radius)
+        painter.end()
+
+    def _paint_outline(self, painter: QPainter, transform: QTransform, outline: Floats) -> None:
+        line = QPolygonF([transform.map(QPointF(x, y)) for x, y in outline])
+        painter.setPen(QPen(QColor(current_theme().accent), 2.0))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawPolygon(line)
+
+    def _paint_hand(self, painter: QPainter, transform: QTransform, hand: Floats) -> None:
+        painter.setPen(QPen(QColor(current_theme().error), 2.0))
+        ends = [transform.map(QPointF(x, y)) for x, y in hand]
+        for end in ends:
+            painter.drawEllipse(end, 3.0, 3.0)
+        if len(ends) == 2:
+            painter.drawLine(ends[0], ends[1])
+
+    def _paint_points(
+        self, painter: QPainter, transform: QTransform, points: Floats, fill: QColor, radius: float
+    ) -> None:
+        painter.setPen(QPen(QColor(current_theme().base), 1.0))
+        painter.setBrush(fill)
+        scale = abs(transform.m11())
+        radii = np.clip(_OF_SPACING * scale * spacing_of(points), _CROWDED_PX, radius)
+        for number, ((x, y), own) in enumerate(zip(points, radii, strict=True), start=1):
+            if not np.isfinite((x, y)).all():
+                continue
+            centre = transform.map(QPointF(x, y))
+            painter.drawEllipse(centre, float(own), float(own))
+            if own >= _NUMBERED_PX:
+                area = QRectF(centre.x() - 12, centre.y() - 7, 24, 14)
+                painter.drawText(area, Qt.AlignmentFlag.AlignCenter, str(number))
+
+    def _bounds(self) -> QRectF:
+        if not self._photograph.isNull():
+            return QRectF(self._photograph.rect())
+        parts = (self._draft.outline, self._draft.inputs, self._draft.outputs)
+        points = np.vstack(parts)
+        points = points[np.isfinite(points).all(axis=1)]
+        if len(points) < 2:
+            return QRectF()
+        low, high = points.min(axis=0), points.max(axis=0)
+        return QRectF(QPointF(*low), QPointF(*np.maximum(high, low + 1e-6)))
+
+    def _transform(self) -> QTransform:
+        """From the coordinates of the draft to pixels."""
+        bounds = self._bounds()
+        room = QRectF(self.rect()).adjusted(UNIT_PX, UNIT_PX, -UNIT_PX, -UNIT_PX)
+        if bounds.isEmpty():
+            return QTransform()
+        scale = min(room.width() / bounds.width(), room.height() / bounds.height())
+        up = -1.0 if not self._draft.y_down and self._photograph.isNull() else 1.0
+        middle, centre = room.center(), bounds.center()
+        found = QTransform.fromTranslate(middle.x(), middle.y())
+        found.scale(scale, up * scale)
+        found.translate(-centre.x(), -centre.y())
+        return found
+
+
+def spacing_of(points: Floats) -> Floats:
+    """From each point to the nearest other one, (n,); infinite where there is none."""
+    apart = np.linalg.norm(points[:, None] - points[None], axis=-1)
+    apart[np.isnan(apart)] = np.inf
+    np.fill_diagonal(apart, np.inf)
+    return np.asarray(apart.min(axis=1, initial=np.inf))
+
+
+# What a limb is called, how it was measured, and which file says what.
+
+_AXES = ChoiceSpec(
+    label="Axes",
+    options=tuple((word.name, word.title) for word in AXES),
+    hint="Along which each output measures, in the order of the file; z is normal to the skin",
+)
+_STARTING_AXES = "z"
+_HIGHEST_RATE_HZ = 768_000.0
+
+
+def _end_of_band(label: str, hint: str) -> NumberSpec:
+    return NumberSpec(
+        label=label, unit="Hz", minimum=0.0, maximum=_HIGHEST_RATE_HZ / 2.0, hint=hint
+    )
+
+
+_NUMBERS = {
+    "sample_rate_hz": NumberSpec(label="Rate", unit="Hz", minimum=100.0, maximum=_HIGHEST_RATE_HZ),
+    "hand_length_mm": NumberSpec(
+        label="Hand length",
+        unit="m",
+        minimum=0.02,
+        maximum=2.0,
+        hint="From the tip of the middle finger to the middle of the wrist",
+    ),
+    "pre_trigger_delay_s": NumberSpec(
+        label="Delay",
+        unit="s",
+        minimum=0.0,
+        maximum=10.0,
+        hint="How late the responses are",
+    ),
+    "lowest_hz": _end_of_band("Holds from", "Lowest frequency at which the responses hold"),
+    "highest_hz": _end_of_band(
+        "Holds up to", "Highest frequency at which the responses hold; 0: not known"
+    ),
+}
+_BAND = ("lowest_hz", "highest_hz")
+# A length is in metres here, as all that fields hold.
+_METRES = 1e-3
+_STARTS = {"sample_rate_hz": 4000.0, "hand_length_mm": 0.18}
+_FILES = {
+    "responses": ("Responses", "HDF5 as in docs/limbs.md, or an array: NPY, NPZ, MATLAB, HDF5"),
+    "outline": ("Outline", "SVG, or CSV of x and y; without one a hull is drawn"),
+    "inputs": ("Inputs", "CSV of x, y and name, or click them on a photograph"),
+    "outputs": ("Outputs", "CSV of x, y and name, or click them on a photograph"),
+    "photograph": ("Photograph", "A picture on which places are clicked"),
+}
+
+# What a file in the layout fills, and what is in it.
+_Field = QLineEdit | NumberField | ChoiceField | QCheckBox
+_Value = str | float | bool
+
+
+def _value_of(field: _Field) -> _Value:
+    if isinstance(field, QCheckBox):
+        return field.isChecked()
+    if isinstance(field, NumberField):
+        return field.value_si
+    return field.value if isinstance(field, ChoiceField) else field.text()
+
+
+class LimbForm(QObject):
+    """The fields at the left of the page.
+
+    Attributes
+    ----------
+    widget
+        Where they stand.
+    """
+
+    #: Something else was typed or chosen.
+    changed = Signal()
+    #: A file is wanted for this: "responses", "outline", "inputs", "outputs", "photograph".
+    file_wanted = Signal(str)
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.widget = QWidget(parent)
+        self._rows = QFormLayout(self.widget)
+        self._rows.setContentsMargins(0, 0, 0, 0)
+        self._chosen: dict[str, QLabel] = {}
+        lines: list[QLineEdit] = [NameLine() for _ in range(4)]
+        self.name, self.title, self.note, self.order = lines
+        self.axes = ChoiceField(_AXES)
+        self.axes.set_value(_STARTING_AXES)
+        self.numbers = {name: NumberField(spec) for name, spec in _NUMBERS.items()}
+        # What a file said, by its field: it goes with that file, unless it was changed since.
+        self._said: dict[_Field, _Value] = {}
+        self.left, self.mirrored = QCheckBox("Left hand"), QCheckBox("Show mirrored")
+        self.synthetic = QCheckBox("Computed, not measured")
+        self.mirrored.setToolTip(tooltip("Show mirrored", "A left hand as a right one"))
+        self._lay_out()
+
+    def show_file(self, what: str, words: str) -> None:
+        """Say which file was chosen."""
+        self._chosen[what].setText(words)
+
+    def show_header(self, header: dict[str, Any]) -> None:
+        """Take over what a file in the layout says; all of it can still be changed."""
+        for field, key in ((self.name, "name"), (self.title, "title"), (self.note, "note")):
+            field.setText(str(header[key]))
+        self.axes.set_value(str(header["axes"]))
+        said = {**header, **dict(zip(_BAND, header["band_hz"] or (0.0, 0.0), strict=True))}
+        for name, field in self.numbers.items():
+            field.set_value(float(said[name]) * (_METRES if name == "hand_length_mm" else 1.0))
+        self.left.setChecked(header["hand"] == "left")
+        self.synthetic.setChecked(bool(header["synthetic"]))
+        self._said = {field: _value_of(field) for field in self._filled()}
+
+    def show_plain(self, in_layout: bool, path: Path) -> None:
+        """Ask for what an array does not say."""
+        self._rows.setRowVisible(self.order, not in_layout)
+        if in_layout:
+            return
+        self._forget_file()
+        if not self.name.text():
+            stem = "".join(one if one.isalnum() else "-" for one in path.stem.lower())
+            self.name.setText(stem.strip("-0123456789")[:40])
+            self._said[self.name] = self.name.text()
+
+    def _filled(self) -> tuple[_Field, ...]:
+        """What a file in the layout fills."""
+        lines = self.name, self.title, self.note
+        return *lines, self.axes, *self.numbers.values(), self.left, self.synthetic
+
+    def _forget_file(self) -> None:
+        unchanged = {field for field in self._said if _value_of(field) == self._said[field]}
+        for line in (self.name, self.title, self.note):
+            if line in unchanged:
+                line.clear()
+        if self.axes in unchanged:
+            self.axes.set_value(_STARTING_AXES)
+        for name, number in self.numbers.items():
+            if number in unchanged:
+                number.set_value(_STARTS.get(name, 0.0))
+        for box in (self.left, self.synthetic):
+            if box in unchanged:
+                box.setChecked(False)
+        self._said = {}
+
+    def values(self) -> dict[str, Any]:
+        """Fields of `skinsource.limbs.own_limbs.OwnLimb` as they are typed."""
+        numbers = {name: field.value_si for name, field in self.numbers.items()}
+        numbers["hand_length_mm"] /= _METRES
+        lowest_hz, highest_hz = (numbers.pop(name) for name in _BAND)
+        return {
+            "name": self.name.text().strip(),
+            "title": self.title.text().strip(),
+            "note": self.note.text().strip(),
+            "axes": self.axes.value,
+            "left": self.left.isChecked(),
+            "mirrored": self.mirrored.isChecked(),
+            "synthetic": self.synthetic.isChecked(),
+            "band_hz": (lowest_hz, highest_hz) if highest_hz > 0.0 else None,
+            **numbers,
+        }
+
+    def _lay_out(self) -> None:
+        self._add_file("responses")
+        for label, field, hint in (
+            ("Name", self.name, f"What designs call it: {NAME_RULE}"),
+            ("Title", self.title, "What the window calls it; the name, if there is none"),
+            ("Note", self.note, "What users should know of it"),
+            ("Order", self.order, "Dimensions of the array: i input, o output, a axis, t tap"),
+        ):
+            field.setObjectName(f"limb_{label.lower()}")
+            field.setAccessibleName(label)
+            field.setToolTip(tooltip(label, hint))
+            field.textChanged.connect(self.changed)
+            self._rows.addRow(label, field)
+        self.order.setPlaceholderText("ioat")
+        self.axes.chosen.connect(self.changed)
+        self._rows.addRow("Axes", self.axes)
+        self.synthetic.setToolTip(
+            tooltip("Computed", "Pictures and files say that it is synthetic")
+        )
+        self.synthetic.setAccessibleName("Responses are computed, not measured")
+        self.synthetic.toggled.connect(self.changed)
+        self._rows.addRow("Origin", self.synthetic)
+        for name, field in self.numbers.items():
+            field.setObjectName(f"limb_{name}")
+            field.set_value(_STARTS.get(name, 0.0))
+            field.edited.connect(self._take_number(field))
+            self._rows.addRow(_NUMBERS[name].label, field)
+        hands = QHBoxLayout()
+        for box in (self.left, self.mirrored):
+            box.toggled.connect(self.changed)
+            hands.addWidget(box)
+        hands.addStretch(1)
+        self._rows.addRow("Hand", hands)
+        for what in ("outline", "inputs", "outputs", "photograph"):
+            self._add_file(what)
+
+    def _take_number(self, field: NumberField) -> Any:
+        def take(value: float, gesture: object) -> None:
+            del gesture
+            field.set_value(value)
+            self.changed.emit()
+
+        return take
+
+    def _add_file(self, what: str) -> None:
+        words, hint = _FILES[what]
+        button: QPushButton = page_button(f"choose_{what}", "Choose…", hint)
+        button.setAccessibleName(f"Choose {words.lower()}")
+        button.clicked.connect(lambda: self.file_wanted.emit(what))
+        chosen = QLabel("none")
+        chosen.setObjectName(f"chosen_{what}")
+        set_tone(chosen, "dim")
+        self._chosen[what] = chosen
+        row = QHBoxLayout()
+        row.addWidget(button)
+        row.addWidget(chosen, 1)
+        self._rows.addRow(words, row)
+
+
+# Reads what belongs to a limb away from the GUI thread, in child processes with limits.
+
+
+class LimbReader(QObject):
+    """Looks at responses, and reads outlines and places; one file after another."""
+
+    #: Path, and what the file says: ``header`` and ``arrays``.
+    looked = Signal(object, object)
+    #: Path, what it is for ("outline", "inputs", "outputs"), and `Points`.
+    read = Signal(object, str, object)
+    #: Path of a photograph, and the picture, `QImage`.
+    pictured = Signal(object, object)
+    #: A sentence.
+    failed = Signal(str)
+    _told = Signal(object, object)  # from the worker thread: a signal and its arguments
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._process = ReadingProcess()
+        self._pictures = photograph.reading_process()
+        self._pool = ThreadPoolExecutor(1, thread_name_prefix="skinsource-limb")
+        self._waiting = 0
+        self._told.connect(self._tell, Qt.ConnectionType.QueuedConnection)
+
+    @property
+    def busy(self) -> bool:
+        """Whether a file is being read."""
+        return self._waiting > 0
+
+    def look(self, path: Path) -> None:
+        """Find out what a file of responses says."""
+        self._do(
+            lambda: (
+                self.looked,
+                (path, self._process.ask(path, {"do": "limb"})["limb"]),
+            )
+        )
+
+    def read_points(self, path: Path, what: str) -> None:
+        """Read an outline, or places."""
+        self._do(lambda: (self.read, (path, what, read_points(path, self._process))))
+
+    def read_photograph(self, path: Path) -> None:
+        """Read a picture."""
+        self._do(lambda: (self.pictured, (path, photograph.read(path, self._pictures))))
+
+    def end(self) -> None:
+        """Give up what is being read."""
+        self._process.close()
+        self._pictures.close()
+        self._pool.shutdown(wait=True, cancel_futures=True)
+
+    def _do(self, work: Callable[[], tuple[Any, tuple[Any, ...]]]) -> None:
+        self._waiting += 1
+
+        def run() -> None:
+            try:
+                told = work()
+            except SkinSourceError as error:
+                told = self.failed, (str(error),)
+            self._told.emit(*told)
+
+        self._pool.submit(run)
+
+    def _tell(self, signal: Any, arguments: tuple[Any, ...]) -> None:
+        self._waiting -= 1
+        signal.emit(*arguments)

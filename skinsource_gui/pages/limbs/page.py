@@ -1,0 +1,474 @@
+"""Questions before an own limb is lost."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import (
+    QDialog,
+    QFileDialog,
+    QHBoxLayout,
+    QLabel,
+    QListWidget,
+    QMessageBox,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.job import Job
+from skinsource.base.quoting import sentence
+from skinsource.limbs.limb import LimbFacts
+from skinsource.limbs.limb_import import Points, import_limb
+from skinsource.limbs.limb_layout import export_limb
+from skinsource.limbs.own_limbs import facts_of, mirror_limb, own_limb_names, remove_limb
+from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.pages.limbs.form import Draft, LimbForm, LimbReader, PlacesCanvas
+from skinsource_gui.qt.asking import agreed
+from skinsource_gui.qt.buttons import page_button
+from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.state.job_runner import JobProgress, JobRunner
+from skinsource_gui.state.preferences import InstalledLimbs
+
+_NO = QMessageBox.StandardButton.No
+_LOST = "Its responses cannot be had back from here"
+
+
+def may_replace(parent: QWidget, name: str) -> bool:
+    """Whether the user gives up the limb of this name for the one that is imported."""
+    return agreed(
+        parent,
+        "Replace a limb",
+        f"Replace {_words(name)}? {_LOST}, and its designs open read-only unless the new one has "
+        "the same numbers.",
+        otherwise=_NO,
+    )
+
+
+def may_remove(parent: QWidget, name: str) -> bool:
+    """Whether the user gives up the limb of this name."""
+    return agreed(
+        parent,
+        "Remove a limb",
+        f"Remove {_words(name)}? {_LOST}, and its designs open read-only.",
+        otherwise=_NO,
+    )
+
+
+def _words(name: str) -> str:
+    title = facts_of(name).title
+    return f"“{name}”" if title == name else f"“{title}” ({name})"
+
+
+# The limbs that were imported, and what can be done with each.
+
+_NONE = "No limb was imported yet."
+_DAMAGED = "Damaged: import it again."
+
+
+class OwnList(QWidget):
+    """Lists them; mirrors, exports and removes the chosen one."""
+
+    #: Other limbs are there now, or one looks different.
+    changed = Signal()
+    #: A `Job`.
+    job_wanted = Signal(object)
+    #: A sentence.
+    failed = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.list, self.words = QListWidget(), QLabel()
+        self.list.setObjectName("own_limbs")
+        self.list.setAccessibleName("Imported limbs")
+        self.list.setMaximumHeight(96)
+        self.words.setObjectName("own_limb_words")
+        self.words.setWordWrap(True)
+        self._mirror = page_button("mirror_limb", "Mirror", "Show a left hand as a right one")
+        self._export = page_button("export_limb", "Export…", "Write it as docs/limbs.md says")
+        self._remove = page_button("remove_limb", "Remove", "Delete it from this computer")
+        row = QHBoxLayout()
+        for button, wanted in (
+            (self._mirror, self._turn),
+            (self._export, self._ask_and_export),
+            (self._remove, self._delete),
+        ):
+            button.clicked.connect(wanted)
+            row.addWidget(button)
+        row.addStretch(1)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(UNIT_PX // 2)
+        column.addWidget(self.list)
+        column.addWidget(self.words)
+        column.addLayout(row)
+        self.list.currentRowChanged.connect(self._show_chosen)
+        self.show_limbs()
+
+    @property
+    def chosen(self) -> str:
+        """Name of the chosen limb; empty: none."""
+        names, row = own_limb_names(), self.list.currentRow()
+        return names[row] if 0 <= row < len(names) else ""
+
+    def show_limbs(self, name: str = "") -> None:
+        """List them anew, and choose ``name``."""
+        names = own_limb_names()
+        self.list.clear()
+        for one in names:
+            facts = facts_of(one)
+            self.list.addItem(f"{facts.title} ({one})" if facts.title != one else one)
+        self.list.setVisible(bool(names))
+        if names:
+            self.list.setCurrentRow(names.index(name) if name in names else 0)
+        self._show_chosen()
+
+    def _turn(self) -> None:
+        # All of it is written again.
+        name = self.chosen
+        turned = not facts_of(name).mirrored
+        self.job_wanted.emit(Job(f"Mirroring {name}", partial(mirror_limb, name, turned)))
+
+    def _delete(self) -> None:
+        name = self.chosen
+        if not may_remove(self, name):
+            return
+        self._try(lambda: remove_limb(name))
+        self.show_limbs()
+
+    def _ask_and_export(self) -> None:
+        name = self.chosen
+        path, _ = QFileDialog.getSaveFileName(self, "Export limb", f"{name}.h5", "HDF5 (*.h5)")
+        if path:
+            self.job_wanted.emit(Job(f"Exporting {name}", partial(export_limb, name, Path(path))))
+
+    def _try(self, work: Callable[[], object]) -> None:
+        try:
+            work()
+        except SkinSourceError as error:
+            self.failed.emit(str(error))
+        self.changed.emit()
+
+    def _show_chosen(self) -> None:
+        name = self.chosen
+        facts = facts_of(name) if name else None
+        self.words.setText(_NONE if facts is None else facts.sentence or _DAMAGED)
+        for button in (self._mirror, self._export, self._remove):
+            button.setEnabled(facts is not None and (facts.known or button is self._remove))
+        mirrored = facts is not None and facts.mirrored
+        self._mirror.setText("Do not mirror" if mirrored else "Mirror")
+
+
+# What the page is called, and the job that it starts.
+
+TITLE = "Own limbs"
+IMPORTING = "Importing a limb"
+
+
+# The jobs of the page, which stands in front of the bar where others are cancelled.
+
+
+class PageJobs(QObject):
+    """Hands jobs to the runner, and tells what becomes of them.
+
+    An import that an earlier page began belongs to it too.
+
+    Parameters
+    ----------
+    runner
+        Who carries them out.
+    """
+
+    #: How far the present one is, in words.
+    told = Signal(str)
+    #: There is one more of them, or one fewer.
+    changed = Signal()
+    #: The job, and its result.
+    done = Signal(object, object)
+    #: A sentence: it failed.
+    failed = Signal(str)
+    cancelled = Signal()
+
+    def __init__(self, runner: JobRunner, parent: QObject) -> None:
+        super().__init__(parent)
+        self._runner = runner
+        self._own = [job for job in runner.unfinished if job.title == IMPORTING]
+        runner.progressed.connect(self._note_progress)
+        runner.done.connect(self._note_done)
+        runner.failed.connect(self._note_failed)
+        runner.cancelled.connect(self._note_cancelled)
+
+    @property
+    def busy(self) -> bool:
+        """Whether one of them is not finished."""
+        return bool(self._own)
+
+    def add(self, job: Job[Any]) -> None:
+        """Have a job carried out."""
+        self._own.append(job)
+        self.told.emit(f"{job.title}…")
+        self.changed.emit()
+        self._runner.add(job)
+
+    def cancel(self) -> None:
+        """Stop all of them."""
+        for job in tuple(self._own):
+            self._runner.cancel(job)
+
+    def _note_progress(self, job: Job[Any], progress: JobProgress) -> None:
+        if job in self._own and progress.total:
+            share = 100 * progress.done // progress.total
+            self.told.emit(f"{job.title}: {share} %")
+
+    def _note_done(self, job: Job[Any], result: object) -> None:
+        if self._ended(job):
+            self.done.emit(job, result)
+
+    def _note_failed(self, job: Job[Any], error: Exception) -> None:
+        if self._ended(job):
+            self.failed.emit(str(error))
+
+    def _note_cancelled(self, job: Job[Any]) -> None:
+        if self._ended(job):
+            self.cancelled.emit()
+
+    def _ended(self, job: Job[Any]) -> bool:
+        if job not in self._own:
+            return False
+        self._own.remove(job)
+        self.changed.emit()
+        return True
+
+
+# File > Own limbs: from a lab's files, and clicks on a photograph, to a limb.
+
+_CLICKS = ChoiceSpec(
+    label="A click places",
+    options=(
+        ("inputs", "the next input"),
+        ("outputs", "the next output"),
+        ("outline", "a corner of the outline"),
+        ("hand", "an end of the hand's length"),
+    ),
+    hint="What a click on the photograph means",
+)
+_KINDS = {
+    "responses": "Responses (*.h5 *.hdf5 *.mat *.npy *.npz);;All files (*)",
+    "outline": "Outlines (*.svg *.csv *.tsv *.txt);;All files (*)",
+    "inputs": "Tables (*.csv *.tsv *.txt);;All files (*)",
+    "outputs": "Tables (*.csv *.tsv *.txt);;All files (*)",
+    "photograph": "Pictures (*.png *.jpg *.jpeg *.bmp *.webp);;All files (*)",
+}
+
+
+class LimbPage(QDialog):
+    """Puts a limb together and imports it; lists those that were imported.
+
+    Parameters
+    ----------
+    runner, limbs
+        Who imports, and who knows which limbs there are.
+    """
+
+    def __init__(
+        self,
+        runner: JobRunner,
+        limbs: InstalledLimbs,
+        parent: QWidget,
+    ) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setObjectName("limb_page")
+        self.setWindowTitle(TITLE)
+        self.resize(940, 640)
+        self._limbs, self._jobs = limbs, PageJobs(runner, self)
+        self.draft = Draft()
+        self.reader = LimbReader(self)
+        self.form, self.canvas, self.own = LimbForm(self), PlacesCanvas(), OwnList()
+        self.click = ChoiceField(_CLICKS)
+        self.click.setObjectName("click_places")
+        self.click.set_value("inputs")
+        self._back = page_button("remove_last", "Take back", "Remove the point clicked last")
+        self._words = QLabel()
+        self._words.setObjectName("limb_words")
+        self._words.setWordWrap(True)
+        self._import = page_button("import_limb", "Import", "Check all of it, and keep it")
+        self._cancel = page_button("cancel_import", "Cancel", "Stop it; nothing is kept of it")
+        self._close = page_button("close_page", "Close", "Close; an import goes on")
+        self._lay_out()
+        self._connect()
+        self._show()
+
+    def _lay_out(self) -> None:
+        left = QVBoxLayout()
+        left.addWidget(self.form.widget)
+        left.addStretch(1)
+        left.addWidget(self.own)
+        clicks = QHBoxLayout()
+        clicks.addWidget(QLabel(_CLICKS.label))
+        clicks.addWidget(self.click, 1)
+        clicks.addWidget(self._back)
+        ends = QHBoxLayout()
+        ends.addStretch(1)
+        # Left of it, so that a double click on Import does not cancel it.
+        ends.addWidget(self._cancel)
+        ends.addWidget(self._import)
+        ends.addWidget(self._close)
+        right = QVBoxLayout()
+        right.addLayout(clicks)
+        right.addWidget(self.canvas, 1)
+        right.addWidget(self._words)
+        right.addLayout(ends)
+        columns = QHBoxLayout(self)
+        columns.setSpacing(2 * UNIT_PX)
+        columns.addLayout(left, 5)
+        columns.addLayout(right, 6)
+
+    def _connect(self) -> None:
+        self.form.changed.connect(self._show)
+        self.form.file_wanted.connect(self._ask)
+        self.reader.looked.connect(self._take_responses)
+        self.reader.read.connect(self._take_points)
+        self.reader.pictured.connect(self._take_photograph)
+        self.reader.failed.connect(self._complain)
+        self.canvas.clicked.connect(
+            lambda x, y: self._take(self.draft.with_point(self.click.value, (x, y)))
+        )
+        self._back.clicked.connect(lambda: self._take(self.draft.without_last(self.click.value)))
+        self._import.clicked.connect(self._start)
+        self._close.clicked.connect(self.close)
+        self.own.changed.connect(self._limbs.look)
+        self.own.failed.connect(self._complain)
+        self.own.job_wanted.connect(self._jobs.add)
+        self._cancel.clicked.connect(self._jobs.cancel)
+        self._jobs.changed.connect(self._show)
+        self._jobs.told.connect(self._say)
+        self._jobs.done.connect(self._note_done)
+        self._jobs.failed.connect(self._complain)
+        self._jobs.cancelled.connect(lambda: self._say("Cancelled. Nothing was changed."))
+        self.finished.connect(lambda _: self.reader.end())
+
+    def open_file(self, path: Path, what: str) -> None:
+        """Take a file for ``what``."""
+        if what == "photograph":
+            self._words.setText(f"Reading {path.name}…")
+            self.reader.read_photograph(path)
+        elif what == "responses":
+            self._words.setText(f"Reading {path.name}…")
+            self.reader.look(path)
+        else:
+            self.reader.read_points(path, what)
+
+    def _ask(self, what: str) -> None:
+        name, _ = QFileDialog.getOpenFileName(self, f"Choose {what}", "", _KINDS[what])
+        if name:
+            self.open_file(Path(name), what)
+
+    def _take_responses(self, path: Path, about: dict[str, Any]) -> None:
+        header, in_layout = about["header"], about["header"] is not None
+        if in_layout:
+            shape = tuple(header["shape"])
+            places: dict[str, Any] = {
+                what: _points_of(header[field])
+                for what, field in (
+                    ("outline", "outline"),
+                    ("inputs", "input_positions"),
+                    ("outputs", "output_positions"),
+                )
+            }
+            self.draft = replace(Draft(), responses=path, shape=shape, in_layout=True, **places)
+            self.form.show_header(header)
+        else:
+            self.draft = self.draft.with_array(path)
+        largest = max(about["arrays"], key=lambda one: np.prod(one["shape"]), default=None)
+        if largest is not None:
+            self._array_shape = tuple(largest["shape"])
+        dimensions = " × ".join(map(str, shape if in_layout else self._array_shape))
+        self.form.show_file("responses", f"{path.name} ({dimensions})")
+        self.form.show_plain(in_layout, path)
+        self._show()
+
+    def _take_points(self, path: Path, what: str, points: Points) -> None:
+        self.form.show_file(what, path.name)
+        found: dict[str, Any] = {}
+        if points.names and what != "outline":
+            found[f"{what[:-1]}_names"] = points.names
+        draft = self.draft.with_file(what, points.points, y_down=points.y_down)
+        self.draft = replace(draft, **found)
+        self._show()
+
+    def _take_photograph(self, path: Path, image: QImage) -> None:
+        self.form.show_file("photograph", path.name)
+        # Points are pixels of it from now on; others would not lie where they should.
+        nothing = Draft()
+        if not self.draft.y_down:
+            self.draft = replace(
+                self.draft,
+                y_down=True,
+                tables=nothing.tables,
+                turned=nothing.turned,
+                outline=nothing.outline,
+                inputs=nothing.inputs,
+                outputs=nothing.outputs,
+            )
+        self.canvas.show_photograph(image)
+        self._show()
+
+    def _take(self, draft: Draft) -> None:
+        self.draft = draft
+        self._show()
+
+    def _show(self) -> None:
+        draft = replace(self.draft, values=self.form.values(), order=self.form.order.text().strip())
+        if not draft.in_layout and draft.responses is not None:
+            draft = replace(draft, shape=_shape(self._array_shape, draft.order))
+        self.draft = draft
+        self.canvas.show_draft(draft)
+        missing = draft.missing()
+        self._back.setEnabled(len(getattr(draft, self.click.value)) > 0)
+        self._import.setEnabled(not missing and not self._jobs.busy)
+        self._cancel.setVisible(self._jobs.busy)
+        if not self._jobs.busy:
+            self._say(missing or "Ready to import.")
+
+    def _say(self, words: str, tone: str = "") -> None:
+        set_tone(self._words, tone)
+        self._words.setText(words)
+
+    def _complain(self, reason: str) -> None:
+        self._say(sentence(reason), "error")
+
+    def _start(self) -> None:
+        name = self.draft.values["name"]
+        taken = name in own_limb_names()
+        if not taken or may_replace(self, name):
+            work = partial(import_limb, self.draft.source(), replace=taken)
+            self._jobs.add(Job(IMPORTING, work))
+
+    def _note_done(self, job: Job[Any], result: object) -> None:
+        self._limbs.look()
+        self.own.show_limbs(result.name if isinstance(result, LimbFacts) else self.own.chosen)
+        if isinstance(result, LimbFacts):
+            self._say(f"Imported as {result.name}. Choose it at the left of the bar.")
+        else:
+            self._say(f"{job.title}: done.")
+
+
+def _points_of(rows: list[Any]) -> np.ndarray:
+    found = [(np.nan, np.nan) if row is None else row for row in rows]
+    return np.array(found, float).reshape(-1, 2)
+
+
+def _shape(shape: tuple[int, ...], order: str) -> tuple[int, ...] | None:
+    """Inputs, outputs, axes and taps of an array; None where the order does not fit it."""
+    order = order or {3: "iot", 4: "ioat"}[len(shape)]
+    if len(order) != len(shape) or not set("iot") <= set(order):
+        return None
+    size = dict(zip(order, shape, strict=True))
+    return size["i"], size["o"], size.get("a", 1), size["t"]

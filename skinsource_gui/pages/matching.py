@@ -1,0 +1,645 @@
+"""What a person sees while matching: which of both plays, and what can be done."""
+
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from time import monotonic
+
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent, QKeySequence, QShortcut
+from PySide6.QtWidgets import (
+    QDialog,
+    QFileDialog,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QProgressBar,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.actuators.rigs import Rig
+from skinsource.base.errors import InvalidInputError, SkinSourceError
+from skinsource.base.published import MOST_PLACES
+from skinsource.base.quoting import quoted, sentence
+from skinsource.design.amplitudes import amplitude_unit
+from skinsource.design.design import Design
+from skinsource.lab.matching import MOST_AMPLITUDE, STEP_DB, MatchingRun, Presenter, Procedure
+from skinsource.lab.playing.devices import Output
+from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB
+from skinsource.lab.playing.session import Playing
+from skinsource.lab.playing.stream import Stream
+from skinsource.limbs.locations import input_words
+from skinsource.specs.numbers import NumberSpec
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.qt.buttons import page_button
+from skinsource_gui.qt.keys import KEYS, Gesture
+from skinsource_gui.qt.room import LetterWidth
+from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.qt.tooltips import tooltip
+from skinsource_gui.state.playing import SoundThread
+
+#: What each button says, by the name of its gesture.
+_BUTTONS = {
+    "weaker": "Weaker  ↓",
+    "stronger": "Stronger  ↑",
+    "store": "Equally strong  ⏎",
+    "play": "Play",
+}
+_SIDE_PX = 96
+
+
+class RunView(QWidget):
+    """Reference and test, the one that plays lit; the level is not shown, it would lead."""
+
+    #: ``"weaker"``, ``"stronger"``, ``"store"`` or ``"play"``.
+    wanted = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._lit = ""
+        self.progress, self.bar = QLabel(), QProgressBar()
+        self.progress.setObjectName("matching_progress")
+        self.bar.setTextVisible(False)
+        self.bar.setFixedHeight(UNIT_PX)
+        self.sides = {name: QLabel() for name in ("reference", "test")}
+        sides = QHBoxLayout()
+        sides.setSpacing(2 * UNIT_PX)
+        for name, side in self.sides.items():
+            side.setObjectName(f"matching_{name}")
+            side.setAlignment(Qt.AlignmentFlag.AlignCenter)
+            side.setMinimumHeight(_SIDE_PX)
+            side.setWordWrap(True)
+            sides.addWidget(side, 1)
+        gestures = KEYS["matching"].gestures
+        question = QLabel(
+            "Make the test as strong as the reference: arrow keys make it weaker or stronger, "
+            f"{gestures['store'].shown} when both feel equally strong."
+        )
+        question.setWordWrap(True)
+        self.note = QLabel()
+        self.note.setObjectName("matching_note")
+        self.note.setWordWrap(True)
+        self.note.setTextFormat(Qt.TextFormat.PlainText)
+        self.buttons = {
+            name: page_button(f"matching_{name}", label, _hint(gestures[name]))
+            for name, label in _BUTTONS.items()
+        }
+        row = QHBoxLayout()
+        for name, button in self.buttons.items():
+            button.clicked.connect(lambda _=False, name=name: self.wanted.emit(name))
+            row.addWidget(button, 2 if name == "store" else 1)
+        rows = QVBoxLayout(self)
+        rows.setContentsMargins(0, 0, 0, 0)
+        rows.setSpacing(2 * UNIT_PX)
+        for part in (self.progress, self.bar, question):
+            rows.addWidget(part)
+        rows.addLayout(sides, 1)
+        rows.addLayout(row)
+        rows.addWidget(self.note)
+        self._shortcuts = [
+            self._shortcut(name, key) for name in _BUTTONS for key in gestures[name].keys
+        ]
+        self.light("")
+
+    def show_trial(self, done: int, of: int, reference: str, test: str) -> None:
+        """Say how many are done, and what both are; "" where nothing is left."""
+        self.bar.setRange(0, of)
+        self.bar.setValue(done)
+        left = of - done
+        self.progress.setText(
+            f"Match {done + 1} of {of}" if left else f"All {of} matches are made. Thank you."
+        )
+        self.sides["reference"].setText(f"Reference\n{reference}" if left else "")
+        self.sides["test"].setText(f"Test\n{test}" if left else "")
+
+    def show_playing(self, *, playing: bool, felt: bool, left: bool) -> None:
+        """Let do what can be done: what is about to be played cannot be judged yet."""
+        for name in ("weaker", "stronger", "store"):
+            self.buttons[name].setEnabled(felt and left)
+        self.buttons["play"].setEnabled(left)
+        self.buttons["play"].setText("Stop" if playing else "Play")
+        if not playing:
+            self.light("")
+
+    def show_note(self, words: str, *, problem: bool = False) -> None:
+        """Say something below."""
+        set_tone(self.note, "error" if problem else "dim")
+        self.note.setText(words)
+
+    def light(self, which: str) -> None:
+        """Light ``"reference"``, ``"test"`` or neither."""
+        self._lit = which
+        for name, side in self.sides.items():
+            set_tone(side, "lit" if name == which else "unlit")
+
+    @property
+    def lit(self) -> str:
+        """Which of both is lit, or ""."""
+        return self._lit
+
+    def _shortcut(self, name: str, key: str) -> QShortcut:
+        shortcut = QShortcut(QKeySequence(key), self)
+        shortcut.setContext(Qt.ShortcutContext.WindowShortcut)
+        # Each press is one step: a key that is held would store match after match.
+        shortcut.setAutoRepeat(name in ("weaker", "stronger"))
+        shortcut.activated.connect(lambda: self._press(name))
+        return shortcut
+
+    def _press(self, name: str) -> None:
+        if self.isVisible() and self.buttons[name].isEnabled():
+            self.wanted.emit(name)
+
+
+def _hint(gesture: Gesture) -> str:
+    return f"{gesture.effect[:1].upper()}{gesture.effect[1:]} ({gesture.shown})"
+
+
+# What is matched, by whom, and where it is kept.
+
+_NUMBERS = {
+    "reference_hz": NumberSpec(label="Reference", unit="Hz", minimum=1.0, maximum=600.0, step=1.0),
+    "reference_place": NumberSpec(
+        label="Reference place", minimum=1, maximum=MOST_PLACES, whole=True
+    ),
+    "amplitude": NumberSpec(
+        label="Drive",
+        minimum=0.001,
+        maximum=MOST_AMPLITUDE,
+        step=0.05,
+        hint="Of the reference; at a gain of 0 dB an amplitude of 1 is full scale of the device",
+    ),
+    "gain_db": NumberSpec(
+        label="Gain",
+        unit="dB",
+        minimum=LOWEST_DB,
+        maximum=HIGHEST_DB,
+        step=1.0,
+        hint="How loud all of it is played; it stays the same for all matches",
+    ),
+    "seed": NumberSpec(
+        label="Seed",
+        minimum=0,
+        maximum=2**31 - 1,
+        whole=True,
+        hint="Of the order and the starts, which differ for each person",
+    ),
+}
+_FIRST = {"reference_hz": 100.0, "reference_place": 7, "amplitude": 0.25, "seed": 1}
+_TEXTS = {
+    "person": ("Person", "", "Letters and digits; a number will do"),
+    "frequencies": ("Frequencies (Hz)", "50, 100, 200, 300", "Of the tests, with commas between"),
+    "places": ("Places", "7, 12, 17", "Of the tests: input places, with commas between"),
+}
+_MOST = 200
+_NUMBER_PX = 140
+
+
+class SetupForm(QWidget):
+    """Fields of a procedure, and the table that matches are added to.
+
+    Parameters
+    ----------
+    table
+        The table at first.
+    gain_db
+        How loud at first.
+    drive_unit
+        Unit of the drive of the reference, on the limb that is played.
+    """
+
+    def __init__(self, table: Path, gain_db: float, drive_unit: str) -> None:
+        super().__init__()
+        self._form = form = QFormLayout(self)
+        form.setContentsMargins(0, 0, 0, 0)
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        self._texts: dict[str, QLineEdit] = {}
+        for name, (label, text, hint) in _TEXTS.items():
+            field = self._texts[name] = QLineEdit(text)
+            field.setToolTip(tooltip(label, hint))
+            self._add(name, label, field)
+        self._numbers: dict[str, NumberField] = {}
+        for name, spec in _NUMBERS.items():
+            if name == "amplitude":
+                spec = replace(spec, unit=drive_unit)
+            number = self._numbers[name] = NumberField(spec)
+            number.set_value(gain_db if name == "gain_db" else _FIRST[name])
+            LetterWidth(number, _NUMBER_PX, at_most=True)
+            number.setToolTip(tooltip(spec.label, spec.hint))
+            self._add(name, spec.label, number)
+        self.table = QLineEdit(str(table))
+        self.table.setToolTip(
+            tooltip("Table", "CSV that matches are added to; what it holds is not asked again")
+        )
+        self.browse = page_button("matching_browse", "Choose…", "Choose the table")
+        row = QHBoxLayout()
+        row.addWidget(self.table, 1)
+        row.addWidget(self.browse)
+        form.addRow("Table", row)
+        self.table.setObjectName("matching_table")
+        self.table.setAccessibleName("Table")
+
+    @property
+    def gain_db(self) -> float:
+        """How loud it is played."""
+        return self._numbers["gain_db"].value_si
+
+    @property
+    def path(self) -> Path:
+        """The table.
+
+        Raises
+        ------
+        InvalidInputError
+            There is none.
+        """
+        text = self.table.text().strip()
+        if not text:
+            raise InvalidInputError("no table is named; choose one, or rehearse")
+        path = Path(text).expanduser()
+        return path if path.suffix else path.with_suffix(".csv")
+
+    def field(self, name: str) -> QLineEdit:
+        """The widget of a row."""
+        return self._texts.get(name) or self._numbers[name]
+
+    def procedure(self, limb: str) -> Procedure:
+        """What the fields say, for designs of ``limb``.
+
+        Raises
+        ------
+        InvalidInputError
+            A field holds what cannot be.
+        """
+        numbers = {name: field.value_si for name, field in self._numbers.items()}
+        return Procedure(
+            person=self._texts["person"].text().strip(),
+            frequencies_hz=tuple(self._listed("frequencies")),
+            places=tuple(_whole(one) for one in self._listed("places")),
+            reference_hz=float(numbers["reference_hz"]),
+            reference_place=int(numbers["reference_place"]),
+            amplitude=float(numbers["amplitude"]),
+            seed=int(numbers["seed"]),
+            limb=limb,
+        )
+
+    def _listed(self, name: str) -> list[float]:
+        text = self._texts[name].text()
+        words = [one for one in text.replace(";", ",").split(",") if one.strip()]
+        try:
+            if len(words) > _MOST:
+                raise ValueError
+            return [float(one) for one in words]
+        except ValueError:
+            raise InvalidInputError(
+                f"{_TEXTS[name][0].lower()} are {quoted(text)}, expected numbers with commas "
+                "between"
+            ) from None
+
+    def _add(self, name: str, label: str, field: QLineEdit) -> None:
+        field.setObjectName(f"matching_{name}")
+        field.setAccessibleName(label)
+        self._form.addRow(label, field)
+
+
+def _whole(value: float) -> int:
+    if not value.is_integer():
+        raise InvalidInputError(f"places hold {value:g}, expected whole numbers")
+    return int(value)
+
+
+# What is matched, played away from the GUI thread.
+
+_GONE = (
+    "The device does not ask for sound any more: it may have been unplugged. Connect it, close "
+    "this page, look for devices again (View > Panels > Playback), and come back: what was stored "
+    "stays."
+)
+
+
+class Sounding(QObject):
+    """Plays the latest of the designs that it is given, until it is stopped.
+
+    Parameters
+    ----------
+    output, rig
+        What is played on, and what is wired to it; None: not known.
+
+    Attributes
+    ----------
+    now
+        What is being played; None: nothing is.
+    """
+
+    #: Something is played, or something else; the `Playing`.
+    began = Signal(object)
+    #: Nothing is played any more, and why; "": somebody said so.
+    ended = Signal(str)
+    _finished = Signal(object)  # from the thread of the device
+
+    def __init__(self, output: Output, rig: Rig | None, parent: QObject) -> None:
+        super().__init__(parent)
+        self._thread = SoundThread(self)
+        self._presenter = Presenter(output, self._finished.emit, rig)
+        self._finished.connect(self._end_of, Qt.ConnectionType.QueuedConnection)
+        self._waiting: tuple[Design, float] | None = None
+        self._busy = self._wanted = self._closed = False
+        self.now: Playing | None = None
+
+    @property
+    def playing(self) -> bool:
+        """Whether it plays, or is about to."""
+        return self._wanted
+
+    def play(self, design: Design, gain_db: float) -> None:
+        """Play ``design``, or go over to it."""
+        self._wanted = True
+        self._waiting = design, gain_db
+        self._next()
+
+    def stop_at_once(self) -> None:
+        """Be silent within a millisecond."""
+        was = self._wanted
+        self._wanted, self._waiting, self.now = False, None, None
+        self._presenter.stop_at_once()
+        if was:
+            self.ended.emit("")
+
+    def close(self) -> None:
+        """Let go of the device, for good."""
+        self._wanted, self._waiting, self.now, self._closed = False, None, None, True
+        self._presenter.stop_at_once()
+        self._thread.end(self._presenter.close)
+
+    def _next(self) -> None:
+        if self._busy or self._waiting is None or self._closed:
+            return
+        self._busy = True
+        wanted, self._waiting = self._waiting, None
+        self._thread.do(partial(self._presenter.present, *wanted), self._take)
+
+    def _take(self, playing: Playing | None, error: SkinSourceError | None) -> None:
+        self._busy = False
+        if not self._wanted:
+            # It was stopped before it began.
+            self._presenter.stop_at_once()
+        elif playing is None:
+            self._wanted, self._waiting, self.now = False, None, None
+            self.ended.emit(str(error))
+        else:
+            self.now = playing
+            self.began.emit(playing)
+            stream = playing.stream
+            # What was too loud at once has ended before anybody could be told.
+            if stream is not None and stream.deck.ending is not None:
+                self._end_of(stream)
+        self._next()
+
+    def watch(self) -> None:
+        """Find out whether the device is gone; nobody says so."""
+        if self.now is not None and self.now.over:
+            self._wanted, self._waiting, self.now = False, None, None
+            self._presenter.stop_at_once()
+            self.ended.emit(_GONE)
+
+    def _end_of(self, stream: Stream) -> None:
+        if stream.closed or self.now is None or self.now.stream is not stream:
+            return
+        self._wanted, self._waiting, self.now = False, None, None
+        ending = stream.deck.ending
+        self.ended.emit(_GONE if ending is None else ending.sentence)
+
+
+# The matching page.
+
+_TABLE = "matches.csv"
+_INTRODUCTION = (
+    "A person feels a reference and a test in turn, again and again, and makes the test as strong "
+    "as the reference. Each test is met from below and from above. Sweeps take the table: "
+    'level = "matches.csv".'
+)
+_REHEARSAL = "Rehearsal: nothing is stored."
+_STOPPED = f"Stopped. {KEYS['matching'].gestures['play'].shown} plays again."
+_LOOK_MS = 40
+# Esc that is pressed twice in a hurry stops, and does not close the page as well.
+_HURRY_S = 1.0
+
+
+class MatchingPage(QDialog):
+    """Asks what is matched, then plays it and stores what the person says.
+
+    Parameters
+    ----------
+    limb
+        Limb of the designs that are played.
+    folder
+        Where the table lies at first.
+    output, rig, gain_db
+        What is played on, what is wired to it (None: not known), and how loud.
+    """
+
+    def __init__(
+        self,
+        limb: str,
+        folder: Path,
+        output: Output,
+        rig: Rig | None,
+        gain_db: float,
+        parent: QWidget,
+    ) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setObjectName("matching_page")
+        self.setWindowTitle("Matching")
+        self.resize(680, 560)
+        self._limb = limb
+        self.run: MatchingRun | None = None
+        unit = amplitude_unit(Design(limb=limb))
+        self.form = SetupForm(folder / _TABLE, gain_db, unit)
+        self.view = RunView()
+        self.sounding = Sounding(output, rig, self)
+        self._stopped_s = -_HURRY_S
+        self._timer = QTimer(self, interval=_LOOK_MS)
+        self._timer.timeout.connect(self._look)
+        self._stack, self._problem = QStackedWidget(), QLabel()
+        self._begin = page_button("matching_begin", "Begin", "Play, and store matches")
+        self._rehearse = page_button(
+            "matching_rehearse", "Rehearse", "The same, and nothing is stored"
+        )
+        self._close = page_button("matching_close", "Close", "What was stored stays")
+        self._lay_out()
+        self._connect()
+
+    def done(self, result: int) -> None:
+        """Stop at once, and close."""
+        self._timer.stop()
+        self.sounding.close()
+        super().done(result)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and not self._may_close():
+            return
+        super().keyPressEvent(event)
+
+    def _may_close(self) -> bool:
+        """Whether Esc closes the page; while something is played it stops that at once."""
+        if self.sounding.playing:
+            self.sounding.stop_at_once()
+            self._stopped_s = monotonic()
+            return False
+        return monotonic() - self._stopped_s >= _HURRY_S
+
+    def _lay_out(self) -> None:
+        setup = QWidget()
+        rows = QVBoxLayout(setup)
+        rows.setContentsMargins(0, 0, 0, 0)
+        rows.setSpacing(2 * UNIT_PX)
+        about = QLabel(_INTRODUCTION)
+        about.setWordWrap(True)
+        self._problem.setObjectName("matching_problem")
+        self._problem.setWordWrap(True)
+        self._problem.setTextFormat(Qt.TextFormat.PlainText)
+        set_tone(self._problem, "error")
+        for part in (about, self.form, self._problem):
+            rows.addWidget(part)
+        rows.addStretch(1)
+        self._stack.addWidget(setup)
+        self._stack.addWidget(self.view)
+        whole = QVBoxLayout(self)
+        whole.addWidget(self._stack, 1)
+        foot = QHBoxLayout()
+        foot.addStretch(1)
+        for button in (self._begin, self._rehearse, self._close):
+            foot.addWidget(button)
+        whole.addLayout(foot)
+
+    def _connect(self) -> None:
+        self._begin.clicked.connect(lambda: self._start(rehearsal=False))
+        self._rehearse.clicked.connect(lambda: self._start(rehearsal=True))
+        self._close.clicked.connect(self.reject)
+        self.form.browse.clicked.connect(self._choose_table)
+        self.view.wanted.connect(self._do)
+        self.sounding.began.connect(self._show_began)
+        self.sounding.ended.connect(self._show_ended)
+
+    def _choose_table(self) -> None:
+        name, _ = QFileDialog.getSaveFileName(
+            self,
+            "Table of matches",
+            self.form.table.text(),
+            "Tables of matches (*.csv)",
+            options=QFileDialog.Option.DontConfirmOverwrite,
+        )
+        if name:
+            self.form.table.setText(name)
+
+    def _start(self, *, rehearsal: bool) -> None:
+        try:
+            path = None if rehearsal else self.form.path
+            run = MatchingRun(self.form.procedure(self._limb), path)
+        except SkinSourceError as error:
+            self._problem.setText(sentence(str(error)))
+            return
+        self._problem.clear()
+        self.run = run
+        self._stack.setCurrentWidget(self.view)
+        for button in (self._begin, self._rehearse):
+            button.hide()
+        self.view.setFocus()
+        self.view.show_note(_REHEARSAL if rehearsal else f"Matches are added to {path}.")
+        self._show_trial()
+        self._play()
+
+    def _do(self, what: str) -> None:
+        if self.run is None:
+            return
+        if what == "play":
+            self._stop() if self.sounding.playing else self._play()
+        elif what == "store":
+            self._store()
+        elif self.run.step(STEP_DB if what == "stronger" else -STEP_DB):
+            self._play()
+        else:
+            self.view.show_note("The test can be made no " + what + ".")
+
+    def _store(self) -> None:
+        run = self.run
+        if run is None or run.trial is None:
+            return
+        try:
+            run.store()
+        except SkinSourceError as error:
+            self._stop()
+            self.view.show_note(sentence(str(error)), problem=True)
+            return
+        stored = _REHEARSAL if run.path is None else f"Stored in {run.path}."
+        if run.trial is None:
+            self.sounding.stop_at_once()
+            self.view.show_note(stored)
+        self._show_trial()
+        if run.trial is not None:
+            self.view.show_note(stored)
+            self._play()
+
+    def _play(self) -> None:
+        if self.run is not None and self.run.trial is not None:
+            try:
+                self.sounding.play(self.run.design, self.form.gain_db)
+            except SkinSourceError as error:
+                self.view.show_note(sentence(str(error)), problem=True)
+            self._show_playing()
+
+    def _stop(self) -> None:
+        self.sounding.stop_at_once()
+
+    def _show_began(self, playing: Playing) -> None:
+        run = self.run
+        if playing.stream is None and run is not None and run.path is not None:
+            # What nobody feels is no match.
+            run.path = None
+            self._show_trial()
+        if playing.reason:
+            words = f"Nothing is heard: {playing.reason} {_REHEARSAL}"
+            self.view.show_note(words, problem=True)
+        self._timer.start()
+        self._show_playing()
+
+    def _show_ended(self, why: str) -> None:
+        self._timer.stop()
+        self._show_playing()
+        if self.run is not None and self.run.trial is not None:
+            self.view.show_note(sentence(why) if why else _STOPPED, problem=bool(why))
+
+    def _show_playing(self) -> None:
+        left = self.run is not None and self.run.trial is not None
+        felt = self.sounding.now is not None
+        self.view.show_playing(playing=self.sounding.playing, felt=felt, left=left)
+
+    def _show_trial(self) -> None:
+        run = self.run
+        if run is None:
+            return
+        procedure, trial = run.procedure, run.trial
+        reference = _words(procedure.reference_hz, procedure.reference_place, self._limb)
+        test = "" if trial is None else _words(trial.frequency_hz, trial.place, self._limb)
+        self.view.show_trial(run.done, len(procedure), reference, test)
+        self._show_playing()
+
+    def _look(self) -> None:
+        """Light what is felt now."""
+        self.sounding.watch()
+        now, run = self.sounding.now, self.run
+        at_s = None if now is None or run is None else now.position_s()
+        if at_s is None or run is None:
+            return
+        procedure = run.procedure
+        second_s = procedure.duration_s + procedure.pause_s
+        which, within_s = divmod(at_s, second_s)
+        lit = within_s < procedure.duration_s
+        self.view.light(("reference", "test")[int(which) % 2] if lit else "")
+
+
+def _words(frequency_hz: float, place: int, limb: str) -> str:
+    return f"{frequency_hz:g} Hz at place {place}, {input_words(place, limb).name}"

@@ -1,0 +1,629 @@
+"""The motion that is being made up, before it is kept."""
+
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import replace
+from html import escape
+from itertools import pairwise
+from typing import Any
+
+from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtWidgets import (
+    QApplication,
+    QDialog,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.base.errors import InvalidInputError
+from skinsource.base.quoting import sentence
+from skinsource.base.work import counted
+from skinsource.design import edits
+from skinsource.design.amplitudes import amplitude_unit
+from skinsource.design.design import MAX_INPUTS, Design
+from skinsource.design.edits.edit import Refusal, as_kind, kind_spec
+from skinsource.design.motions import MOTIONS, Motion, following, path_of, with_field
+from skinsource.design.waveform import Waveform
+from skinsource.design.waveforms.kinds import kinds
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.specs.models import specs_of
+from skinsource.specs.numbers import NumberSpec, RecipeSpec
+from skinsource.specs.spec import ChoiceSpec, Spec
+from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.fields.grid import FieldGrid
+from skinsource_gui.panels.hand.layout import HandLayout, Place, paint_occupied
+from skinsource_gui.panels.hand.panel import HandDiagram
+from skinsource_gui.panels.hand.picture import drawing_of
+from skinsource_gui.plots.preview import ClipStrip, Lane, ShownClips
+from skinsource_gui.qt.buttons import page_button
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
+from skinsource_gui.state.document import Document
+
+
+class Draft(QObject):
+    """Holds one motion, and those of other kinds as they were left.
+
+    Parameters
+    ----------
+    design
+        What it is to be added to; colours follow from it.
+    onset_s
+        When it begins at first.
+
+    Attributes
+    ----------
+    motion
+        As it is; while the path is not one, with the last one that was.
+    path
+        As it was clicked or typed.
+    problem
+        Why that is no path for the motion, or "".
+    """
+
+    changed = Signal()
+    #: Name of a field, and why its value stays as it was.
+    field_refused = Signal(str, str)
+    waveform_field_refused = Signal(str, str)
+
+    def __init__(self, design: Design, onset_s: float, parent: QObject) -> None:
+        super().__init__(parent)
+        self._design, self._limb = design, facts_of(design.limb)
+        self._left: dict[str, Motion] = {kind.__name__: kind() for kind in MOTIONS}
+        self.motion: Motion = self._left[MOTIONS[0].__name__]
+        # The playhead may stand later than anything can begin.
+        with suppress(InvalidInputError):
+            self.motion = with_field(self.motion, "onset_s", onset_s)
+        self.path, self.problem = self.motion.path, ""
+        # A phantom has room for two places; the way back leads to all of them.
+        self._whole_path = self.path
+
+    def change_kind(self, name: str) -> None:
+        """Go over to another kind of motion, along the same path."""
+        self._left[type(self.motion).__name__] = self.motion
+        found = following(self._left[name], self.motion)
+        with suppress(InvalidInputError):
+            found = with_field(found, "path", self._whole_path)
+        self._take(found)
+
+    def change_field(self, name: str, value: Any) -> None:
+        """Give a field of the motion another value."""
+        self._try(lambda: with_field(self.motion, name, value), name, self.field_refused)
+
+    def change_path(self, path: tuple[int, ...]) -> None:
+        """Take another path; what is none yet is shown, but not taken."""
+        self._whole_path = path
+        problem = _why_no_path(self.motion, path, self._limb.n_inputs)
+        if problem:
+            self.path, self.problem = path, problem
+            self.changed.emit()
+        else:
+            self._take(with_field(self.motion, "path", path))
+
+    def change_waveform_kind(self, name: str) -> None:
+        """Play another kind of waveform."""
+        kind = next(one for one in self.waveform_kinds if one.__name__ == name)
+        new = as_kind(self.motion.waveform, kind, self._limb.sample_rate_hz)
+        self._try(
+            lambda: with_field(self.motion, "waveform", new), "kind", self.waveform_field_refused
+        )
+
+    def change_waveform_field(self, name: str, value: Any) -> None:
+        """Give a field of the waveform another value."""
+        recipe: Any = self.motion.waveform
+        self._try(
+            lambda: with_field(self.motion, "waveform", replace(recipe, **{name: value})),
+            name,
+            self.waveform_field_refused,
+        )
+
+    @property
+    def waveform_kinds(self) -> tuple[type[Waveform], ...]:
+        """What may play."""
+        spec = specs_of(self.motion)["waveform"]
+        return spec.kinds() if isinstance(spec, RecipeSpec) else ()
+
+    def lanes(self) -> tuple[Lane, ...]:
+        """Its tracks as they would be added.
+
+        Raises
+        ------
+        InvalidInputError
+            A clip would start too late, there would be too many inputs, or something is in it that
+            the limb cannot play at its rate.
+        """
+        tracks = self.motion.tracks()
+        if len(self._design.inputs) + len(tracks) > MAX_INPUTS:
+            raise InvalidInputError(
+                f"it takes {counted(len(tracks), 'input')} more, and a design holds at most "
+                f"{MAX_INPUTS}; remove some first"
+            )
+        after = self._design
+        for one in tracks:
+            after = after.adding(one)
+        added = after.inputs[len(self._design.inputs) :]
+        largest = max(abs(one.amplitude) for one in added) or 1.0
+        shown = ShownClips(self._limb.sample_rate_hz)
+        return tuple(
+            Lane(
+                place=one.location,
+                colour=one.colour,
+                clips=tuple(shown.of(clip, one.amplitude / largest) for clip in one.clips),
+            )
+            for one in added
+        )
+
+    def _try(self, change: Callable[[], Motion], name: str, refused: Any) -> None:
+        path, problem = self.path, self.problem
+        try:
+            self._take(change(), path, problem)
+        except InvalidInputError as error:
+            refused.emit(name, sentence(str(error)))
+
+    def _take(self, motion: Motion, path: tuple[int, ...] | None = None, problem: str = "") -> None:
+        self.motion = motion
+        self.path, self.problem = motion.path if path is None else path, problem
+        self.changed.emit()
+
+
+def _why_no_path(motion: Motion, path: tuple[int, ...], n_places: int) -> str:
+    """Why ``motion`` cannot go there; "" where it can."""
+    spec: Any = specs_of(motion)["path"]
+    strange = next((place for place in path if not 1 <= place <= n_places), None)
+    if strange is not None:
+        return f"There is no place {strange}; the hand has 1 to {n_places}."
+    if len(path) < spec.fewest:
+        return f"Click {counted(spec.fewest - len(path), 'more place')}."
+    if len(path) > spec.most:
+        return f"{motion.title} takes {spec.most} places; remove the last."
+    try:
+        with_field(motion, "path", path)
+    except InvalidInputError as error:
+        return sentence(str(error))
+    return ""
+
+
+# The path of places over the hand on which it is clicked.
+
+_ARROW_PX = 9.0
+_BADGE_PX = 15.0
+
+
+class PathLayer(QWidget):
+    """Lies over a hand, paints a path of places there, and leaves the pointer to the hand."""
+
+    def __init__(self, hand: HandDiagram) -> None:
+        super().__init__(hand)
+        self._hand = hand
+        self._path: tuple[int, ...] = ()
+        self._colours: dict[int, QColor] = {}
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        # Zoomed or moved, the places are elsewhere.
+        hand.stage.changed.connect(self.update)
+        hand.installEventFilter(self)
+        self.setGeometry(hand.rect())
+
+    def show_path(self, path: tuple[int, ...], colours: dict[int, QColor]) -> None:
+        """Show a path, and the colour of the track of each of its places."""
+        self._path, self._colours = path, colours
+        self.update()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self._hand and event.type() == QEvent.Type.Resize:
+            self.setGeometry(self._hand.rect())
+        return super().eventFilter(watched, event)
+
+    @property
+    def _places(self) -> HandLayout:
+        return self._hand.stage.layout
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        on_hand = [place for place in self._path if self._places.has(place)]
+        for place in dict.fromkeys(on_hand):
+            self._paint_place(painter, place)
+        for here, there in pairwise(on_hand):
+            self._paint_leg(painter, here, there)
+        for place in dict.fromkeys(on_hand):
+            self._paint_order(painter, place)
+        painter.end()
+
+    def _paint_place(self, painter: QPainter, site: int) -> None:
+        place = Place(
+            site=site,
+            centre=self._places.centre(site),
+            radius_px=self._places.radius_in_use_px(site),
+            push=self._places.push(site),
+        )
+        colour = self._colours.get(site, QColor(current_theme().accent))
+        paint_occupied(painter, place, current_theme(), [colour], silent=False)
+
+    def _paint_leg(self, painter: QPainter, here: int, there: int) -> None:
+        if here == there:
+            return
+        way = self._places.centre(there) - self._places.centre(here)
+        length = (way.x() ** 2 + way.y() ** 2) ** 0.5
+        unit = way / length
+        across = QPointF(-unit.y(), unit.x())
+        start = self._places.centre(here) + unit * (self._places.radius_in_use_px(here) + 1.0)
+        tip = self._places.centre(there) - unit * (self._places.radius_in_use_px(there) + 1.0)
+        base = tip - unit * _ARROW_PX
+        half = across * (0.5 * _ARROW_PX)
+        for colour, width in ((current_theme().base, 5.0), (current_theme().accent, 2.0)):
+            painter.setPen(QPen(QColor(colour), width))
+            painter.drawLine(start, base)
+        painter.setPen(QPen(QColor(current_theme().base), 1.0))
+        painter.setBrush(QColor(current_theme().accent))
+        painter.drawPolygon(QPolygonF([tip, base + half, base - half]))
+
+    def _paint_order(self, painter: QPainter, site: int) -> None:
+        turns = [str(k) for k, place in enumerate(self._path, 1) if place == site]
+        words = ",".join(turns[:3]) + ("…" if len(turns) > 3 else "")
+        font = tabular(self.font())
+        font.setPixelSize(11)
+        painter.setFont(font)
+        width = max(painter.fontMetrics().horizontalAdvance(words) + 6.0, _BADGE_PX)
+        off = 0.75 * self._places.radius_in_use_px(site)
+        corner = self._places.centre(site) + QPointF(off, -off)
+        area = QRectF(corner.x() - _BADGE_PX / 2, corner.y() - _BADGE_PX / 2, width, _BADGE_PX)
+        painter.setPen(QPen(QColor(current_theme().accent), 1.0))
+        painter.setBrush(QColor(current_theme().base))
+        painter.drawRoundedRect(area, _BADGE_PX / 2, _BADGE_PX / 2)
+        painter.setPen(QColor(current_theme().text))
+        painter.drawText(area, Qt.AlignmentFlag.AlignCenter, words)
+
+
+# A path of places as a text, and what can be done to it.
+
+
+class PathRow(QWidget):
+    """Shows a path, lets it be typed, turned round, shortened and emptied.
+
+    Attributes
+    ----------
+    field
+        Where it is typed.
+    """
+
+    #: Another path is wanted.
+    path_wanted = Signal(tuple)
+    #: What is typed is no path; why.
+    misread = Signal(str)
+    #: Typing is over.
+    finished = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._path: tuple[int, ...] = ()
+        self.field = QLineEdit()
+        self.field.setObjectName("path_field")
+        self.field.setAccessibleName("Path")
+        self.field.setToolTip("Numbers of places, in their order: 16, 18, 20")
+        self._buttons = (
+            page_button("reverse_path", "Reverse", "Pass the places the other way round"),
+            page_button("remove_last", "Remove last", "Take the last place off the path"),
+            page_button("clear_path", "Clear", "Begin the path anew"),
+        )
+        self._lay_out()
+        self.field.textEdited.connect(self._type)
+        self.field.editingFinished.connect(self._finish)
+        reverse, remove, clear = self._buttons
+        reverse.clicked.connect(lambda: self.path_wanted.emit(self._path[::-1]))
+        remove.clicked.connect(self.remove_last)
+        clear.clicked.connect(lambda: self.path_wanted.emit(()))
+
+    def show_path(self, path: tuple[int, ...]) -> None:
+        """Show a path; what is being typed and means the same is not written anew."""
+        self._path = path
+        if not self.field.hasFocus() or _typed(self.field.text()) != path:
+            self.field.setText(_words(path))
+        for button in self._buttons:
+            button.setEnabled(bool(path))
+
+    def append(self, place: int) -> None:
+        """Go on to a place."""
+        self.path_wanted.emit((*self._path, place))
+
+    def remove_last(self) -> None:
+        """End one place earlier."""
+        self.path_wanted.emit(self._path[:-1])
+
+    def _lay_out(self) -> None:
+        label = QLabel("Path")
+        label.setBuddy(self.field)
+        typed, buttons = QHBoxLayout(), QHBoxLayout()
+        typed.addWidget(label)
+        typed.addWidget(self.field, 1)
+        for button in self._buttons:
+            buttons.addWidget(button)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addLayout(typed)
+        column.addLayout(buttons)
+
+    def _type(self, text: str) -> None:
+        try:
+            self.path_wanted.emit(path_of(text))
+        except InvalidInputError as error:
+            self.misread.emit(sentence(str(error)))
+
+    def _finish(self) -> None:
+        self.field.setText(_words(self._path))
+        self.finished.emit()
+
+
+def _words(path: tuple[int, ...]) -> str:
+    return ", ".join(map(str, path))
+
+
+def _typed(text: str) -> tuple[int, ...] | None:
+    """The path in a text; None where there is none."""
+    try:
+        return path_of(text)
+    except InvalidInputError:
+        return None
+
+
+# The fields of one recipe in a grid.
+
+#: Changes a specification to what counts here; None leaves the field out.
+Adapt = Callable[[str, Spec], Spec | None]
+
+
+class RecipeFields(QObject):
+    """Cells for the kind and the fields of a recipe, made anew when it is of another kind.
+
+    Parameters
+    ----------
+    adapt
+        What is allowed here for each field.
+
+    Attributes
+    ----------
+    grid
+        Where the cells stand.
+    """
+
+    #: Name of a kind.
+    kind_chosen = Signal(str)
+    #: Name of the field and its new value.
+    edited = Signal(str, object)
+
+    def __init__(self, adapt: Adapt, parent: QObject) -> None:
+        super().__init__(parent)
+        self._adapt = adapt
+        self._cells: tuple[FieldCell, ...] = ()
+        self._built_for: tuple[type, ChoiceSpec] | None = None
+        self.grid = FieldGrid()
+
+    @property
+    def cells(self) -> tuple[FieldCell, ...]:
+        """The kind, and the fields."""
+        return self._cells
+
+    def show_recipe(self, recipe: Any, kinds: ChoiceSpec) -> None:
+        """Show a recipe's values; ``kinds`` is what it may be."""
+        if self._built_for != (type(recipe), kinds):
+            self._build(recipe, kinds)
+        kind, *others = self._cells
+        kind.set_value(type(recipe).__name__)
+        for cell in others:
+            cell.set_value(getattr(recipe, cell.name))
+
+    def show_refused(self, recipe: Any, name: str, reason: str) -> None:
+        """Show again what ``recipe`` has in this field, and why it stays so."""
+        kind, *others = self._cells
+        if name == kind.name:
+            kind.set_value(type(recipe).__name__)
+            kind.show_reason(reason)
+        for cell in others:
+            if cell.name == name:
+                cell.set_value(getattr(recipe, name))
+                cell.show_reason(reason)
+
+    def _build(self, recipe: Any, kinds: ChoiceSpec) -> None:
+        old = self._cells
+        # The list in which a kind was just chosen keeps the keyboard.
+        kept = old[:1] if self._built_for is not None and self._built_for[1] == kinds else ()
+        kind = kept[0] if kept else FieldCell("kind", kinds)
+        if not kept:
+            kind.edited.connect(self._tell_kind)
+        cells = [kind]
+        for name, spec in specs_of(recipe).items():
+            adapted = self._adapt(name, spec)
+            if adapted is not None:
+                cell = FieldCell(name, adapted)
+                cell.edited.connect(self._tell)
+                cells.append(cell)
+        self._cells, self._built_for = tuple(cells), (type(recipe), kinds)
+        gone = [cell for cell in old if cell not in cells]
+        focused = QApplication.focusWidget()
+        if focused is not None and any(cell.isAncestorOf(focused) for cell in gone):
+            kind.field.setFocus(Qt.FocusReason.OtherFocusReason)
+        self.grid.show_cells(self._cells)
+        for part in (widget for cell in gone for widget in (cell.label, cell)):
+            part.deleteLater()
+
+    def _tell_kind(self, _: str, kind: str, __: object) -> None:
+        self.kind_chosen.emit(kind)
+
+    def _tell(self, name: str, value: object, _: object) -> None:
+        self.edited.emit(name, value)
+
+
+# The page that makes up a motion.
+
+TITLE = "Motion"
+_MOTION_KINDS = ChoiceSpec(
+    label="Motion",
+    options=tuple((kind.__name__, kind.title) for kind in MOTIONS),
+    hint="What seems to happen on the skin",
+)
+_HEIGHT_PX = 660
+
+
+class MotionPage(QDialog):
+    """Makes up a motion on a path of places, shows it, and adds it in one step.
+
+    Parameters
+    ----------
+    document
+        What it is added to.
+    """
+
+    def __init__(self, document: Document, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setObjectName("motion_page")
+        self.setWindowTitle(TITLE)
+        self.resize(980, _HEIGHT_PX)
+        self._document = document
+        self.draft = Draft(document.design, document.view.playhead_s, self)
+        self.hand = HandDiagram(drawing_of(document.design.limb), self)
+        self.hand.setAccessibleName("Path on the hand, palm side")
+        self._path = PathLayer(self.hand)
+        self.path_row = PathRow()
+        self.strip = ClipStrip()
+        self.motion_fields = RecipeFields(self._of_motion, self)
+        limb = facts_of(document.design.limb)
+        self.waveform_fields = RecipeFields(
+            lambda _, spec: spec.at_rate(limb.sample_rate_hz, limb.band_hz), self
+        )
+        self._summary, self._about = QLabel(), QLabel()
+        self._buttons()
+        self._lay_out()
+        self._connect()
+        self._show()
+
+    def _buttons(self) -> None:
+        self._add = page_button("add_motion", "Add", "Add the tracks to the design, in one step")
+        self._cancel = page_button("cancel_motion", "Cancel", "Close; nothing is changed")
+        for label, name in (
+            (self._summary, "motion_summary"),
+            (self._about, "motion_about"),
+        ):
+            label.setObjectName(name)
+            label.setWordWrap(True)
+        self._about.setTextFormat(Qt.TextFormat.RichText)
+        set_tone(self._about, "dim")
+
+    def _lay_out(self) -> None:
+        left = QVBoxLayout()
+        left.addWidget(self.hand, 1)
+        left.addWidget(self.path_row)
+        grids = QHBoxLayout()
+        grids.setSpacing(3 * UNIT_PX)
+        for grid in (self.motion_fields.grid, self.waveform_fields.grid):
+            grids.addWidget(grid, 1, Qt.AlignmentFlag.AlignTop)
+        inside = QWidget()
+        inside.setLayout(grids)
+        grids.setContentsMargins(0, 0, UNIT_PX, 0)
+        scroll = QScrollArea()
+        scroll.setObjectName("motion_fields")
+        scroll.setFrameShape(QFrame.Shape.NoFrame)
+        scroll.setWidgetResizable(True)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        scroll.setWidget(inside)
+        ends = QHBoxLayout()
+        ends.addStretch(1)
+        ends.addWidget(self._add)
+        ends.addWidget(self._cancel)
+        right = QVBoxLayout()
+        right.setSpacing(UNIT_PX)
+        right.addWidget(scroll, 3)
+        right.addWidget(self._summary)
+        right.addWidget(self.strip, 2)
+        right.addWidget(self._about)
+        right.addLayout(ends)
+        columns = QHBoxLayout(self)
+        columns.setSpacing(2 * UNIT_PX)
+        columns.addLayout(left, 4)
+        columns.addLayout(right, 7)
+
+    def _connect(self) -> None:
+        self.draft.changed.connect(self._show)
+        self.draft.field_refused.connect(self._show_refused)
+        self.draft.waveform_field_refused.connect(self._show_waveform_refused)
+        self.hand.add_requested.connect(self.path_row.append)
+        self.hand.add_besides_requested.connect(self.path_row.append)
+        self.hand.remove_requested.connect(self.path_row.remove_last)
+        self.path_row.path_wanted.connect(self.draft.change_path)
+        self.path_row.misread.connect(self._show_problem)
+        self.path_row.finished.connect(self._show_lanes)
+        self.motion_fields.kind_chosen.connect(self.draft.change_kind)
+        self.motion_fields.edited.connect(self.draft.change_field)
+        self.waveform_fields.kind_chosen.connect(self.draft.change_waveform_kind)
+        self.waveform_fields.edited.connect(self.draft.change_waveform_field)
+        self._add.clicked.connect(self._keep)
+        self._cancel.clicked.connect(self.reject)
+
+    def _show_refused(self, name: str, why: str) -> None:
+        self.motion_fields.show_refused(self.draft.motion, name, why)
+
+    def _show_waveform_refused(self, name: str, why: str) -> None:
+        self.waveform_fields.show_refused(self.draft.motion.waveform, name, why)
+
+    def _keep(self) -> None:
+        outcome = edits.add_motion(self._document.design, self._document.view, self.draft.motion)
+        if isinstance(outcome, Refusal):
+            self._show_problem(outcome.sentence)
+            return
+        self._document.apply(outcome)
+        self.accept()
+
+    def _show(self) -> None:
+        motion = self.draft.motion
+        self.motion_fields.show_recipe(motion, _MOTION_KINDS)
+        self.waveform_fields.show_recipe(motion.waveform, _waveform_kinds(self.draft))
+        self._summary.setText(motion.summary)
+        self._about.setText(_about(motion))
+        self.path_row.show_path(self.draft.path)
+        self._show_lanes()
+
+    def _show_lanes(self) -> None:
+        colours: dict[int, QColor] = {}
+        problem = self.draft.problem
+        try:
+            lanes = self.draft.lanes()
+            colours = {one.place: current_theme().input_colour(one.colour) for one in lanes}
+            self.strip.show_lanes(lanes)
+        except InvalidInputError as error:
+            problem = problem or sentence(str(error))
+        self._path.show_path(self.draft.path, colours)
+        self._show_problem(problem)
+
+    def _show_problem(self, problem: str) -> None:
+        self._add.setEnabled(not problem)
+        self._summary.setVisible(not problem)
+        if problem:
+            self.strip.show_words(problem)
+
+    def _of_motion(self, name: str, spec: Spec) -> Spec | None:
+        if name in ("path", "waveform"):
+            return None
+        if name == "amplitude" and isinstance(spec, NumberSpec):
+            design = self._document.design
+            return replace(spec, unit=amplitude_unit(design))
+        return spec
+
+
+def _about(motion: Motion) -> str:
+    parts = (("Law", motion.law), ("Source", motion.source), ("On the palm", motion.limits))
+    return "<br>".join(f"<b>{name}.</b> {escape(words)}" for name, words in parts)
+
+
+def _waveform_kinds(draft: Draft) -> ChoiceSpec:
+    if draft.waveform_kinds == kinds():
+        return kind_spec()
+    return ChoiceSpec(
+        label="Waveform",
+        options=tuple((kind.__name__, kind.title) for kind in draft.waveform_kinds),
+        hint="What plays at each place",
+    )

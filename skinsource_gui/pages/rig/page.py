@@ -1,0 +1,523 @@
+"""The fields of one channel of a rig, and of its limits."""
+
+from dataclasses import replace
+from datetime import UTC, datetime
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QObject, QSignalBlocker, Qt, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QDialog,
+    QFileDialog,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QListWidget,
+    QPushButton,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.actuators.catalog import names, profile, shape_names
+from skinsource.actuators.equalising import RegularisedInverse
+from skinsource.actuators.measured_response import MeasuredResponse
+from skinsource.actuators.measuring import open_response
+from skinsource.actuators.prediction import Limits
+from skinsource.actuators.rigs import SUFFIX, Rig, RigChannel, open_rig, save_rig
+from skinsource.base.errors import InvalidInputError, SkinSourceError
+from skinsource.base.files import named
+from skinsource.base.quoting import sentence
+from skinsource.design import edits
+from skinsource.design.design import Design
+from skinsource.design.edits.edit import Refusal
+from skinsource.design.signal_path import actuation_of_rig
+from skinsource.limbs.locations import input_words
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.specs.models import specs_of
+from skinsource.specs.numbers import NumberSpec, OptionalSpec
+from skinsource.specs.spec import ChoiceSpec, Spec
+from skinsource_gui.fields.editors import FieldCell
+from skinsource_gui.fields.grid import FieldGrid
+from skinsource_gui.fields.rig_field import RESPONSE_FILES
+from skinsource_gui.pages.rig.measuring import MeasurePage
+from skinsource_gui.qt.asking import saved_or_given_up
+from skinsource_gui.qt.buttons import page_button
+from skinsource_gui.qt.theme import UNIT_PX
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.playing import SoundSettings, SoundThread
+
+_LIMIT = "limit "
+_OWN = (
+    "place", "actuator", "device", "output", "full_scale_v", "amplifier_gain", "polarity",
+    "delay_s", "measured_on",
+)  # fmt: skip
+
+
+class ChannelFields(QObject):
+    """Cells for a channel; 0 stands for what is not known.
+
+    Attributes
+    ----------
+    widget
+        Where they stand.
+    measured, measure, from_file, forget
+        What is known of the response, and the buttons that measure it, take it from a file, or
+        forget it.
+    """
+
+    #: The new `RigChannel`.
+    edited = Signal(object)
+    #: Why a value was not taken.
+    refused = Signal(str)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._channel: RigChannel | None = None
+        specs = {name: spec for name, spec in specs_of(RigChannel).items() if name in _OWN}
+        specs["actuator"] = _actuators()
+        limits = {f"{_LIMIT}{name}": spec for name, spec in specs_of(Limits).items()}
+        self._cells = {name: _cell(name, spec) for name, spec in {**specs, **limits}.items()}
+        for cell in self._cells.values():
+            cell.edited.connect(self._edit)
+        self.measured = QLabel()
+        self.measured.setObjectName("rig_measured")
+        self.measured.setWordWrap(True)
+        self.from_file = page_button(
+            "rig_from_file",
+            "Response from a file…",
+            "A table with frequency_hz, gain and phase, or sound with the voltage of a sweep and "
+            "what the accelerometer said",
+        )
+        self.measure = page_button(
+            "rig_measure",
+            "Measure…",
+            "Play a sweep on this output, and record an accelerometer on an input of the device",
+        )
+        self.forget = page_button("rig_forget", "Forget the response", "As if it was not measured")
+        self.widget = self._laid_out()
+
+    def cell(self, name: str) -> FieldCell:
+        """The cell of a field of the channel, or of ``"limit "`` and one of its limits."""
+        return self._cells[name]
+
+    def show_channel(self, channel: RigChannel | None) -> None:
+        """Show these values; None: there is no channel."""
+        self._channel = channel
+        self.widget.setEnabled(channel is not None)
+        # Without one, what the first would begin with.
+        channel = channel or RigChannel(place=1, output=1)
+        for name, cell in self._cells.items():
+            cell.set_value(_shown(_value(channel, name)))
+        points = () if channel.measured is None else channel.measured.points
+        self.measured.setText(
+            f"Response: {len(points)} points, {points[0][0]:.4g} to {points[-1][0]:.4g} Hz"
+            if points
+            else "Response: not measured, so m/s² are not known"
+        )
+        self.forget.setEnabled(bool(points))
+
+    def _laid_out(self) -> QWidget:
+        found = QWidget()
+        column = QVBoxLayout(found)
+        column.setContentsMargins(0, 0, UNIT_PX, 0)
+        own, limits = FieldGrid(), FieldGrid()
+        own.show_cells([self._cells[name] for name in _OWN])
+        limits.show_cells([cell for name, cell in self._cells.items() if name.startswith(_LIMIT)])
+        heading = QLabel("Limits at the actuator; 0: not known")
+        parts = (own, self.measured, self.measure, self.from_file, self.forget, heading, limits)
+        for part in parts:
+            column.addWidget(part)
+        column.addStretch(1)
+        return found
+
+    def _edit(self, name: str, value: Any, _gesture: int | None) -> None:
+        channel = self._channel
+        if channel is None:
+            return
+        try:
+            if name.startswith(_LIMIT):
+                field = name.removeprefix(_LIMIT)
+                limits = replace(channel.limits, **{field: value or None})
+                after = replace(channel, limits=limits)
+            else:
+                optional = isinstance(specs_of(RigChannel)[name], OptionalSpec)
+                changed: dict[str, Any] = {name: (value or None) if optional else value}
+                after = replace(channel, **changed)
+        except InvalidInputError as error:
+            self.show_channel(channel)
+            self.refused.emit(str(error))
+            return
+        if after != channel:
+            self.edited.emit(after)
+
+
+def title_of(channel: RigChannel, limb: str) -> str:
+    """Words for a channel in a list; places are called what the limb calls them."""
+    return f"{channel.place} · {input_words(channel.place, limb).name}, output {channel.output}"
+
+
+def _cell(name: str, spec: Spec) -> FieldCell:
+    of = spec.of if isinstance(spec, OptionalSpec) else spec
+    if isinstance(spec, OptionalSpec) and isinstance(of, NumberSpec):
+        hint = f"{spec.hint}; 0: not known"
+        of = replace(of, label=spec.label, minimum=0.0, logarithmic=False, hint=hint)
+    return FieldCell(name, of)
+
+
+def _actuators() -> ChoiceSpec:
+    listed = tuple((name, profile(name).title) for name in (*names(), *shape_names()))
+    return ChoiceSpec(
+        label="Actuator",
+        options=(("", "Not listed"), *listed),
+        hint="What the library knows of it: its limits, and how it moves where it was not measured",
+    )
+
+
+def _value(channel: RigChannel, name: str) -> Any:
+    if name.startswith(_LIMIT):
+        return getattr(channel.limits, name.removeprefix(_LIMIT))
+    return getattr(channel, name)
+
+
+def _shown(value: Any) -> Any:
+    return 0.0 if value is None else value
+
+
+# The rig that is edited on the page, and the file it belongs to.
+
+
+class RigDraft(QObject):
+    """A rig, changed channel by channel; what cannot be is refused.
+
+    Parameters
+    ----------
+    rig, path
+        What is edited at first, and its file; None: a new one.
+    design
+        Its places are those that are wired first, and its limb has the others.
+
+    Attributes
+    ----------
+    rig, path
+        What is edited, and the file it came from or went to.
+    """
+
+    #: The row of the channel that is to be shown now.
+    changed = Signal(int)
+    #: What there is to say.
+    said = Signal(str)
+
+    def __init__(self, rig: Rig | None, path: Path | None, design: Design, parent: QObject) -> None:
+        super().__init__(parent)
+        driven = (one.location for one in design.inputs)
+        every = range(1, facts_of(design.limb).n_inputs + 1)
+        self._places = tuple(dict.fromkeys((*driven, *every)))
+        self.rig = self._saved = rig or Rig()
+        self.path = path
+
+    @property
+    def unsaved(self) -> bool:
+        """Whether there are changes that are in no file."""
+        return self.rig != self._saved
+
+    def entitle(self, title: str) -> None:
+        """Give it another title."""
+        try:
+            self.rig = replace(self.rig, title=title)
+        except InvalidInputError as error:
+            self.said.emit(str(error))
+
+    def take_channel(self, row: int, channel: RigChannel) -> None:
+        """Put another channel in the place of one."""
+        channels = list(self.rig.channels)
+        channels[row] = channel
+        self._change(tuple(channels), row, row)
+
+    def add(self, row: int) -> None:
+        """Add a channel for the next place, of the design first, and output that are free."""
+        there = self.rig.channels
+        last = there[-1] if there else None
+        places = {one.place for one in there}
+        free = [place for place in self._places if place not in places]
+        if not free:
+            self.said.emit("All places are wired already.")
+            return
+        device = "" if last is None else last.device
+        outputs = {one.output for one in there if one.device == device}
+        output = next(k for k in range(1, len(there) + 2) if k not in outputs)
+        if last is None:
+            new = RigChannel(place=free[0], output=output)
+        else:
+            # Most channels of a rig are alike; what was measured is of one alone.
+            new = replace(last, place=free[0], output=output, measured=None, measured_on="")
+        self._change((*there, new), row, len(there))
+
+    def remove(self, row: int) -> None:
+        """Take a channel out."""
+        left = tuple(one for k, one in enumerate(self.rig.channels) if k != row)
+        self._change(left, row, max(row - 1, 0))
+
+    def take_response(self, row: int, found: MeasuredResponse | None) -> None:
+        """Let a channel answer as it was measured today; None: as if it was not."""
+        if 0 <= row < len(self.rig.channels):
+            today = "" if found is None else datetime.now(UTC).date().isoformat()
+            changed = replace(self.rig.channels[row], measured=found, measured_on=today)
+            self.take_channel(row, changed)
+
+    def open(self, path: Path) -> None:
+        """Edit the rig of a file."""
+        try:
+            self.rig = self._saved = open_rig(path)
+        except SkinSourceError as error:
+            self.said.emit(str(error))
+            return
+        self.path = path
+        self.changed.emit(0)
+
+    def save(self, path: Path) -> bool:
+        """Write it to a file; whether that went well."""
+        try:
+            save_rig(path, self.rig)
+        except SkinSourceError as error:
+            self.said.emit(str(error))
+            return False
+        self.path, self._saved = path, self.rig
+        return True
+
+    def give_up(self) -> None:
+        """Changes need not be kept."""
+        self._saved = self.rig
+
+    def _change(self, channels: tuple[RigChannel, ...], row: int, after: int) -> None:
+        """Take over other channels; refused where they cannot be."""
+        try:
+            self.rig = replace(self.rig, channels=channels)
+        except InvalidInputError as error:
+            self.changed.emit(row)
+            self.said.emit(str(error))
+        else:
+            self.changed.emit(after)
+
+
+# The page of rigs.
+
+_KINDS = f"Rigs (*{SUFFIX});;All files (*)"
+_ENDS = (("open", "Open…"), ("save", "Save…"), ("close", "Close"))
+_NOTHING = "No channel yet: add one for each actuator."
+
+
+class RigPage(QDialog):
+    """Opens, edits and saves a rig file, channel by channel.
+
+    Parameters
+    ----------
+    document
+        What can be predicted through it.
+    settings
+        Of playing: what this machine plays for.
+
+    Attributes
+    ----------
+    draft
+        What is edited.
+    """
+
+    def __init__(
+        self,
+        document: Document,
+        settings: SoundSettings,
+        parent: QWidget,
+    ) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setObjectName("rig_page")
+        self.setWindowTitle("Rig")
+        self.resize(860, 640)
+        self._document, self._settings, self._thread = document, settings, SoundThread(self)
+        settings.look_for_rig()
+        path = settings.rig_path if settings.rig is not None else None
+        self.draft = RigDraft(settings.rig, path, document.design, self)
+        self._title = QLineEdit()
+        self._title.setObjectName("rig_title")
+        self._title.setAccessibleName("Title")
+        self._title.setPlaceholderText("Title of the rig")
+        self.channels = QListWidget()
+        self.channels.setObjectName("rig_channels")
+        self.channels.setAccessibleName("Channels")
+        self.fields = ChannelFields(self)
+        self.words = QLabel()
+        self.words.setObjectName("rig_words")
+        self.words.setWordWrap(True)
+        self._use = QCheckBox("Play for it on this machine")
+        self._use.setObjectName("rig_use")
+        self._use.setChecked(True)
+        self._lay_out()
+        self._connect()
+        self._show(0)
+
+    def done(self, result: int) -> None:
+        """Close it; what was not saved is asked about."""
+        if self.draft.unsaved and not self._agreed():
+            return
+        self._thread.end(_nothing)
+        super().done(result)
+
+    def button(self, name: str) -> QPushButton:
+        """One of its buttons."""
+        return self.findChildren(QPushButton, f"rig_{name}")[0]
+
+    def _lay_out(self) -> None:
+        left = QVBoxLayout()
+        left.addWidget(self._title)
+        left.addWidget(self.channels, 1)
+        left.addLayout(_row(("add", "Add channel"), ("remove", "Remove channel")))
+        scroll = QScrollArea()
+        scroll.setObjectName("rig_fields")
+        scroll.setFrameShape(QFrame.Shape.NoFrame)
+        scroll.setWidgetResizable(True)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        scroll.setWidget(self.fields.widget)
+        both = QHBoxLayout()
+        both.setSpacing(2 * UNIT_PX)
+        both.addLayout(left, 2)
+        both.addWidget(scroll, 3)
+        whole = QVBoxLayout(self)
+        whole.addLayout(both, 1)
+        whole.addWidget(self.words)
+        ends = _row(("predict", "Predict through it"), *_ENDS)
+        ends.insertWidget(0, self._use)
+        ends.insertStretch(1, 1)
+        whole.addLayout(ends)
+
+    def _connect(self) -> None:
+        self.draft.changed.connect(self._show)
+        self.draft.said.connect(self._say)
+        self._title.textEdited.connect(self.draft.entitle)
+        self.channels.currentRowChanged.connect(self._show_channel)
+        self.fields.edited.connect(
+            lambda channel: self.draft.take_channel(self.channels.currentRow(), channel)
+        )
+        self.fields.refused.connect(self._say)
+        self.fields.from_file.clicked.connect(self._ask_response)
+        self.fields.measure.clicked.connect(self._measure)
+        self.fields.forget.clicked.connect(partial(self._take_response, None))
+        for name, method in (
+            ("add", self._add),
+            ("remove", self._remove),
+            ("open", self._open),
+            ("save", self._save),
+            ("predict", self._predict),
+            ("close", self.reject),
+        ):
+            self.button(name).clicked.connect(method)
+
+    def _show(self, row: int) -> None:
+        """Show the rig, and one of its channels."""
+        draft, channels = self.draft, self.draft.rig.channels
+        if self._title.text() != draft.rig.title:
+            self._title.setText(draft.rig.title)
+        with QSignalBlocker(self.channels):
+            self.channels.clear()
+            limb = self._document.design.limb
+            self.channels.addItems([title_of(one, limb) for one in channels])
+            self.channels.setCurrentRow(min(row, len(channels) - 1))
+        self._show_channel(self.channels.currentRow())
+        self.button("remove").setEnabled(bool(channels))
+        changed = " (changed)" if draft.unsaved else ""
+        where = named(Path(draft.path.name)) if draft.path is not None else "not saved yet"
+        self._say(f"The rig is {where}{changed}" if channels else _NOTHING)
+
+    def _show_channel(self, row: int) -> None:
+        self.fields.show_channel(self.draft.rig.channels[row] if row >= 0 else None)
+
+    def _say(self, words: str) -> None:
+        self.words.setText(sentence(words))
+
+    def _add(self) -> None:
+        self.draft.add(self.channels.currentRow())
+
+    def _remove(self) -> None:
+        self.draft.remove(self.channels.currentRow())
+
+    def _ask_response(self) -> None:
+        name, _ = QFileDialog.getOpenFileName(self, "Response of the actuator", "", RESPONSE_FILES)
+        if name:
+            self._say("Reading…")
+            self._thread.do(partial(open_response, Path(name)), self._take_response)
+
+    def _measure(self) -> None:
+        """Open the page that measures this channel."""
+        row = self.channels.currentRow()
+        channel = self.draft.rig.channels[row]
+        page = MeasurePage(channel, self._settings, self)
+        page.kept.connect(lambda found: self._take_response(found.response))
+        page.open()
+
+    def _take_response(
+        self, found: MeasuredResponse | None, error: SkinSourceError | None = None
+    ) -> None:
+        if error is not None:
+            self._say(str(error))
+        else:
+            self.draft.take_response(self.channels.currentRow(), found)
+
+    def _open(self) -> None:
+        if self.draft.unsaved and not self._agreed():
+            return
+        name, _ = QFileDialog.getOpenFileName(self, "Open a rig", "", _KINDS)
+        if name:
+            self.draft.open(Path(name))
+
+    def _save(self) -> None:
+        draft = self.draft
+        start = str(draft.path or f"{draft.rig.title or 'rig'}{SUFFIX}")
+        name, _ = QFileDialog.getSaveFileName(self, "Save the rig", start, _KINDS)
+        path = Path(name if Path(name).suffix else f"{name}{SUFFIX}")
+        if name and draft.save(path):
+            if self._use.isChecked():
+                self._settings.choose_rig(path)
+            self._show(self.channels.currentRow())
+            self._say(f"Saved {named(Path(path.name))}")
+
+    def _predict(self) -> None:
+        """Let the design be predicted through these actuators, equalised as it was."""
+        design, view = self._document.design, self._document.view
+        known = design.actuation
+        equaliser = RegularisedInverse() if known is None else known.equaliser
+        try:
+            through = actuation_of_rig(self.draft.rig, equaliser)
+        except InvalidInputError as error:
+            self._say(str(error))
+            return
+        outcome = edits.predict_through(design, view, through)
+        if isinstance(outcome, Refusal):
+            self._say(outcome.sentence)
+        else:
+            self._document.apply(outcome)
+            self._say(f"Predicted through {through.words}")
+
+    def _agreed(self) -> bool:
+        """Whether changes may go: they are saved now, or the user gives them up."""
+
+        def save() -> bool:
+            self._save()
+            return not self.draft.unsaved
+
+        question = "The changes of the rig are not saved. Save them?"
+        return saved_or_given_up(self, "Changes of the rig", question, save)
+
+
+def _row(*buttons: tuple[str, str]) -> QHBoxLayout:
+    found = QHBoxLayout()
+    for name, words in buttons:
+        found.addWidget(page_button(f"rig_{name}", words))
+    return found
+
+
+def _nothing() -> None:
+    """Nothing is left to do."""

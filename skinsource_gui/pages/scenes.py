@@ -1,0 +1,286 @@
+"""The picture of a scene, as large as there is room."""
+
+from collections.abc import Collection
+from html import escape
+
+from PySide6.QtCore import QPoint, QRect, QRectF, QSize, QSizeF, Qt, Signal
+from PySide6.QtGui import QColor, QIcon, QPainter, QPaintEvent, QPen, QPixmap
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QListWidget,
+    QListWidgetItem,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.design.labels import limb_word
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.specs.spec import ChoiceSpec
+from skinsource.studies.scenes.catalog import all_scenes, open_scene, why_not_on
+from skinsource.studies.scenes.scene import Scene
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.qt.resources import resource_folder
+from skinsource_gui.qt.screen_fit import fit_by_guess
+from skinsource_gui.qt.theme import UNIT_PX, current_theme
+from skinsource_gui.state.engine import too_large
+
+_MARGIN_PX = 8.0
+_LEAST_PX = (360, 220)
+
+
+class ScenePicture(QWidget):
+    """Shows a picture on its own white ground, in the middle of its room."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._picture = QPixmap()
+        self.setObjectName("scene_picture")
+        self.setMinimumSize(*_LEAST_PX)
+
+    def sizeHint(self) -> QSize:
+        # As large as there is room, but nothing is scrolled for it.
+        return QSize(*_LEAST_PX)
+
+    def show_picture(self, picture: QPixmap, words: str) -> None:
+        """Show another picture; ``words`` are read to who cannot see it."""
+        self._picture = picture
+        self.setAccessibleName(words)
+        self.update()
+
+    def area(self) -> QRectF:
+        """Where the picture is drawn; empty where there is none."""
+        if self._picture.isNull():
+            return QRectF()
+        room = QRectF(self.rect()).adjusted(_MARGIN_PX, _MARGIN_PX, -_MARGIN_PX, -_MARGIN_PX)
+        size = QSizeF(self._picture.size()).scaled(room.size(), Qt.AspectRatioMode.KeepAspectRatio)
+        area = QRectF(room.topLeft(), size)
+        area.moveCenter(room.center())
+        return area
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        ground = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
+        painter.setPen(QPen(QColor(current_theme().border), 1))
+        painter.setBrush(QColor("white"))
+        painter.drawRect(ground)
+        area = self.area()
+        if not area.isEmpty():
+            painter.drawPixmap(area, self._picture, QRectF(self._picture.rect()))
+        painter.end()
+
+
+# The page that shows the scenes: a list, and beside it picture, sentence and source.
+
+TITLE = "Scenes"
+_SIZE_PX = (1120, 650)
+_ICON_PX = (72, 44)
+_LIST_PX = 360
+_WORDS_LINES = 11
+_OF_THE_PAPER = "The limbs of the paper"
+_PLAYED_ON = "On which limb the scenes are played: those of the paper, or one of your own"
+_PICTURES = "Pictures are computed on synthetic limbs."
+
+
+class ScenesPage(QDialog):
+    """Shows the scenes of the paper, and tells which one is to be opened.
+
+    Parameters
+    ----------
+    limbs
+        Names of the limbs that there are.
+    limb
+        The limb of a lab that scenes are to be played on, at first; empty: those of the paper.
+    selected
+        Name of the scene that is selected at first; the first one where it is not known.
+    """
+
+    #: Name of a scene, and of the limb that it is to be played on; empty: those of the paper.
+    chosen = Signal(str, str)
+
+    def __init__(
+        self,
+        limbs: Collection[str],
+        selected: str,
+        parent: QWidget,
+        *,
+        limb: str = "",
+    ) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setObjectName("scenes_page")
+        self.setWindowTitle(TITLE)
+        self._limbs, self._scenes = frozenset(limbs), all_scenes()
+        own = [name for name in limbs if facts_of(name).own]
+        titles = tuple((name, limb_word(name).title) for name in own)
+        self.played_on = ChoiceField(
+            ChoiceSpec(label="Played on", options=(("", _OF_THE_PAPER), *titles), hint=_PLAYED_ON)
+        )
+        self.played_on.setObjectName("scene_limb")
+        self.played_on.set_value(limb if limb in own else "")
+        self._any_own = bool(own)
+        self.list = QListWidget()
+        self.list.setObjectName("scenes_list")
+        self.list.setAccessibleName("Scenes of the paper")
+        self.list.setIconSize(QSize(*_ICON_PX))
+        self.list.setFixedWidth(_LIST_PX)
+        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.list.setSpacing(1)
+        self.picture = ScenePicture()
+        self.words = QLabel()
+        self.words.setObjectName("scene_words")
+        self.words.setWordWrap(True)
+        self.words.setTextFormat(Qt.TextFormat.RichText)
+        # As high for all, so that the picture stays where it is.
+        self.words.setMinimumHeight(_WORDS_LINES * self.fontMetrics().lineSpacing())
+        self.words.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
+        self.buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Open | QDialogButtonBox.StandardButton.Cancel
+        )
+        self._lay_out()
+        self._fill(selected)
+        self.list.currentRowChanged.connect(self._show)
+        # Not itemActivated: Return would count twice, for the list and for the button.
+        self.list.itemDoubleClicked.connect(self._choose)
+        self.played_on.chosen.connect(self._show_limb)
+        self.buttons.accepted.connect(self._choose)
+        self.buttons.rejected.connect(self.reject)
+        self._show_limb()
+        self.list.setFocus()
+        place = QRect(QPoint(), QSize(*_SIZE_PX))
+        place.moveCenter(parent.window().geometry().center())
+        self.setGeometry(place)
+        fit_by_guess(self)
+
+    @property
+    def scene(self) -> Scene:
+        """The one that is selected."""
+        return self._scenes[max(self.list.currentRow(), 0)]
+
+    def _lay_out(self) -> None:
+        about = QWidget()
+        right = QVBoxLayout(about)
+        right.setContentsMargins(0, 0, 0, 0)
+        right.setSpacing(UNIT_PX)
+        right.addWidget(self.picture, 1)
+        right.addWidget(self.words)
+        columns = QHBoxLayout()
+        columns.setSpacing(2 * UNIT_PX)
+        left = QVBoxLayout()
+        left.setSpacing(UNIT_PX)
+        left.addWidget(self.list, 1)
+        limb = QHBoxLayout()
+        title = QLabel(self.played_on.accessibleName())
+        limb.addWidget(title)
+        limb.addWidget(self.played_on, 1)
+        left.addLayout(limb)
+        for part in (title, self.played_on):
+            part.setVisible(self._any_own)
+        columns.addLayout(left)
+        columns.addWidget(_scrolled(about), 1)
+        rows = QVBoxLayout(self)
+        rows.addLayout(columns, 1)
+        rows.addWidget(self.buttons)
+        button = self.buttons.button(QDialogButtonBox.StandardButton.Open)
+        button.setDefault(True)
+        button.setToolTip("Open the scene in place of the present design")
+
+    def _fill(self, selected: str) -> None:
+        for one in self._scenes:
+            item = QListWidgetItem(one.heading)
+            item.setIcon(_icon_of(one))
+            self.list.addItem(item)
+        names = [one.name for one in self._scenes]
+        self.list.setCurrentRow(names.index(selected) if selected in names else 0)
+
+    def _show_limb(self) -> None:
+        """Dim the scenes that do not apply on the chosen limb."""
+        limb = self.played_on.value
+        self._reasons = {
+            one.name: why_not_on(one.name, limb) if limb else "" for one in self._scenes
+        }
+        for row, one in enumerate(self._scenes):
+            reason = self._reasons[one.name]
+            item = self.list.item(row)
+            item.setForeground(QColor(current_theme().dim if reason else current_theme().text))
+            item.setToolTip(f"{one.sentence}\n{reason}".strip())
+        self._show(self.list.currentRow())
+
+    def _show(self, row: int) -> None:
+        if row < 0:
+            return
+        one, reason = self.scene, self._reasons[self.scene.name]
+        self.buttons.button(QDialogButtonBox.StandardButton.Open).setEnabled(not reason)
+        self.picture.show_picture(picture_of(one), one.title)
+        lines = [f"<b>{escape(one.heading)}</b>", escape(one.sentence), _dim(_source_of(one))]
+        lines.append(self._not_there(reason) if reason else self._there(one))
+        self.words.setText("<br>".join(lines))
+
+    def _not_there(self, reason: str) -> str:
+        words = f"Does not apply on {limb_word(self.played_on.value).title}: {reason}"
+        return f'<span style="color: {current_theme().error}">{escape(words)}</span>'
+
+    def _there(self, one: Scene) -> str:
+        """On which limbs it opens, and what must be said of them."""
+        limb = self.played_on.value
+        opened = open_scene(one.name, available=self._limbs, limb=limb)
+        limbs = dict.fromkeys(each.design.limb for each in opened.conditions)
+        titles = ", ".join(limb_word(limb).title for limb in limbs)
+        note = f"Opens on {titles}. {opened.note} {too_large(limb) if limb else ''} {_PICTURES}"
+        return _dim(" ".join(note.split()))
+
+    def _choose(self) -> None:
+        name = self.scene.name
+        if self._reasons[name]:
+            return
+        # The question about unsaved work stands in front of the window, not of this page.
+        self.accept()
+        self.chosen.emit(name, self.played_on.value)
+
+
+def _scrolled(inside: QWidget) -> QScrollArea:
+    """What has no room on a small screen, so that the buttons below stay on it."""
+    area = QScrollArea()
+    area.setObjectName("scene_area")
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setWidgetResizable(True)
+    area.setWidget(inside)
+    return area
+
+
+def picture_of(scene: Scene) -> QPixmap:
+    """The picture of a scene."""
+    return QPixmap(str(resource_folder() / "scenes" / f"{scene.name}.png"))
+
+
+def _icon_of(scene: Scene) -> QIcon:
+    """Its picture, small, in the middle of a white card; the same while it is selected."""
+    card = QPixmap(QSize(*_ICON_PX))
+    card.fill(Qt.GlobalColor.white)
+    small = picture_of(scene).scaled(
+        card.size(),
+        Qt.AspectRatioMode.KeepAspectRatio,
+        Qt.TransformationMode.SmoothTransformation,
+    )
+    painter = QPainter(card)
+    painter.drawPixmap(
+        (card.width() - small.width()) // 2, (card.height() - small.height()) // 2, small
+    )
+    painter.end()
+    icon = QIcon(card)
+    icon.addPixmap(card, QIcon.Mode.Selected)
+    return icon
+
+
+def _source_of(scene: Scene) -> str:
+    inferred = f" Inferred: {'; '.join(scene.inferred)}." if scene.inferred else ""
+    return f"Source: {scene.source}.{inferred}"
+
+
+def _dim(text: str) -> str:
+    return f'<span style="color: {current_theme().dim}">{escape(text)}</span>'

@@ -1,0 +1,624 @@
+"""What is to be exported, as it was chosen on the page."""
+
+import dataclasses
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+from PySide6.QtCore import QObject, QSignalBlocker, Signal
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QLineEdit, QWidget
+
+from skinsource.actuators.actuation import Actuation, ActuatorAt
+from skinsource.actuators.catalog import load, names, profile
+from skinsource.actuators.equalising import (
+    Equaliser,
+    PolePairReplacement,
+    RegularisedInverse,
+    resonance_of,
+)
+from skinsource.actuators.rigs import Rig, open_rig
+from skinsource.base.errors import InvalidInputError, SkinSourceError
+from skinsource.base.published import SAMPLE_RATE_HZ
+from skinsource.base.quoting import quoted
+from skinsource.design.amplitudes import ARBITRARY_UNIT, drive_unit
+from skinsource.design.design import Design
+from skinsource.design.panel_settings import settings_of
+from skinsource.design.view import View
+from skinsource.engine.actuator_demand import ActuatorSettings, actuation_of
+from skinsource.engine.stimulus import LONGEST_LEAD_IN_S
+from skinsource.export.formats.format import StimulusFormat
+from skinsource.export.formats.formats import FORMATS, format_named
+from skinsource.export.stimulus_export.options import StimulusOptions
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.fields.rig_field import RigField
+from skinsource_gui.qt.theme import set_tone
+from skinsource_gui.qt.tooltips import tooltip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Order:
+    """One export.
+
+    Attributes
+    ----------
+    format
+        As what.
+    rate_hz
+        None: the usual one of the format.
+    options
+        How.
+    actuation, rig, equaliser
+        Actuators, where no rig says them; what is wired; what makes volts of accelerations.
+    """
+
+    format: StimulusFormat = FORMATS[0]
+    rate_hz: int | None = None
+    options: StimulusOptions = dataclasses.field(default_factory=StimulusOptions)
+    actuation: Actuation | None = None
+    rig: Rig | None = None
+    equaliser: Equaliser | None = None
+
+
+# What each field of the page of stimuli can be.
+
+#: Rates that devices know; any other can be typed.
+RATES_HZ = (round(SAMPLE_RATE_HZ), 2000, 8000, 44_100, 48_000, 96_000, 192_000)
+OTHER = "other"
+
+FORMAT = ChoiceSpec(
+    label="Format",
+    options=tuple((one.name, one.title) for one in FORMATS),
+    hint="What the file is for",
+)
+RATE = ChoiceSpec(
+    label="Rate",
+    options=(
+        *((str(rate), f"{rate:,} Hz".replace(",", " ")) for rate in RATES_HZ),
+        (OTHER, "Other…"),
+    ),
+    hint="At the rate of its limb what is exported is what was predicted, "
+    f"{SAMPLE_RATE_HZ:g} Hz of the published ones; another rate adds nothing above the measured "
+    "band",
+)
+OTHER_RATE = NumberSpec(
+    label="Other rate", unit="Hz", minimum=100, maximum=768_000, step=100, whole=True
+)
+CHANNELS = ChoiceSpec(
+    label="Channels",
+    options=(
+        ("place", "One for each place"),
+        ("input", "One for each track"),
+        ("files", "One file for each track"),
+    ),
+    hint="Tracks at one place add up, unless each has a channel or file of its own",
+)
+FADE = NumberSpec(label="Fade", unit="s", minimum=0.0, maximum=10.0, step=0.005)
+LEAD_IN = NumberSpec(
+    label="Lead-in",
+    unit="s",
+    minimum=0.0,
+    maximum=LONGEST_LEAD_IN_S,
+    step=0.05,
+    hint="Silence before the stimulus, in which it may ring",
+)
+SCALE = ChoiceSpec(
+    label="Full scale",
+    options=(("largest", "Largest sample"), ("own", "A drive of…")),
+    hint="What the largest number that a device takes stands for; one value for a set of files "
+    "keeps their ratio",
+)
+ACTUATOR = ChoiceSpec(
+    label="Actuator",
+    options=(("none", "None"), *((name, profile(name).title) for name in names())),
+    hint="What stands at each place; starts with what the panel Actuator shows",
+)
+EQUALISER = ChoiceSpec(
+    label="Equaliser",
+    options=(
+        ("none", "None"),
+        ("linear", "Regularised inverse, linear phase"),
+        ("minimum", "Regularised inverse, minimum phase"),
+    ),
+    hint="Makes of the accelerations of the design the volts that the actuators need",
+)
+
+
+def part_spec(design: Design, view: View) -> ChoiceSpec:
+    """Which tracks and clips can be exported."""
+    options = [("all", "All that is heard")]
+    if view.selected_inputs:
+        options.append(("tracks", "Selected tracks"))
+    if view.selected_clips:
+        options.append(("clips", "Selected clips"))
+    return ChoiceSpec(label="Plays", options=tuple(options), hint="What takes part")
+
+
+def time_spec(design: Design) -> ChoiceSpec:
+    """Which part of the time can be exported."""
+    options = [("whole", "Whole design")]
+    if design.loop_s is not None:
+        options.append(("loop", "Loop"))
+    options.append(("part", "From … to …"))
+    return ChoiceSpec(label="Time", options=tuple(options), hint="The part of the design")
+
+
+def end_s(design: Design) -> float:
+    """When the last clip ends."""
+    return max((clip.end_s for clip in design.clips), default=1.0)
+
+
+def time_number(label: str, design: Design) -> NumberSpec:
+    """A time within the design."""
+    return NumberSpec(label=label, unit="s", minimum=0.0, maximum=end_s(design), step=0.005)
+
+
+def scale_number(unit: str) -> NumberSpec:
+    """A drive, in its unit."""
+    return NumberSpec(
+        label="Drive at full scale",
+        unit=unit if unit in ("V", "m/s²", ARBITRARY_UNIT) else "",
+        minimum=0.001,
+        maximum=1e6,
+        step=0.1,
+    )
+
+
+# For which rig or actuator a stimulus is exported, and through which equaliser.
+
+_PANEL = "panel"
+
+
+class RigFields(QObject):
+    """Lists to choose a rig file, an actuator and an equaliser with.
+
+    They start with what the panel Actuator shows, or what the design is predicted through.
+
+    Attributes
+    ----------
+    rig_field, actuator_field, equaliser_field
+        The lists.
+    chosen
+        What was chosen in the panel; None where it shows what it starts with.
+    rig, path
+        What the file holds, and where it is; None without one.
+    """
+
+    changed = Signal()
+    #: Why a file was not taken.
+    refused = Signal(str)
+
+    def __init__(self, design: Design, view: View, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._volts = drive_unit(design) == "V"
+        self.chosen = design.actuated or _chosen_in_panel(view)
+        self.rig: Rig | None = None
+        self.path: Path | None = None
+        self.rig_field = RigField()
+        self.actuator_field = ChoiceField(ACTUATOR)
+        self.equaliser_field = ChoiceField(EQUALISER)
+        if self.chosen is not None:
+            self._offer(self.chosen, design)
+        self.rig_field.setObjectName("stimulus_rig")
+        self.actuator_field.setObjectName("stimulus_actuator")
+        self.equaliser_field.setObjectName("stimulus_equaliser")
+        self.rig_field.wanted.connect(self.take)
+        self.actuator_field.chosen.connect(self.changed)
+        self.equaliser_field.chosen.connect(self.changed)
+
+    def _offer(self, chosen: Actuation, design: Design) -> None:
+        """Start with what was chosen, where the drives are accelerations."""
+        self.actuator_field.insertItem(1, f"{chosen.title} (as in the panel)", _PANEL)
+        self.actuator_field.set_value(_PANEL)
+        if chosen.equaliser is not None:
+            words = "As in the panel" if design.actuated is None else "As predicted"
+            self.equaliser_field.insertItem(1, words, _PANEL)
+            if drive_unit(design) == "m/s²":
+                self.equaliser_field.set_value(_PANEL)
+
+    @property
+    def can_choose_actuator(self) -> bool:
+        """Whether an equaliser may be made for an actuator, and no rig says for which."""
+        return not self._volts and self.rig is None
+
+    @property
+    def can_equalise(self) -> bool:
+        """Whether it is known what an equaliser would be made for."""
+        return not self._volts and (self.rig is not None or self.actuation is not None)
+
+    @property
+    def actuation(self) -> Actuation | None:
+        """The actuator that was chosen."""
+        name = self.actuator_field.value
+        if name == "none":
+            return None
+        if name == _PANEL:
+            return self.chosen
+        one = ActuatorAt(actuator=profile(name).title, model=load(name))
+        return Actuation(actuators=(one,))
+
+    @property
+    def equaliser(self) -> Equaliser | None:
+        """The equaliser that was chosen."""
+        kind = self.equaliser_field.value
+        if not self.can_equalise or kind == "none":
+            return None
+        if kind != _PANEL or self.chosen is None:
+            return RegularisedInverse(phase=kind)
+        found, other = self.chosen.equaliser, self.actuation
+        if isinstance(found, PolePairReplacement) and other is not None and other != self.chosen:
+            # Its pole pair is that of one actuator.
+            (one,) = other.actuators
+            return PolePairReplacement(*resonance_of(one.model), found.new_quality)
+        return found
+
+    def take(self, path: Path | None) -> None:
+        """Export for the rig of a file; None: for none."""
+        try:
+            found = None if path is None else open_rig(path)
+        except SkinSourceError as error:
+            self.refused.emit(str(error))
+            return
+        self.rig, self.path = found, path
+        title = None if found is None or path is None else found.title or path.stem
+        self.rig_field.show_rig(title)
+        self.changed.emit()
+
+
+def _chosen_in_panel(view: View) -> Actuation | None:
+    """Actuator and equaliser that the panel Actuator shows; None where it is as it starts."""
+    found = actuation_of(settings_of(view, "actuator", ActuatorSettings))
+    return None if found == actuation_of(ActuatorSettings()) else found
+
+
+# How a stimulus is exported, as fields.
+
+#: Of dither; the sidecar names it.
+_SEED = 1
+
+
+class StimulusForm(QWidget):
+    """Fields for format, rate and options; rows that mean nothing now are hidden.
+
+    Parameters
+    ----------
+    design, view
+        What is exported, and what is selected there.
+    """
+
+    #: The `Order` that the fields make.
+    changed = Signal(object)
+    #: Why they make none.
+    refused = Signal(str)
+
+    def __init__(self, design: Design, view: View, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._design, self._view = design, view
+        self._about = QLabel()
+        self._about.setWordWrap(True)
+        self._about.setObjectName("stimulus_format_hint")
+        set_tone(self._about, "dim")
+        self._choices: dict[str, ChoiceField] = {}
+        self._fields: dict[str, ChoiceField] = {
+            "format": ChoiceField(FORMAT),
+            "rate": ChoiceField(RATE),
+            "plays": ChoiceField(part_spec(design, view)),
+            "channels": ChoiceField(CHANNELS),
+            "time": ChoiceField(time_spec(design)),
+            "scale": ChoiceField(SCALE),
+        }
+        self._numbers: dict[str, NumberField] = {
+            "other_rate": NumberField(OTHER_RATE),
+            "from": NumberField(time_number("From", design)),
+            "to": NumberField(time_number("To", design)),
+            "fade_in": NumberField(FADE),
+            "fade_out": NumberField(FADE),
+            "lead_in": NumberField(LEAD_IN),
+            "full_scale": NumberField(scale_number(drive_unit(design))),
+        }
+        self._map = QLineEdit()
+        self.rigs = RigFields(design, view, self)
+        self._sync = QCheckBox("Sync channel")
+        self._dither = QCheckBox("Dither")
+        self._name_parts()
+        self._lay_out()
+        self._connect()
+        self.take_format()
+
+    @property
+    def format(self) -> StimulusFormat:
+        """The chosen format."""
+        return format_named(self._fields["format"].value, Path())
+
+    def field(self, name: str) -> QWidget:
+        """The widget of a row."""
+        rows: dict[str, QWidget] = {**self._fields, **self._numbers, **self._choices}
+        rows |= {"map": self._map, "sync": self._sync, "dither": self._dither}
+        rows |= {"rig": self.rigs.rig_field, "actuator": self.rigs.actuator_field}
+        rows |= {"equaliser": self.rigs.equaliser_field}
+        return rows[name]
+
+    def want(self) -> None:
+        """Tell what the fields make."""
+        self._show_rows()
+        try:
+            order = self._order()
+        except SkinSourceError as error:
+            self.refused.emit(str(error))
+        else:
+            self.changed.emit(order)
+
+    def _name_parts(self) -> None:
+        for name, widget in (*self._fields.items(), *self._numbers.items()):
+            widget.setObjectName(f"stimulus_{name}")
+        for name, words in (
+            ("from", "From"),
+            ("to", "To"),
+            ("fade_in", "Fade in"),
+            ("fade_out", "Fade out"),
+            ("lead_in", "Lead-in"),
+            ("other_rate", "Other rate"),
+            ("full_scale", "Drive at full scale"),
+        ):
+            self._numbers[name].setAccessibleName(words)
+        self._numbers["to"].set_value(end_s(self._design))
+        self._numbers["other_rate"].set_value(48_000)
+        self._numbers["full_scale"].set_value(1.0)
+        self._map.setObjectName("stimulus_map")
+        self._map.setAccessibleName("Channel map")
+        self._map.setPlaceholderText("as they are")
+        self._map.setToolTip(
+            tooltip(
+                "Channel map",
+                "For each output of the device, from the first on, the channel that it gets: "
+                "2, 1, 0, 3; 0 leaves an output silent",
+            )
+        )
+        self._sync.setObjectName("stimulus_sync")
+        self._sync.setToolTip("A last channel with a pulse at full scale where the design begins")
+        self._dither.setObjectName("stimulus_dither")
+        self._dither.setToolTip(
+            "Noise of one step before rounding, so that the error does not follow the signal"
+        )
+
+    def _lay_out(self) -> None:
+        self._form = QFormLayout(self)
+        self._form.setContentsMargins(0, 0, 0, 0)
+        self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        fields, numbers = self._fields, self._numbers
+        for label, widget in (
+            ("Format", fields["format"]),
+            ("", self._about),
+            ("Rate", fields["rate"]),
+            ("", numbers["other_rate"]),
+            ("Plays", fields["plays"]),
+            ("Channels", fields["channels"]),
+            ("Map", self._map),
+            ("Time", fields["time"]),
+            ("From", numbers["from"]),
+            ("To", numbers["to"]),
+            ("Fade in", numbers["fade_in"]),
+            ("Fade out", numbers["fade_out"]),
+            ("Lead-in", numbers["lead_in"]),
+            ("Rig", self.rigs.rig_field),
+            ("Actuator", self.rigs.actuator_field),
+            ("Equaliser", self.rigs.equaliser_field),
+            ("Full scale", fields["scale"]),
+            ("", numbers["full_scale"]),
+            ("", self._sync),
+            ("", self._dither),
+        ):
+            self._form.addRow(label, widget)
+
+    def _connect(self) -> None:
+        for name, field in self._fields.items():
+            if name == "format":
+                field.chosen.connect(self.take_format)
+            else:
+                field.chosen.connect(self.want)
+        for number in self._numbers.values():
+            number.edited.connect(self.want)
+        self.rigs.changed.connect(self.want)
+        self.rigs.refused.connect(self.refused)
+        self._map.textChanged.connect(self.want)
+        for box in (self._sync, self._dither):
+            box.toggled.connect(self.want)
+
+    def take_format(self) -> None:
+        """Show the choices of the format, and its usual rate."""
+        format = self.format
+        for field in self._choices.values():
+            self._form.removeRow(field)
+        self._choices = {}
+        position: Any = self._form.getWidgetPosition(self._about)
+        for row, (name, spec) in enumerate(format.choices.items(), start=position[0] + 1):
+            field = ChoiceField(spec)
+            field.setObjectName(f"stimulus_choice_{name}")
+            field.chosen.connect(self.want)
+            self._form.insertRow(row, spec.label, field)
+            self._choices[name] = field
+        self._fields["rate"].set_value(str(format.rate_hz or RATES_HZ[0]))
+        self.setTabOrder(self._fields["format"], self._fields["rate"])
+        before: QWidget = self._fields["format"]
+        for field in self._choices.values():
+            self.setTabOrder(before, field)
+            before = field
+        self.setTabOrder(before, self._fields["rate"])
+        self._about.setText(f"{format.hint}.")
+        self.want()
+
+    def _show_rows(self) -> None:
+        format, chosen = self.format, self.chosen
+        shown: Mapping[QWidget, bool] = {
+            self._fields["rate"]: not format.fixed_rate,
+            self._numbers["other_rate"]: not format.fixed_rate
+            and self._fields["rate"].value == OTHER,
+            self._fields["plays"]: self._fields["plays"].count() > 1,
+            self._map: self._fields["channels"].value != "files",
+            self._numbers["from"]: self._fields["time"].value == "part",
+            self._numbers["to"]: self._fields["time"].value == "part",
+            self.rigs.actuator_field: self.rigs.can_choose_actuator,
+            self.rigs.equaliser_field: self.rigs.can_equalise,
+            self._fields["scale"]: not self._scale_is_known,
+            self._numbers["full_scale"]: self._own_scale,
+            self._dither: format.rounds(chosen),
+        }
+        for widget, visible in shown.items():
+            self._form.setRowVisible(widget, visible)
+        unit = drive_unit(self._design) if self.rigs.equaliser is None else "V"
+        self._numbers["full_scale"].set_spec(scale_number(unit))
+
+    @property
+    def chosen(self) -> dict[str, str]:
+        """What was chosen of what the format offers."""
+        return {name: field.value for name, field in self._choices.items()}
+
+    def _order(self) -> Order:
+        chosen, format = self.chosen, self.format
+        plays, channels = self._fields["plays"].value, self._fields["channels"].value
+        from_s, to_s = self._part()
+        rounds = format.rounds(chosen) and self._dither.isChecked()
+        per: Literal["place", "input"] = "place" if channels == "place" else "input"
+        options = StimulusOptions(
+            per=per,
+            one_file_per_input=channels == "files",
+            inputs=self._view.selected_inputs if plays == "tracks" else None,
+            clips=self._view.selected_clips if plays == "clips" else None,
+            from_s=from_s,
+            to_s=to_s,
+            fade_in_s=self._numbers["fade_in"].value_si,
+            fade_out_s=self._numbers["fade_out"].value_si,
+            lead_in_s=self._numbers["lead_in"].value_si,
+            sync=self._sync.isChecked(),
+            channel_map=() if channels == "files" else channel_map_of(self._map.text()),
+            full_scale=self._numbers["full_scale"].value_si if self._own_scale else None,
+            dither_seed=_SEED if rounds else None,
+            choices=chosen,
+        )
+        return Order(
+            format=format,
+            rate_hz=self._rate_hz(),
+            options=options,
+            actuation=self.rigs.actuation,
+            rig=self.rigs.rig,
+            equaliser=self.rigs.equaliser,
+        )
+
+    @property
+    def _own_scale(self) -> bool:
+        return not self._scale_is_known and self._fields["scale"].value == "own"
+
+    @property
+    def _scale_is_known(self) -> bool:
+        """Whether the rig says what full scale is."""
+        return self.rigs.equaliser is not None and self.rigs.rig is not None
+
+    def _rate_hz(self) -> int:
+        rate = self._fields["rate"].value
+        return round(self._numbers["other_rate"].value_si) if rate == OTHER else int(rate)
+
+    def _part(self) -> tuple[float | None, float | None]:
+        time = self._fields["time"].value
+        if time == "loop":
+            return self._design.loop_s or (None, None)
+        if time == "part":
+            return self._numbers["from"].value_si, self._numbers["to"].value_si
+        return None, None
+
+
+def channel_map_of(text: str) -> tuple[int, ...]:
+    """The numbers in a text, apart by commas or spaces.
+
+    Raises
+    ------
+    InvalidInputError
+        There is something else in it.
+    """
+    words = text.replace(",", " ").split()
+    try:
+        return tuple(int(word) for word in words)
+    except ValueError:
+        raise InvalidInputError(
+            f"Channel map is {quoted(text)}, expected whole numbers such as 2, 1, 0, 3"
+        ) from None
+
+
+# What the page remembers from one export to the next, on this machine.
+
+# What is a matter of one design, its times, channels and drives, is not among them.
+_LISTS = ("format", "rate", "channels", "equaliser")
+_NUMBERS = ("other_rate", "fade_in", "fade_out", "lead_in")
+_BOXES = ("sync", "dither")
+_MOST_CHARACTERS = 10_000
+
+
+def remembered(form: StimulusForm, machine_rig: str = "") -> str:
+    """Write down how ``form`` exports, and for which rig this machine played then."""
+    held: dict[str, Any] = {}
+    for name in (*_LISTS, *_NUMBERS, *_BOXES):
+        held[name] = _value(form.field(name))
+    held["choices"] = form.chosen
+    held["rig"] = "" if form.rigs.path is None else str(form.rigs.path)
+    held["machine_rig"] = machine_rig
+    return json.dumps(held)
+
+
+def recall(form: StimulusForm, text: str, machine_rig: str = "") -> None:
+    """Let ``form`` export as it was written down; what is not known is left as it is.
+
+    A rig that this machine has played for only since then goes before the one of then.
+    """
+    held = _held(text)
+    rig = held.get("rig")
+    if machine_rig and machine_rig != held.get("machine_rig"):
+        rig = machine_rig
+    if rig and isinstance(rig, str):
+        form.rigs.take(Path(rig))
+    if not held:
+        return
+    # The format first: it decides which choices there are.
+    _put(form.field("format"), held.get("format"))
+    form.take_format()
+    choices = held.get("choices")
+    for name, value in choices.items() if isinstance(choices, dict) else ():
+        if name in form.chosen:
+            _put(form.field(name), value)
+    for name in (*_LISTS[1:], *_NUMBERS, *_BOXES):
+        # What was chosen in the panel Actuator goes before the equaliser of another design.
+        if name != "equaliser" or form.rigs.chosen is None:
+            _put(form.field(name), held.get(name))
+
+
+def _held(text: str) -> dict[str, Any]:
+    """What was written down; nothing where another version of the studio wrote it."""
+    try:
+        held = json.loads(text[:_MOST_CHARACTERS]) if text else {}
+    except (ValueError, RecursionError):
+        return {}
+    return held if isinstance(held, dict) else {}
+
+
+def _value(widget: QWidget) -> Any:
+    if isinstance(widget, ChoiceField):
+        return widget.value
+    if isinstance(widget, NumberField):
+        return widget.value_si
+    return isinstance(widget, QCheckBox) and widget.isChecked()
+
+
+def _put(widget: QWidget, value: Any) -> None:
+    with QSignalBlocker(widget):
+        if isinstance(widget, ChoiceField):
+            if isinstance(value, str) and widget.findData(value) >= 0:
+                widget.set_value(value)
+        elif isinstance(widget, NumberField):
+            if isinstance(value, int | float) and not isinstance(value, bool):
+                spec = widget.spec
+                if spec.minimum <= value <= spec.maximum:
+                    widget.set_value(value)
+        elif isinstance(widget, QCheckBox) and isinstance(value, bool):
+            widget.setChecked(value)

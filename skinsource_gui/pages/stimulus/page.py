@@ -1,0 +1,509 @@
+"""The channels of a stimulus below each other: their picture, peak, and what would clip."""
+
+from collections.abc import Mapping
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+from PySide6.QtCore import QLineF, QObject, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QDialog,
+    QDialogButtonBox,
+    QFrame,
+    QGraphicsOpacityEffect,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QScrollArea,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.actuators.rigs import UNCALIBRATED
+from skinsource.base.arrays import Floats
+from skinsource.base.quoting import sentence
+from skinsource.design.design import Design
+from skinsource.design.motions import in_ms
+from skinsource.design.view import View
+from skinsource.export.stimulus_export.preparing import (
+    ChannelOverview,
+    Overview,
+    overview_of,
+    prepared,
+)
+from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
+from skinsource_gui.qt.overlays import PALE, Lateness
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
+from skinsource_gui.state.engine import LatestWins
+
+_ROW_PX, _GAP_PX = 58, 6
+_WORDS_PX = 208
+_LEAST_PX = 160
+
+
+class ChannelsView(QWidget):
+    """Paints one row for each channel."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("stimulus_channels")
+        self._overview: Overview | None = None
+        self._colours: Mapping[int, int] = {}
+        self._pale = False
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setAccessibleName("Channels as they will be written")
+
+    @property
+    def overview(self) -> Overview | None:
+        """What is painted."""
+        return self._overview
+
+    def sizeHint(self) -> QSize:
+        n = len(self._overview.channels) if self._overview else 0
+        return QSize(_WORDS_PX + 2 * _LEAST_PX, n * (_ROW_PX + _GAP_PX))
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(_WORDS_PX + _LEAST_PX, self.sizeHint().height())
+
+    def show_overview(self, overview: Overview | None, colours: Mapping[int, int]) -> None:
+        """Paint ``overview``; ``colours`` has the number of the colour of each input."""
+        self._overview, self._colours, self._pale = overview, colours, False
+        words = [line for one in overview.channels for line in words_of(one)] if overview else []
+        self.setAccessibleDescription("; ".join(words))
+        self.updateGeometry()
+        self.update()
+
+    def set_pale(self, pale: bool) -> None:
+        """Say that what is painted is about to change."""
+        self._pale = pale
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        if self._overview is None:
+            return
+        painter = QPainter(self)
+        painter.setOpacity(PALE if self._pale else 1.0)
+        for row, one in enumerate(self._overview.channels):
+            top = row * (_ROW_PX + _GAP_PX)
+            if event.rect().intersects(QRectF(0, top, self.width(), _ROW_PX).toRect()):
+                self._paint_words(painter, one, top)
+                area = QRectF(_WORDS_PX, top, self.width() - _WORDS_PX, _ROW_PX)
+                self._paint_picture(painter, one, area)
+
+    def _paint_words(self, painter: QPainter, one: ChannelOverview, top: float) -> None:
+        title, peak, clipped = (*words_of(one), "")[:3]
+        room = QRectF(0, top, _WORDS_PX - UNIT_PX, _ROW_PX / 3)
+        left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+        painter.setFont(tabular(self.font()))
+        metrics = painter.fontMetrics()
+        rows = (
+            (title, current_theme().text),
+            (peak, current_theme().dim),
+            (clipped, current_theme().error),
+        )
+        for number, (words, colour) in enumerate(rows):
+            painter.setPen(QColor(colour))
+            shown = metrics.elidedText(words, Qt.TextElideMode.ElideRight, int(room.width()))
+            painter.drawText(room.translated(0, number * _ROW_PX / 3), left, shown)
+
+    def _paint_picture(self, painter: QPainter, one: ChannelOverview, area: QRectF) -> None:
+        painter.fillRect(area, QColor(current_theme().base))
+        middle, reach = area.center().y(), area.height() / 2.0 - 3.0
+        painter.setPen(QPen(QColor(current_theme().grid), 1))
+        for level in (-1.0, 0.0, 1.0):
+            y = middle - reach * level
+            painter.drawLine(QLineF(area.left(), y, area.right(), y))
+        colour = (
+            current_theme().input_colour(self._colours.get(one.inputs[0], 0))
+            if one.inputs
+            else (QColor(current_theme().dim))
+        )
+        low, high = joined(np.clip(one.extremes, -1.0, 1.0))
+        x = area.left() + (np.arange(low.size) + 0.5) * area.width() / low.size
+        width = max(area.width() / low.size, 1.0)
+        painter.setPen(QPen(colour, width, c=Qt.PenCapStyle.FlatCap))
+        tops, bottoms = middle - reach * high, middle - reach * low
+        painter.drawLines(
+            [
+                QLineF(at, y - 0.5, at, max(bottom, y) + 0.5)
+                for at, y, bottom in zip(x.tolist(), tops.tolist(), bottoms.tolist(), strict=True)
+            ]
+        )
+        beyond = np.flatnonzero((one.extremes[0] < -1.0) | (one.extremes[1] > 1.0))
+        if one.clipped and beyond.size:
+            painter.setPen(QPen(QColor(current_theme().error), max(width, 2.0)))
+            painter.drawLines(
+                [QLineF(at, area.top(), at, area.top() + 5.0) for at in x[beyond].tolist()]
+            )
+
+
+def joined(extremes: Floats) -> Floats:
+    """Least and largest of each stretch, (2, n_columns), up to where the stretch before it ends.
+
+    Stretches of few samples would be dots that nothing holds together.
+    """
+    low, high = extremes
+    met = extremes.copy()
+    met[0, 1:] = np.minimum(low[1:], high[:-1])
+    met[1, 1:] = np.maximum(high[1:], low[:-1])
+    return met
+
+
+def words_of(one: ChannelOverview) -> list[str]:
+    """Lines on a channel: what it is, how strong, and what would be cut off."""
+    title = one.title if one.place is None else f"Place {one.place}, {one.title}"
+    peak = "silent" if one.peak == 0.0 else f"peak {20.0 * np.log10(one.peak):z.1f} dB"
+    rms = "" if one.rms == 0.0 else f", RMS {20.0 * np.log10(one.rms):z.1f} dB"
+    words = [f"{one.number}  {title}", f"{peak}{rms}".replace("-", "\u2212")]
+    if one.clipped:
+        words.append(f"{one.clipped} sample{'' if one.clipped == 1 else 's'} would clip")
+    return words
+
+
+# How far the computation of a stimulus is that is not shown yet.
+
+_BAR_PX = 96
+
+
+class PreparingRow(QWidget):
+    """A word and a bar, hidden while nothing is computed.
+
+    What takes no time is not told: the word would only flicker.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("stimulus_preparing")
+        self._words = QLabel()
+        self._words.setObjectName("stimulus_computing")
+        self._words.setFont(tabular(self.font()))
+        self._bar = QProgressBar()
+        self._bar.setObjectName("stimulus_progress")
+        self._bar.setAccessibleName("Progress")
+        self._bar.setTextVisible(False)
+        self._bar.setFixedSize(_BAR_PX, UNIT_PX)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(UNIT_PX)
+        row.addWidget(self._words)
+        row.addWidget(self._bar)
+        row.addStretch(1)
+        policy = self.sizePolicy()
+        # What stands beside it stays where it is.
+        policy.setRetainSizeWhenHidden(True)
+        self.setSizePolicy(policy)
+        self.lateness = Lateness(self)
+        self.lateness.changed.connect(self.setVisible)
+        self.begin()
+        self.hide()
+
+    def begin(self) -> None:
+        """Something is computed from now on, of which nothing is known yet."""
+        self.show_progress(0, 0)
+        self.lateness.set_stale(True)
+
+    def end(self) -> None:
+        """Nothing is computed any more."""
+        self.lateness.set_stale(False)
+
+    def show_progress(self, done: int, total: int) -> None:
+        """Show how much is done, of how much; a total of 0: not known."""
+        # A bar of which nothing is known looks full.
+        self._bar.setVisible(bool(total))
+        self._bar.setMaximum(max(total, 1))
+        self._bar.setValue(done)
+        percent = f" {100 * done // total} %" if total else ""
+        self._words.setText(f"Computing\u2026{percent}")
+
+
+# Prepares a stimulus for the page.
+
+
+class PreparingWorker(LatestWins):
+    """Computes how the order that is wanted last would look, for one design.
+
+    Parameters
+    ----------
+    design
+        What is exported.
+    """
+
+    #: The `Order` and its `skinsource.export.stimulus_export.preparing.Overview`.
+    ready = Signal(object, object)
+    #: The `Order`, and how much of its work is done and how much there is.
+    progressed = Signal(object, int, int)
+
+    def __init__(self, design: Design, parent: QObject | None = None) -> None:
+        super().__init__("skinsource-stimulus", parent)
+        self._design = design
+
+    def prepare(self, order: Order) -> None:
+        """Look at ``order``, instead of whatever was wanted before."""
+        self.want(order, partial(self._prepare, order))
+
+    def _prepare(self, order: Order) -> None:
+        def stop() -> bool:
+            return self.outdated
+
+        made = prepared(
+            self._design,
+            Path(f"stimulus{order.format.suffix}"),
+            order.format,
+            order.rate_hz,
+            order.options,
+            actuation=order.actuation,
+            rig=order.rig,
+            equaliser=order.equaliser,
+            progress=partial(self._tell_progress, order, 0),
+            stop=stop,
+        )
+        looked_at = overview_of(made, progress=partial(self._tell_progress, order, 1), stop=stop)
+        self.tell(self.ready, order, looked_at)
+
+    def _tell_progress(self, order: Order, half: int, done: int, total: int, _text: str) -> None:
+        """Tell how far it is: channels are made, and then looked at."""
+        self.tell(self.progressed, order, half * total + done, 2 * total)
+
+
+# The page on which a stimulus is looked at, before it is written.
+
+_LEFT_PX = 300
+
+
+class StimulusPage(QDialog):
+    """Shows the channels as they will be, and asks how and as what they are written.
+
+    Parameters
+    ----------
+    design, view
+        What is exported, and what is selected there.
+    kept
+        How the last one was exported, as ``chosen`` told.
+    machine_rig
+        Rig file that this machine plays for; empty: none.
+    """
+
+    #: The `Order` and its `Overview`; whether what clips was confirmed; what is remembered.
+    chosen = Signal(object, object, bool, str)
+
+    def __init__(
+        self,
+        design: Design,
+        view: View,
+        parent: QWidget | None = None,
+        kept: str = "",
+        machine_rig: str = "",
+    ) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setObjectName("stimulus_page")
+        self.setWindowTitle("Export stimulus")
+        self.resize(960, 680)
+        self._colours = {one.id: one.colour for one in design.inputs}
+        self._wanted: Order | None = None
+        self._shown: tuple[Order, Overview] | None = None
+        self.form = StimulusForm(design, view)
+        self.channels = ChannelsView()
+        self._summary, self._loses, self._problem = QLabel(), QLabel(), QLabel()
+        self._preparing = PreparingRow()
+        self._confirm = QCheckBox("Write it all the same")
+        self._buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        )
+        self._name_parts()
+        self._lay_out()
+        self._worker = PreparingWorker(design, self)
+        self._connect()
+        recall(self.form, kept, machine_rig)
+        self._machine_rig = machine_rig
+        self.form.want()
+
+    @property
+    def busy(self) -> bool:
+        """Whether something is wanted that is not shown yet."""
+        return self._wanted is not None and self._shown is None
+
+    @property
+    def ready(self) -> bool:
+        """Whether what is shown can be written."""
+        return self._export_button.isEnabled()
+
+    def done(self, result: int) -> None:
+        """Close it, with or without an export."""
+        shown, confirmed = self._shown, self._confirm.isChecked()
+        kept = remembered(self.form, self._machine_rig)
+        # It is gone at once, whatever is still computed.
+        super().done(result)
+        self._worker.close()
+        if result == QDialog.DialogCode.Accepted and shown is not None:
+            self.chosen.emit(*shown, confirmed, kept)
+
+    def _name_parts(self) -> None:
+        self._export_button = self._buttons.button(QDialogButtonBox.StandardButton.Ok)
+        self._export_button.setText("Export…")
+        self._export_button.setObjectName("stimulus_export")
+        self._export_button.setEnabled(False)
+        for label, name, tone in (
+            (self._summary, "stimulus_summary", ""),
+            (self._loses, "stimulus_loses", "dim"),
+            (self._problem, "stimulus_problem", "error"),
+        ):
+            label.setObjectName(name)
+            label.setWordWrap(True)
+            label.setTextFormat(Qt.TextFormat.PlainText)
+            set_tone(label, tone)
+        self._confirm.setObjectName("stimulus_confirm")
+        self._confirm.hide()
+        self._problem.hide()
+
+    def _lay_out(self) -> None:
+        left = _scrolled(self.form, "stimulus_fields")
+        left.setFixedWidth(_LEFT_PX)
+        left.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        right = QVBoxLayout()
+        right.setSpacing(UNIT_PX)
+        pictures = _scrolled(self.channels, "stimulus_scroll")
+        pictures.setAccessibleName("Channels; arrow keys scroll")
+        right.addWidget(pictures, 1)
+        for part in (self._summary, self._loses, self._problem, self._confirm):
+            right.addWidget(part)
+        columns = QHBoxLayout()
+        columns.setSpacing(2 * UNIT_PX)
+        columns.addWidget(left)
+        columns.addLayout(right, 1)
+        rows = QVBoxLayout(self)
+        rows.addLayout(columns, 1)
+        foot = QHBoxLayout()
+        foot.addSpacing(_LEFT_PX + columns.spacing())
+        foot.addWidget(self._preparing, 1)
+        foot.addWidget(self._buttons)
+        rows.addLayout(foot)
+
+    def _connect(self) -> None:
+        self.form.changed.connect(self._want)
+        self.form.refused.connect(self._show_refused)
+        self._worker.ready.connect(self._show_ready)
+        self._worker.progressed.connect(self._show_progress)
+        self._worker.failed.connect(self._show_failed)
+        self._confirm.toggled.connect(self._show_button)
+        self._buttons.accepted.connect(self.accept)
+        self._buttons.rejected.connect(self.reject)
+
+    def _want(self, order: Order) -> None:
+        self._wanted, self._shown = order, None
+        # What was confirmed was about something else.
+        self._confirm.setChecked(False)
+        self._set_pale(True)
+        self._preparing.begin()
+        self._export_button.setEnabled(False)
+        self._worker.prepare(order)
+
+    def _show_ready(self, order: Order, overview: Overview) -> None:
+        if order is not self._wanted:
+            return
+        self._shown = order, overview
+        self._preparing.end()
+        self._set_pale(False)
+        self.channels.show_overview(overview, self._colours)
+        self._summary.setText(summary_of(overview))
+        self._loses.setText(
+            " ".join(filter(None, (overview.edges, overview.loses, calibration_of(overview))))
+        )
+        self._show_problem(" ".join(overview.objections), ask=bool(overview.objections))
+
+    def _show_progress(self, order: Order, done: int, total: int) -> None:
+        if order is self._wanted:
+            self._preparing.show_progress(done, total)
+
+    def _set_pale(self, pale: bool) -> None:
+        """Say whether what is shown and said is about to change."""
+        self.channels.set_pale(pale)
+        for label in (self._summary, self._loses, self._problem):
+            effect = label.graphicsEffect()
+            if not isinstance(effect, QGraphicsOpacityEffect):
+                effect = QGraphicsOpacityEffect(label, opacity=PALE)
+                label.setGraphicsEffect(effect)
+            effect.setEnabled(pale)
+
+    def _show_failed(self, order: Order, words: str) -> None:
+        if order is self._wanted:
+            self._show_refused(words)
+
+    def _show_refused(self, words: str) -> None:
+        self._wanted = self._shown = None
+        self._preparing.end()
+        self._set_pale(False)
+        self.channels.show_overview(None, {})
+        self._summary.setText("")
+        self._loses.setText("")
+        self._show_problem(sentence(words), ask=False)
+
+    def _show_problem(self, words: str, *, ask: bool) -> None:
+        self._problem.setText(words)
+        self._problem.setVisible(bool(words))
+        self._confirm.setVisible(ask)
+        self._show_button()
+
+    def _show_button(self) -> None:
+        agreed = self._confirm.isHidden() or self._confirm.isChecked()
+        self._export_button.setEnabled(self._shown is not None and agreed)
+        self._export_button.setDefault(self._export_button.isEnabled())
+
+
+def summary_of(overview: Overview) -> str:
+    """How much will be written, what full scale stands for, and what it is equalised for."""
+    n = len(overview.channels)
+    many = "" if overview.n_files == 1 else f" in {overview.n_files} files"
+    rate = f"{overview.rate_hz:,g}".replace(",", " ")
+    unit = "" if overview.unit == "1" else f" {overview.unit}"
+    # What the design wants is no volts of a device before a rig says so.
+    stands = "shall be" if _wants_volts(overview) else "is"
+    size = sentence(
+        f"{n} channel{'' if n == 1 else 's'}{many}, {duration_words(overview.duration_s)} at "
+        f"{rate} Hz, about {bytes_in_words(overview.n_bytes)}. Full scale {stands} "
+        f"{overview.full_scale:.4g}{unit}"
+    )
+    return f"{size} {sentence(overview.equalised)}"
+
+
+def calibration_of(overview: Overview) -> str:
+    """Whether accelerations follow from the samples, as a sentence."""
+    if _wants_volts(overview):
+        return (
+            "Uncalibrated: no rig says how many volts output and amplifier give. Choose one, or "
+            "set the amplifier so that full scale is as many."
+        )
+    return sentence(f"{overview.calibration[:1].upper()}{overview.calibration[1:]}")
+
+
+def _wants_volts(overview: Overview) -> bool:
+    """Whether volts are known that the actuators shall get, and none that they will."""
+    return overview.unit == "V" and overview.calibration == UNCALIBRATED
+
+
+def duration_words(time_s: float) -> str:
+    """A length of time as people read it: ms below a second."""
+    if time_s < 1e-3:
+        return f"{1e3 * time_s:.2g} ms"
+    return in_ms(time_s) if time_s < 1.0 else f"{time_s:.4g} s"
+
+
+def bytes_in_words(n_bytes: int) -> str:
+    """A number of bytes as people read it."""
+    for factor, unit in ((1e9, "GB"), (1e6, "MB"), (1e3, "kB")):
+        if n_bytes >= factor:
+            return f"{n_bytes / factor:.3g} {unit}"
+    return f"{n_bytes} bytes"
+
+
+def _scrolled(inside: QWidget, name: str) -> QScrollArea:
+    scroll = QScrollArea()
+    scroll.setObjectName(name)
+    scroll.setFrameShape(QFrame.Shape.NoFrame)
+    scroll.setWidgetResizable(True)
+    scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    scroll.setWidget(inside)
+    return scroll

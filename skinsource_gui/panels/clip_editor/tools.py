@@ -1,0 +1,801 @@
+"""How a curve of breakpoints looks in the clip editor."""
+
+from collections.abc import Callable, Collection
+from dataclasses import dataclass, fields
+from functools import lru_cache, partial
+from itertools import product
+from math import hypot
+
+import numpy as np
+from pyqtgraph.functions import arrayToQPath
+from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen, QPixmap
+from PySide6.QtWidgets import QMenu
+
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import InvalidInputError
+from skinsource.design.effects import breakpoints as algebra
+from skinsource.design.effects.breakpoints import Points
+from skinsource.signals.drawing import Stroke, drawn_over, zeroed
+from skinsource.signals.synthesis import Column
+from skinsource.specs.breakpoints import SEGMENTS, Breakpoint, Segment
+from skinsource_gui.fields.curve_field import fill_ground_menu, fill_point_menu
+from skinsource_gui.fields.editor import new_gesture
+from skinsource_gui.fields.units import value_text
+from skinsource_gui.panels.clip_editor.view import REACH, Button, EditorContent, Held
+from skinsource_gui.plots.ranges import linear_ticks, number_text
+from skinsource_gui.qt.theme import Theme
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CurveLook:
+    """How a curve is painted and named.
+
+    Attributes
+    ----------
+    colour
+        Name of its colour in a theme.
+    mirrored
+        Whether it is painted upside down too, as an envelope is around a waveform.
+    label, unit
+        What its values are.
+    highest
+        No point goes higher.
+    bends
+        Whether a segment may be smooth, or held.
+    how
+        What is said while there is nothing but its start.
+    """
+
+    colour: str = "warning"
+    mirrored: bool = True
+    label: str = ""
+    unit: str = ""
+    highest: float = algebra.HIGHEST
+    bends: bool = True
+    how: str = ""
+
+
+# The points of a curve, and what is written beside the chosen one.
+
+_POINT_PX, _HOVERED_PX = 3.5, 5.0
+# Room for a point and its line.
+_DOT_PX = 10
+
+
+def paint_points(
+    painter: QPainter,
+    places: tuple[Floats, Floats],
+    chosen: Collection[int],
+    hovered: int | None,
+    look: CurveLook,
+    theme: Theme,
+) -> None:
+    """Paint points at places in px, (n_points,) each; the chosen ones are filled."""
+    x, y = places
+    colour = getattr(theme, look.colour)
+    painter.setPen(QPen(QColor(colour), 1.5))
+    painter.setBrush(QColor(theme.base))
+    dot = _dot(colour, theme.base, painter.device().devicePixelRatioF())
+    for place in map(QPointF, (x - _DOT_PX / 2).tolist(), (y - _DOT_PX / 2).tolist()):
+        painter.drawPixmap(place, dot)
+    # The others are painted again, over those beside them.
+    for index in {*chosen, *(() if hovered is None else (hovered,))}:
+        if index < len(x):
+            radius = _HOVERED_PX if index == hovered else _POINT_PX
+            painter.setBrush(QColor(theme.accent if index in chosen else theme.base))
+            painter.drawEllipse(QPointF(x[index], y[index]), radius, radius)
+
+
+def write_point(
+    painter: QPainter, content: EditorContent, point: Breakpoint, look: CurveLook, theme: Theme
+) -> None:
+    """Write where a point is, above it, on ground of its own."""
+    time_s, value, kind = point
+    when = value_text(time_s, "s", digits=5)
+    if look.bends:
+        words = f"{when} · {number_text(value, 3)} · {kind}"
+    else:
+        words = f"{look.label} · {when} · {value:.5g} {look.unit}".rstrip()
+    at, area = content.at(time_s, value), content.area
+    line = QFontMetricsF(painter.font())
+    width, height = line.horizontalAdvance(words) + 12, line.height() + 4
+    left = min(max(at.x() - width / 2, area.left() + 2), area.right() - width - 2)
+    # Below the point where there is no room above it.
+    top = at.y() - height - 10 if at.y() - height - 10 > area.top() else at.y() + 10
+    room = QRectF(left, top, width, height)
+    painter.setBrush(QColor(theme.raised))
+    painter.setPen(QPen(QColor(theme.border), 1))
+    painter.drawRect(room)
+    painter.setPen(QColor(theme.text))
+    painter.drawText(room, Qt.AlignmentFlag.AlignCenter, words)
+
+
+@lru_cache(maxsize=8)
+def _dot(line: str, ground: str, ratio: float) -> QPixmap:
+    """Picture of a point, painted once."""
+    dot = QPixmap(round(_DOT_PX * ratio), round(_DOT_PX * ratio))
+    dot.setDevicePixelRatio(ratio)
+    dot.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(dot)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(QPen(QColor(line), 1.5))
+    painter.setBrush(QColor(ground))
+    painter.drawEllipse(QPointF(_DOT_PX / 2, _DOT_PX / 2), _POINT_PX, _POINT_PX)
+    painter.end()
+    return dot
+
+
+# The box around chosen points: its handles scale them.
+
+#: How near the pointer takes hold of a handle, px.
+CATCH_PX = 6.0
+# Between the outermost points and the box, so that points and handles do not cover each other.
+_BESIDE_PX = 14.0
+_HANDLE_PX = 6.0
+_SIDES = ((-1, 0), (1, 0), (0, -1), (0, 1), (-1, -1), (-1, 1), (1, -1), (1, 1))
+
+
+@dataclass(frozen=True, slots=True)
+class Handle:
+    """A side or a corner: -1 is left or below, 1 right or above, 0 neither."""
+
+    along: int
+    up: int
+
+
+def handle_at(
+    content: EditorContent, points: Points, chosen: tuple[int, ...], at: QPointF
+) -> Handle | None:
+    """The handle that is within reach."""
+    for handle, place in _handles(content, points, chosen):
+        if hypot(place.x() - at.x(), place.y() - at.y()) <= CATCH_PX:
+            return handle
+    return None
+
+
+def scaled_by(
+    points: Points, chosen: tuple[int, ...], handle: Handle, by_s: float, by_value: float
+) -> Points:
+    """The points when a handle went so far: what is opposite to it stays where it is.
+
+    Where all have the same value they are scaled about 0.
+    """
+    times, values = _places(points, chosen)
+    from_s, factor_s = _about(min(times), max(times), handle.along, by_s)
+    low, high = min(values), max(values)
+    from_value, factor = _about(0.0 if low == high else low, high, handle.up, by_value)
+    return algebra.scaled(points, chosen, (from_s, from_value), factor_s, factor)
+
+
+def paint_box(
+    painter: QPainter,
+    content: EditorContent,
+    points: Points,
+    chosen: tuple[int, ...],
+    theme: Theme,
+) -> None:
+    """Paint the box and its handles, where there is more than one point to scale."""
+    box = _box(content, points, chosen)
+    if box is None:
+        return
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(QPen(QColor(theme.accent), 1, Qt.PenStyle.DashLine))
+    painter.drawRect(box)
+    painter.setPen(QPen(QColor(theme.accent), 1))
+    painter.setBrush(QColor(theme.base))
+    for _, place in _handles(content, points, chosen):
+        square = QRectF(0, 0, _HANDLE_PX, _HANDLE_PX)
+        square.moveCenter(place)
+        painter.drawRect(square)
+
+
+def _about(low: float, high: float, side: int, by: float) -> tuple[float, float]:
+    """What stays, and the factor, when one side of a range goes so far."""
+    if side == 0 or low == high:
+        return low, 1.0
+    stays = low if side > 0 else high
+    return stays, max(1.0 + side * by / (high - low), 0.0)
+
+
+def _places(points: Points, chosen: tuple[int, ...]) -> tuple[list[float], list[float]]:
+    """Times and values of the chosen points."""
+    there = [points[k] for k in chosen if k < len(points)]
+    return [one[0] for one in there], [one[1] for one in there]
+
+
+def _box(content: EditorContent, points: Points, chosen: tuple[int, ...]) -> QRectF | None:
+    times, values = _places(points, chosen)
+    if len(times) < 2:
+        return None
+    places = list(map(content.at, times, values))
+    x, y = [one.x() for one in places], [one.y() for one in places]
+    tight = QRectF(QPointF(min(x), min(y)), QPointF(max(x), max(y)))
+    box = tight.adjusted(-_BESIDE_PX, -_BESIDE_PX, _BESIDE_PX, _BESIDE_PX)
+    # No handle lies where it could not be seen.
+    return box.intersected(content.area.adjusted(3, 3, -3, -3))
+
+
+def _handles(
+    content: EditorContent, points: Points, chosen: tuple[int, ...]
+) -> list[tuple[Handle, QPointF]]:
+    box = _box(content, points, chosen)
+    if box is None or box.isEmpty():
+        return []
+    times, values = map(set, _places(points, chosen))
+    found = []
+    for along, up in _SIDES:
+        # Points of the same time cannot be drawn apart, those of the same value upwards alone.
+        if (along and len(times) == 1) or (up < 0 and len(values) == 1):
+            continue
+        if up and values == {0.0}:
+            continue
+        x = box.center().x() + along * box.width() / 2
+        y = box.center().y() - up * box.height() / 2
+        found.append((Handle(along, up), QPointF(x, y)))
+    return found
+
+
+# A drag of breakpoints in the clip editor.
+
+
+@dataclass(slots=True)
+class Drag:
+    """Points as they were when the button went down, and which of them move."""
+
+    points: Points
+    chosen: tuple[int, ...]
+    start: tuple[float, float]
+    number: int
+    upright: bool = False
+    added: bool = False
+    box: QPointF | None = None
+    handle: Handle | None = None
+    moved: bool = False
+    # The points without the one that the press added.
+    before: Points = ()
+
+
+# A pointer that reads values.
+
+
+class Look(QObject):
+    """Shows time and value under the pointer; a drag moves what is seen."""
+
+    #: What is seen is to move by so many seconds.
+    pan_wanted = Signal(float)
+
+    cursor = Qt.CursorShape.ArrowCursor
+    hint = ""
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._from: QPointF | None = None
+        self._at: QPointF | None = None
+
+    def press(self, content: EditorContent, at: QPointF, button: Button, held: Held) -> None:
+        self._from = at
+
+    def move(self, content: EditorContent, at: QPointF, held: Held) -> None:
+        self._at = at
+        if self._from is not None:
+            self.pan_wanted.emit((self._from.x() - at.x()) / content.scale.px_per_s)
+            self._from = at
+
+    def release(self, content: EditorContent) -> None:
+        self._from = None
+
+    def double_click(self, content: EditorContent, at: QPointF) -> None:
+        """Nothing more than a click."""
+
+    def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
+        """Nothing to offer: it only reads."""
+
+    def cancel(self) -> bool:
+        had, self._from = self._from is not None, None
+        return had
+
+    def paint(self, painter: QPainter, content: EditorContent, theme: Theme) -> None:
+        """Paint a crosshair with its reading."""
+        played = content.played
+        if self._at is None or played is None or not content.area.contains(self._at):
+            return
+        index = round(content.scale.time(self._at.x()) * content.sample_rate_hz)
+        if not 0 <= index < played.size:
+            return
+        time_s, value = index / content.sample_rate_hz, float(played[index])
+        here = content.at(time_s, value)
+        painter.setPen(QPen(QColor(theme.dim), 1, Qt.PenStyle.DotLine))
+        area = content.area
+        painter.drawLine(QPointF(here.x(), area.top()), QPointF(here.x(), area.bottom()))
+        words = f"{value_text(time_s, 's', digits=5)}   {number_text(value, 4)}"
+        metrics = QFontMetricsF(painter.font())
+        width = metrics.horizontalAdvance(words) + 10
+        left = min(here.x() + 6, area.right() - width)
+        room = QRectF(left, area.top() + 2, width, metrics.height() + 2)
+        painter.setPen(QPen(QColor(theme.border), 1))
+        painter.setBrush(QColor(theme.raised))
+        painter.drawRect(room)
+        painter.setPen(QColor(theme.text))
+        painter.drawText(room, Qt.AlignmentFlag.AlignCenter, words)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(theme.accent))
+        painter.drawEllipse(here, 3, 3)
+
+
+# A pen that draws samples.
+
+_FULL = 1.0
+
+
+class Pen(QObject):
+    """Draws freehand; with Shift a straight line; with the right button back to zero.
+
+    One stroke is one step of the history: all its edits share a number.
+    """
+
+    #: Samples in place of those before, and the number of the stroke.
+    drawn = Signal(object, int)
+    #: The stroke is given up: samples as they were, and its number.
+    given_up = Signal(int)
+    #: Why nothing can be drawn.
+    refused = Signal(str)
+
+    cursor = Qt.CursorShape.CrossCursor
+    hint = ""
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._before: Floats | None = None
+        self._stroke = Stroke()
+        self._first: tuple[float, float] | None = None
+        self._last_s = 0.0
+        self._zeroes = False
+        self._number = 0
+        self._changed = False
+
+    def press(self, content: EditorContent, at: QPointF, button: Button, held: Held) -> None:
+        if content.drawn is None or self._first is not None:
+            return
+        self._zeroes = button == Button.RightButton
+        if not self._zeroes and button != Button.LeftButton:
+            return
+        self._before, self._number, self._changed = content.drawn, new_gesture(), False
+        self._first = self._place(content, at)
+        self._last_s, self._stroke = self._first[0], Stroke()
+        self.move(content, at, held)
+
+    def move(self, content: EditorContent, at: QPointF, held: Held) -> None:
+        if self._first is None or self._before is None:
+            return
+        time_s, value = self._place(content, at)
+        rate_hz = content.sample_rate_hz
+        try:
+            if self._zeroes:
+                found = zeroed(self._before, self._first[0], time_s, rate_hz)
+            else:
+                if held & Held.ShiftModifier:
+                    self._stroke = Stroke.through((self._first, (time_s, value)))
+                else:
+                    self._stroke = self._stroke.to(time_s, value, self._last_s)
+                found = drawn_over(self._before, self._stroke, rate_hz)
+        except InvalidInputError as error:
+            self.refused.emit(str(error))
+            return
+        self._last_s, self._changed = time_s, True
+        self.drawn.emit(found, self._number)
+
+    def release(self, content: EditorContent) -> None:
+        self._first = None
+
+    def double_click(self, content: EditorContent, at: QPointF) -> None:
+        """Nothing more than a click."""
+
+    def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
+        """The right button draws."""
+
+    def cancel(self) -> bool:
+        if self._first is None:
+            return False
+        self._first = None
+        if self._changed:
+            self.given_up.emit(self._number)
+        return True
+
+    def paint(self, painter: QPainter, content: EditorContent, theme: Theme) -> None:
+        """Mark the points of the stroke."""
+        if self._first is None or self._zeroes:
+            return
+        painter.setPen(QPen(QColor(theme.accent), 3))
+        for time_s, value in self._stroke.points:
+            painter.drawPoint(content.at(time_s, value))
+
+    def _place(self, content: EditorContent, at: QPointF) -> tuple[float, float]:
+        time_s, value = content.place(at)
+        # As far as 1, or as far as is seen of what is louder.
+        full = max(_FULL, content.reach) if content.reach > REACH else _FULL
+        return max(time_s, 0.0), min(max(value, -full), full)
+
+
+# Breakpoints over the waveform.
+
+#: How near the pointer takes hold of a point, or of the curve, px.
+ENVELOPE_CATCH_PX = 9.0
+_FINE = 0.1
+_HOW = "Click the line, or double-click beside it: a new point. Drag points to shape it"
+
+_ENVELOPE = CurveLook(how=_HOW)
+
+
+class EnvelopeTool(QObject):
+    """Click on the curve: a new point.  Drag: points, a segment up and down, a box around points.
+
+    The handles of the box around several chosen points scale them.  Ctrl: finely.  Shift: up and
+    down or along alone.  Alt and click on a segment: its next kind.
+    Right button: what can be done to the point, or a new one.
+
+    Parameters
+    ----------
+    points
+        Returns the points that there are now.
+    look
+        How the curve is painted, and what its values are.
+    """
+
+    #: The points, and the number of the gesture or None.
+    changed = Signal(object, object)
+    #: The drag of this number is given up: all is as it was before.
+    given_up = Signal(int)
+
+    cursor = Qt.CursorShape.ArrowCursor
+
+    def __init__(
+        self, points: Callable[[], Points], parent: QObject, look: CurveLook = _ENVELOPE
+    ) -> None:
+        super().__init__(parent)
+        self._points, self._look = points, look
+        self.chosen: tuple[int, ...] = ()
+        self._drag: Drag | None = None
+        self._pointer = QPointF(-1, -1)
+
+    @property
+    def hint(self) -> str:
+        return self._look.how if len(self._points()) == 1 and not self.chosen else ""
+
+    def press(self, content: EditorContent, at: QPointF, button: Button, held: Held) -> None:
+        if button != Button.LeftButton or self._drag is not None:
+            return
+        points = self._points()
+        index = _point_at(content, points, at)
+        start, number = content.place(at), new_gesture()
+        if index is not None:
+            if held & Held.ShiftModifier:
+                self.chosen = tuple(sorted(set(self.chosen) ^ {index}))
+            elif index not in self.chosen:
+                self.chosen = (index,)
+            self._drag = Drag(points, self.chosen or (index,), start, number)
+            return
+        handle = handle_at(content, points, self.chosen, at)
+        if handle is not None:
+            self._drag = Drag(points, self.chosen, start, number, handle=handle)
+            return
+        segment = _segment_at(content, points, at)
+        if segment is None:
+            self._drag = Drag(points, (), start, number, box=at)
+        elif held & Held.AltModifier and self._look.bends:
+            here = SEGMENTS.index(points[segment][2])
+            self._bend(segment, SEGMENTS[(here + 1) % len(SEGMENTS)])
+        else:
+            # A click adds a point on the curve; a drag moves the segment up and down, or, where the
+            # curve is level before the first or after the last point, the new point alone.
+            if 0 <= segment < len(points) - 1:
+                self._drag = Drag(points, (segment, segment + 1), start, number, upright=True)
+            else:
+                added = algebra.with_point(points, max(start[0], 0.0))
+                index = 0 if segment < 0 else len(added) - 1
+                self._drag = Drag(added, (index,), start, number, added=True, before=points)
+
+    def move(self, content: EditorContent, at: QPointF, held: Held) -> None:
+        self._pointer = at
+        drag = self._drag
+        if drag is None:
+            return
+        time_s, value = content.place(at)
+        by_s, by_value = time_s - drag.start[0], value - drag.start[1]
+        away = content.at(*drag.start) - at
+        drag.moved = drag.moved or max(abs(away.x()), abs(away.y())) >= 3
+        if not drag.moved:
+            return
+        if drag.box is not None:
+            covered = QRectF(drag.box, at).normalized()
+            self.chosen = tuple(
+                k for k, one in enumerate(drag.points) if covered.contains(content.at(*one[:2]))
+            )
+            return
+        if held & Held.ControlModifier:
+            by_s, by_value = by_s * _FINE, by_value * _FINE
+        if drag.upright or (held & Held.ShiftModifier and abs(away.y()) > abs(away.x())):
+            by_s = 0.0
+        elif held & Held.ShiftModifier:
+            by_value = 0.0
+        if drag.handle is not None:
+            scaled = scaled_by(drag.points, drag.chosen, drag.handle, by_s, by_value)
+            self.changed.emit(scaled, drag.number)
+            return
+        self.changed.emit(algebra.moved(drag.points, drag.chosen, by_s, by_value), drag.number)
+
+    def release(self, content: EditorContent) -> None:
+        drag, self._drag = self._drag, None
+        if drag is None or drag.moved:
+            return
+        if drag.added:
+            self.chosen = drag.chosen
+            self.changed.emit(drag.points, None)
+        elif drag.upright:
+            points = algebra.with_point(drag.points, drag.start[0])
+            self.chosen = (algebra.place_of(drag.points, drag.start[0]),)
+            self.changed.emit(points, None)
+        elif drag.box is not None:
+            self.chosen = ()
+
+    def double_click(self, content: EditorContent, at: QPointF) -> None:
+        """Put a point there, wherever the curve is."""
+        if _point_at(content, self._points(), at) is None:
+            self._put(content.place(at))
+
+    def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
+        points = self._points()
+        if at is not None:
+            index = _point_at(content, points, at)
+        else:
+            index = next((one for one in self.chosen if one < len(points)), None)
+        if index is not None:
+            if index not in self.chosen:
+                self.chosen = (index,)
+            bend = partial(self._bend, index) if self._look.bends else None
+            n = len(self.chosen)
+            fill_point_menu(menu, self.remove_chosen, bend=bend, n_chosen=n, n_points=len(points))
+        elif at is not None and content.area.contains(at):
+            fill_ground_menu(menu, partial(self._put, content.place(at)))
+
+    def cancel(self) -> bool:
+        drag, self._drag = self._drag, None
+        if drag is not None and drag.moved and drag.box is None:
+            self.given_up.emit(drag.number)
+        return drag is not None
+
+    def nudge(self, by_s: float, by_value: float, gesture: int) -> None:
+        """Move the selected points."""
+        if self.chosen:
+            moved = algebra.moved(self._points(), self.chosen, by_s, by_value)
+            self.changed.emit(moved, gesture)
+
+    def choose_next(self, step: int) -> None:
+        """Choose the point after the chosen one, or before; the first or last of all at first."""
+        last = len(self._points()) - 1
+        number = (0 if step > 0 else last) if not self.chosen else self.chosen[-1] + step
+        self.chosen = (min(max(number, 0), last),)
+
+    def is_near(self, content: EditorContent, at: QPointF) -> bool:
+        """Whether a point, or the curve, is within reach."""
+        points = self._points()
+        near = _point_at(content, points, at) is not None
+        return near or _segment_at(content, points, at) is not None
+
+    def remove_chosen(self) -> None:
+        """Remove the selected points."""
+        if self.chosen:
+            left, number = algebra.without_chosen(self._points(), self.chosen)
+            self.chosen = (number,)
+            self.changed.emit(left, None)
+
+    def paint(self, painter: QPainter, content: EditorContent, theme: Theme) -> None:
+        """Paint curve, points and box."""
+        points = self._points()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        colour = QColor(getattr(theme, self._look.colour))
+        shown = np.linspace(content.area.left(), content.area.right(), 400)
+        times = content.scale.shown_s[0] + (shown - content.scale.left_px) / content.scale.px_per_s
+        values = algebra.curve_at(points, times)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        x, y = content.curve(times, values)
+        curve = arrayToQPath(x, y, finiteCheck=False)
+        painter.setPen(QPen(colour, 1))
+        # Four thin lines are painted in a sixth of the time of one that is two px wide.
+        for aside, down in product((-0.5, 0.5), repeat=2):
+            painter.drawPath(curve.translated(aside, down))
+        if self._look.mirrored:
+            painter.setPen(QPen(colour, 1, Qt.PenStyle.DotLine))
+            painter.drawPath(arrayToQPath(x, content.curve(times, -values)[1], finiteCheck=False))
+        near = _point_at(content, points, self._pointer)
+        places = _envelope_places(content, points)
+        paint_points(painter, places, self.chosen, near, self._look, theme)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        if self._drag is not None and self._drag.box is not None:
+            painter.setPen(QPen(QColor(theme.accent), 1))
+            painter.drawRect(QRectF(self._drag.box, self._pointer).normalized())
+        else:
+            paint_box(painter, content, points, self.chosen, theme)
+        if len(self.chosen) == 1 and self.chosen[0] < len(points):
+            write_point(painter, content, points[self.chosen[0]], self._look, theme)
+
+    def _put(self, place: tuple[float, float]) -> None:
+        added, index = algebra.with_point_put(self._points(), *place, self._look.highest)
+        self.chosen = (index,)
+        self.changed.emit(added, None)
+
+    def _bend(self, index: int, segment: Segment) -> None:
+        self.changed.emit(algebra.with_segment(self._points(), index, segment), None)
+
+
+def _envelope_places(content: EditorContent, points: Points) -> tuple[Floats, Floats]:
+    """Where points lie, (n,) each, px."""
+    times_s, values = np.array([one[:2] for one in points]).reshape(-1, 2).T
+    return content.curve(times_s, values)
+
+
+def _point_at(content: EditorContent, points: Points, at: QPointF) -> int | None:
+    if not points:
+        return None
+    x, y = _envelope_places(content, points)
+    away = np.maximum(np.abs(x - at.x()), np.abs(y - at.y()))
+    nearest = int(away.argmin())
+    return None if away[nearest] > ENVELOPE_CATCH_PX else nearest
+
+
+def _segment_at(content: EditorContent, points: Points, at: QPointF) -> int | None:
+    """The point after which the curve passes here; -1 before the first."""
+    time_s, _ = content.place(at)
+    value = float(algebra.curve_at(points, np.array([time_s]))[0])
+    if abs(content.y(value) - at.y()) > ENVELOPE_CATCH_PX:
+        return None
+    return sum(one[0] <= time_s for one in points) - 1
+
+
+# Frequency and amplitude of a glide, as two curves over its waveform.
+
+_GLIDE_HOW = (
+    "Drag the points of frequency and amplitude; a click on a line, or a double click, adds one"
+)
+LOOKS: dict[Column, CurveLook] = {
+    "frequency": CurveLook(
+        colour="error", mirrored=False, unit="Hz", label="Frequency", bends=False, how=_GLIDE_HOW
+    ),
+    "amplitude": CurveLook(label="Amplitude", highest=1.0, bends=False, how=_GLIDE_HOW),
+}
+_ROW_PX = 34.0
+
+
+class FrequencyContent(EditorContent):
+    """The same clip, with frequencies upright: 0 at the foot, half the sample rate at the top."""
+
+    def y(self, value: float) -> float:
+        return self.area.bottom() - value / self.top_hz * self.area.height()
+
+    def curve(self, times_s: Floats, values: Floats) -> tuple[Floats, Floats]:
+        x, _ = super().curve(times_s, values)
+        return x, self.area.bottom() - values / self.top_hz * self.area.height()
+
+    def value(self, y_px: float) -> float:
+        return (self.area.bottom() - y_px) / self.area.height() * self.top_hz
+
+    @property
+    def top_hz(self) -> float:
+        """The frequency at the upper edge."""
+        return self.sample_rate_hz / 2.0
+
+
+class GlideTool(QObject):
+    """Edits both curves of a glide; the one that was touched last has the keys.
+
+    Parameters
+    ----------
+    points
+        Returns the points of one of them that there are now.
+
+    Attributes
+    ----------
+    active
+        The curve that was touched last.
+    tools
+        What is done to each.
+    """
+
+    #: Which curve, its points, and the number of the gesture or None.
+    changed = Signal(str, object, object)
+    #: The drag of this number is given up: all is as it was before.
+    given_up = Signal(int)
+
+    cursor = Qt.CursorShape.ArrowCursor
+
+    def __init__(self, points: Callable[[Column], Points], parent: QObject) -> None:
+        super().__init__(parent)
+        self.active: Column = "frequency"
+        self.tools: dict[Column, EnvelopeTool] = {}
+        for column, look in LOOKS.items():
+            tool = EnvelopeTool(partial(points, column), self, look)
+            tool.changed.connect(partial(self.changed.emit, column))
+            tool.given_up.connect(self.given_up)
+            self.tools[column] = tool
+
+    @property
+    def other(self) -> Column:
+        """The curve that was not."""
+        return "amplitude" if self.active == "frequency" else "frequency"
+
+    @property
+    def hint(self) -> str:
+        return self.tools[self.active].hint
+
+    def flip(self) -> None:
+        """Give the keys to the other curve."""
+        self.cancel()
+        self.active = self.other
+
+    def press(self, content: EditorContent, at: QPointF, button: Button, held: Held) -> None:
+        self._touch(content, at)
+        self.tools[self.active].press(of_column(content, self.active), at, button, held)
+
+    def move(self, content: EditorContent, at: QPointF, held: Held) -> None:
+        for column, tool in self.tools.items():
+            tool.move(of_column(content, column), at, held)
+
+    def release(self, content: EditorContent) -> None:
+        self.tools[self.active].release(of_column(content, self.active))
+
+    def double_click(self, content: EditorContent, at: QPointF) -> None:
+        self._touch(content, at)
+        self.tools[self.active].double_click(of_column(content, self.active), at)
+
+    def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
+        if at is not None:
+            self._touch(content, at)
+        self.tools[self.active].fill_menu(menu, of_column(content, self.active), at)
+
+    def cancel(self) -> bool:
+        given_up = False
+        for tool in self.tools.values():
+            given_up = tool.cancel() or given_up
+        return given_up
+
+    def forget(self) -> None:
+        """Let no point be chosen."""
+        for tool in self.tools.values():
+            tool.chosen = ()
+
+    def paint(self, painter: QPainter, content: EditorContent, theme: Theme) -> None:
+        """Paint both curves, the one that has the keys last, and what frequencies lie where."""
+        own = of_column(content, "frequency")
+        self._paint_scale(painter, own, theme)
+        for column in (self.other, self.active):
+            painter.setOpacity(1.0 if column == self.active else 0.6)
+            self.tools[column].paint(painter, of_column(content, column), theme)
+        painter.setOpacity(1.0)
+
+    def _touch(self, content: EditorContent, at: QPointF) -> None:
+        """Take the curve that passes here, if one does; of two, the one that was touched last."""
+        for column in (self.active, self.other):
+            if self.tools[column].is_near(of_column(content, column), at):
+                if column != self.active:
+                    self.tools[self.active].chosen = ()
+                self.active = column
+                return
+
+    def _paint_scale(self, painter: QPainter, content: EditorContent, theme: Theme) -> None:
+        area, metrics = content.area, QFontMetricsF(painter.font())
+        painter.setPen(QColor(theme.error))
+        top_hz = content.sample_rate_hz / 2.0
+        for tick in linear_ticks(0.0, top_hz, max(area.height() / _ROW_PX, 2)):
+            y = content.y(tick.value)
+            words = f"{tick.label} Hz"
+            width, height = metrics.horizontalAdvance(words), metrics.height()
+            room = QRectF(area.right() - width - 4, y - height / 2, width, height)
+            if room.top() >= area.top() and room.bottom() <= area.bottom():
+                painter.drawText(room, Qt.AlignmentFlag.AlignCenter, words)
+
+
+def of_column(content: EditorContent, column: Column) -> EditorContent:
+    """The content with the values of a curve upright."""
+    if column == "amplitude":
+        return content
+    return FrequencyContent(**{one.name: getattr(content, one.name) for one in fields(content)})

@@ -1,1 +1,0 @@
-"""What the pointer does in the editor, one file for each tool."""

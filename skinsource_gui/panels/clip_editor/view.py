@@ -1,0 +1,733 @@
+"""What the editor shows."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+import pyqtgraph
+from pyqtgraph.functions import arrayToQPath
+from PySide6.QtCore import QEvent, QLineF, QObject, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QContextMenuEvent,
+    QFont,
+    QFontMetricsF,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
+
+from skinsource.base.arrays import Floats
+from skinsource.base.published import Band
+from skinsource.design.clips import Clip
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.signals.spectra import share_outside_band
+from skinsource_gui.fields.units import axis_unit
+from skinsource_gui.plots.curves import course_of
+from skinsource_gui.plots.plot import Canvas
+from skinsource_gui.plots.ranges import Points, columns_of, linear_ticks, visible_points, wave_of
+from skinsource_gui.plots.time_scale import Range, TimeScale, panned, range_by_wheel, within, zoomed
+from skinsource_gui.qt.frames import KeptPicture, Same
+from skinsource_gui.qt.theme import (
+    Theme,
+    current_theme,
+    dots_in_px,
+    is_on_paper,
+    scaled,
+    tabular,
+    thin_pen,
+)
+from skinsource_gui.qt.tooltips import show_tooltip
+
+#: Values that can be seen at least, so that there is room to draw.
+REACH = 1.1
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class EditorContent:
+    """One clip, and where it is painted.
+
+    Attributes
+    ----------
+    clip
+        The clip.
+    drawn : (n_times,)
+        Its waveform before any effect, or None while it is not known.
+    played : (n_times,)
+        What it plays after its effects, or None.
+    sample_rate_hz
+        Rate of both.
+    scale
+        From the clip's own time to pixels.
+    area
+        Where the curve is, px.
+    reach
+        The largest value that can be seen.
+    """
+
+    clip: Clip
+    drawn: Floats | None
+    played: Floats | None
+    sample_rate_hz: float
+    scale: TimeScale
+    area: QRectF
+    reach: float = REACH
+
+    def y(self, value: float) -> float:
+        """Where a value lies, px."""
+        return self.area.center().y() - value / self.reach * self.area.height() / 2
+
+    def value(self, y_px: float) -> float:
+        """Value at a height."""
+        return (self.area.center().y() - y_px) * 2 / self.area.height() * self.reach
+
+    def at(self, time_s: float, value: float) -> QPointF:
+        """Where a value at a time lies, px."""
+        return QPointF(self.scale.x(time_s), self.y(value))
+
+    def curve(self, times_s: Floats, values: Floats) -> tuple[Floats, Floats]:
+        """Where values at times lie, (n,) each, px."""
+        scale, area = self.scale, self.area
+        x = scale.left_px + (times_s - scale.shown_s[0]) * scale.px_per_s
+        return x, area.center().y() - values / self.reach * (area.height() / 2)
+
+    def place(self, at: QPointF) -> tuple[float, float]:
+        """Time and value at a place."""
+        return self.scale.time(at.x()), self.value(at.y())
+
+
+def reach_of(*signals: Floats | None) -> float:
+    """The largest value that is to be seen: round, and never less than a peak of 1 needs."""
+    peaks = [float(np.abs(one).max()) for one in signals if one is not None and one.size]
+    peak = max(peaks, default=0.0)
+    if peak <= 1.0:
+        return REACH
+    step = 10.0 ** np.floor(np.log10(peak)) / 2
+    return float(np.ceil(peak * 1.02 / step) * step)
+
+
+# What every tool is.
+
+Held = Qt.KeyboardModifier
+Button = Qt.MouseButton
+
+
+class Tool(Protocol):
+    """Something that the pointer does."""
+
+    cursor: Qt.CursorShape
+
+    @property
+    def hint(self) -> str:
+        """How to begin, while nothing has begun; empty where that is clear."""
+
+    def press(self, content: EditorContent, at: QPointF, button: Button, held: Held) -> None:
+        """A button went down."""
+
+    def move(self, content: EditorContent, at: QPointF, held: Held) -> None:
+        """The pointer moved, with a button down or without."""
+
+    def release(self, content: EditorContent) -> None:
+        """The button went up."""
+
+    def double_click(self, content: EditorContent, at: QPointF) -> None:
+        """The left button was pressed twice."""
+
+    def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
+        """Fill the menu of the right button there, or that of what the keys are about.
+
+        A tool that needs the button itself offers nothing.
+        """
+
+    def cancel(self) -> bool:
+        """Give up what has begun; whether anything had."""
+
+    def paint(self, painter: QPainter, content: EditorContent, theme: Theme) -> None:
+        """Paint what belongs to the tool over the curve."""
+
+
+# The curve of one clip, with its axes.
+
+_TICK_PX, _ROW_PX = 64.0, 28.0
+_PALE = 0.4
+_UPDATING = "updating…"
+# From so many px for each sample on, all are marked.
+_DOTS_PX = 6.0
+
+
+class EditorItem(pyqtgraph.GraphicsObject):
+    """Paints a clip and what its tool shows; knows nothing of the mouse."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._content: EditorContent | None = None
+        self._tool: Tool | None = None
+        self._font = QFont()
+        self._rect = QRectF(0, 0, 1, 1)
+        self._late = False
+        # What the drag of a point leaves as it is: axes, the waveform, and what it plays.
+        self._still, self._course = KeptPicture(), KeptPicture()
+
+    def show_content(self, content: EditorContent | None, tool: Tool, rect: QRectF) -> None:
+        """Paint something else, in this rectangle."""
+        if rect != self._rect:
+            self.prepareGeometryChange()
+            self._rect = rect
+        self._content, self._tool = content, tool
+        self.update()
+
+    def show_font(self, font: QFont) -> None:
+        """Take over a font."""
+        self._font = font
+        self.update()
+
+    def show_late(self, late: bool) -> None:
+        """Whether the curve belongs to an older design."""
+        if late != self._late:
+            self._late = late
+            self.update()
+
+    def boundingRect(self) -> QRectF:
+        return self._rect
+
+    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+        content, tool = self._content, self._tool
+        if content is None or tool is None:
+            return
+        painter.setFont(self._font)
+        self._paint_course(painter, content)
+        painter.save()
+        painter.setClipRect(content.area.adjusted(-1, -1, 1, 1))
+        tool.paint(painter, content, current_theme())
+        painter.restore()
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(QPen(QColor(current_theme().border), 1))
+        painter.drawRect(content.area)
+
+    def _paint_course(self, painter: QPainter, content: EditorContent) -> None:
+        """Paint what the clip plays, over its waveform before any effect."""
+        played, ground = content.played, QColor(current_theme().base)
+        drawn = content.drawn
+        n_played = None if played is None else played.size
+        place = (current_theme().name, content.scale, content.area, content.reach)
+        # Samples by identity: an array that is kept here cannot become another one.
+        still = (*place, content.sample_rate_hz, n_played, Same(content.drawn))
+        is_other = content.drawn is not None and content.drawn is not played
+
+        def paint_still(on_image: QPainter) -> None:
+            self._paint_axes(on_image, content)
+            on_image.setClipRect(content.area.adjusted(-1, -1, 1, 1))
+            self._paint_end(on_image, content)
+            if drawn is not None and is_other:
+                dim = QColor(current_theme().dim)
+                self._paint_curve(on_image, content, drawn, dim, _PALE)
+
+        def paint_course(on_image: QPainter) -> None:
+            self._still.paint(on_image, self._rect, (*still, is_other), paint_still, ground)
+            on_image.setClipRect(content.area.adjusted(-1, -1, 1, 1))
+            if played is not None:
+                opacity = _PALE if self._late else 1.0
+                self._paint_curve(
+                    on_image, content, played, QColor(current_theme().accent), opacity
+                )
+            if self._late:
+                on_image.setPen(QColor(current_theme().dim))
+                corner = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop
+                on_image.drawText(content.area.adjusted(0, 2, -4, 0), corner, _UPDATING)
+
+        key = (*still, is_other, Same(played), self._late)
+        self._course.paint(painter, self._rect, key, paint_course, ground)
+
+    def _paint_axes(self, painter: QPainter, content: EditorContent) -> None:
+        area, metrics = content.area, QFontMetricsF(self._font)
+        grid, words = QPen(QColor(current_theme().grid), 1), QColor(current_theme().dim)
+        values = linear_ticks(-content.reach, content.reach, max(area.height() / _ROW_PX, 2))
+        for tick in values:
+            y = content.y(tick.value)
+            painter.setPen(grid)
+            painter.drawLine(QLineF(area.left(), y, area.right(), y))
+            painter.setPen(words)
+            room = QRectF(0, y - metrics.height() / 2, area.left() - 4, metrics.height())
+            painter.drawText(
+                room, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, tick.label
+            )
+        shown = content.scale.shown_s
+        unit, factor = axis_unit(shown[1])
+        ticks = linear_ticks(*shown, max(area.width() / _TICK_PX, 2), factor)
+        unit_left = area.right() - metrics.horizontalAdvance(unit)
+        free_from = area.left() - 20
+        for tick in ticks:
+            x = content.scale.x(tick.value)
+            painter.setPen(grid)
+            painter.drawLine(QLineF(x, area.top(), x, area.bottom()))
+            width = metrics.horizontalAdvance(tick.label)
+            left = x - width / 2
+            if left >= free_from and left + width < unit_left - 4:
+                painter.setPen(words)
+                painter.drawText(QPointF(left, area.bottom() + metrics.ascent() + 3), tick.label)
+                free_from = left + width + 6
+        painter.setPen(words)
+        painter.drawText(QPointF(unit_left, area.bottom() + metrics.ascent() + 3), unit)
+        painter.setPen(QPen(QColor(current_theme().border), 1))
+        painter.drawLine(QLineF(area.left(), content.y(0.0), area.right(), content.y(0.0)))
+
+    def _paint_end(self, painter: QPainter, content: EditorContent) -> None:
+        """Shade what lies behind the end of the clip."""
+        played = content.played
+        if played is None:
+            return
+        end = content.scale.x(played.size / content.sample_rate_hz)
+        if end < content.area.right():
+            behind = QRectF(content.area)
+            behind.setLeft(max(end, content.area.left()))
+            painter.fillRect(behind, QColor(current_theme().window))
+
+    def _paint_curve(
+        self,
+        painter: QPainter,
+        content: EditorContent,
+        samples: Floats,
+        colour: QColor,
+        opacity: float,
+    ) -> None:
+        if not samples.size:
+            return
+        ratio, width_px = dots_in_px(painter), content.area.width()
+        time_s = np.arange(samples.size) / content.sample_rate_hz
+        wave, across = wave_of(time_s, samples[np.newaxis]), max(round(width_px * ratio), 1)
+        found = columns_of(time_s, content.scale.shown_s, across)
+        seen = course_of(found, samples[np.newaxis], wave, width_px, ratio)
+        x, y = _places(content, seen.line)
+        painter.setOpacity(opacity)
+        sharp = seen.line.strokes and not is_on_paper()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, not sharp)
+        painter.setPen(thin_pen(colour))
+        if x.size == 1:
+            painter.drawLine(QLineF(x[0], content.y(0.0), x[0], y[0]))
+        else:
+            painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
+        if not seen.line.strokes and content.scale.px_per_s / content.sample_rate_hz >= _DOTS_PX:
+            self._paint_samples(painter, *_places(content, found.points(samples[np.newaxis])))
+        painter.setOpacity(1.0)
+
+    def _paint_samples(self, painter: QPainter, x: Floats, y: Floats) -> None:
+        """Mark each sample."""
+        painter.setBrush(painter.pen().color())
+        for place in zip(x, y, strict=True):
+            painter.drawEllipse(QPointF(*place), 2, 2)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def _places(content: EditorContent, points: Points) -> tuple[Floats, Floats]:
+    """Where points of the curve are, px."""
+    scale, area = content.scale, content.area
+    x = scale.left_px + (points.x - scale.shown_s[0]) * scale.px_per_s
+    return x, area.center().y() - points.y[0] / content.reach * area.height() / 2
+
+
+# Which part of a clip the editor shows.
+
+# Behind the end there is room to draw on.
+_BEHIND = 0.06
+_LEAST_S = 0.01
+
+
+class SeenClip(QObject):
+    """A clip, and how much of its time and of its values is seen.
+
+    Parameters
+    ----------
+    content
+        Gives what the editor shows at present.
+    """
+
+    #: Another part is to be seen.
+    changed = Signal()
+
+    def __init__(self, content: Callable[[], EditorContent | None], parent: QObject) -> None:
+        super().__init__(parent)
+        self._content = content
+        self._clip: Clip | None = None
+        self._drawn: Floats | None = None
+        self._played: Floats | None = None
+        self._rate_hz = facts_of("").sample_rate_hz
+        self._shown_s: Range | None = None
+        self._held: tuple[Range, float] | None = None
+
+    def show(
+        self, clip: Clip | None, drawn: Floats | None, played: Floats | None, rate_hz: float
+    ) -> None:
+        """Take over a clip, all of which is seen if it is another one."""
+        if clip is None or self._clip is None or clip.id != self._clip.id:
+            self._shown_s = None
+        self._clip, self._drawn, self._played, self._rate_hz = clip, drawn, played, rate_hz
+
+    @property
+    def held(self) -> bool:
+        """Whether it stays."""
+        return self._held is not None
+
+    def hold(self, content: EditorContent) -> None:
+        """Something is drawn: what is seen stays, however long or loud the clip becomes."""
+        self._held = (content.scale.shown_s, content.reach)
+
+    def let_go(self) -> None:
+        """What was drawn is done."""
+        self._held = None
+
+    def pan(self, by_s: float) -> None:
+        """See what lies so much later; what is held, too, goes along with what drags it."""
+        content = self._content()
+        if content is None:
+            return
+        shown_s = panned(content.scale.shown_s, by_s, self._whole_s)
+        if self._held is not None:
+            self._held = (shown_s or self._whole_s, content.reach)
+        self._see(shown_s)
+
+    def zoom(self, factor: float) -> None:
+        """See so many times less, around the middle."""
+        content = self._content()
+        if content is not None:
+            shown = content.scale.shown_s
+            self._see(zoomed(shown, sum(shown) / 2, factor, self._whole_s))
+
+    def turn(self, event: QWheelEvent) -> None:
+        """Follow the wheel."""
+        content = self._content()
+        if content is not None:
+            self._see(range_by_wheel(event, content.scale, self._whole_s))
+
+    def show_everything(self) -> None:
+        """See all of the clip."""
+        self._see(None)
+
+    def content_in(self, area: QRectF) -> EditorContent | None:
+        """What the editor shows, with the curve in that area; None: there is no clip."""
+        if self._clip is None:
+            return None
+        shown_s = self._whole_s
+        if self._shown_s is not None:
+            shown_s = within(self._shown_s, shown_s) or shown_s
+        if self._held is not None:
+            shown_s, reach = self._held
+        else:
+            reach = reach_of(self._drawn, self._played)
+        width = max(area.width(), 1.0)
+        return EditorContent(
+            clip=self._clip,
+            drawn=self._drawn,
+            played=self._played,
+            sample_rate_hz=self._rate_hz,
+            scale=TimeScale(shown_s=shown_s, left_px=area.left(), width_px=width),
+            area=area,
+            reach=reach,
+        )
+
+    @property
+    def _whole_s(self) -> Range:
+        counts = [one.size for one in (self._drawn, self._played) if one is not None]
+        length = max(max(counts, default=0) / self._rate_hz, _LEAST_S)
+        return (0.0, length * (1 + _BEHIND))
+
+    def _see(self, shown_s: Range | None) -> None:
+        self._shown_s = shown_s
+        self.changed.emit()
+
+
+# The part of the editor in which a clip is drawn.
+
+_TEXT = 0.9
+_LEFT_PX, _RIGHT_PX, _TOP_PX, _BOTTOM_PX = 40.0, 10.0, 6.0, 20.0
+
+
+class EditorView(Canvas):
+    """One clip over its own time; the tool decides what the pointer does.
+
+    Attributes
+    ----------
+    item
+        What paints.
+    seen
+        The clip, and which part of it is shown.
+    content
+        What is shown, where there is a clip.
+    """
+
+    key_place = "clip_editor"
+
+    #: A key that belongs to the editor, as Qt tells it.
+    key_pressed = Signal(object)
+
+    def __init__(self, tool: Tool, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("clip_editor_view")
+        self.setAccessibleName("Waveform of the clip")
+        self.setMouseTracking(True)
+        self.setMinimumSize(160, 80)
+        self.item = EditorItem()
+        self.addItem(self.item)
+        self._tool = tool
+        self.content: EditorContent | None = None
+        self.seen = SeenClip(lambda: self.content, self)
+        self.seen.changed.connect(self.lay_out)
+        self.take_look()
+
+    def show_clip(
+        self, clip: Clip | None, drawn: Floats | None, played: Floats | None, rate_hz: float
+    ) -> None:
+        """Show a clip: its samples before its effects, and after them, (n_times,)."""
+        self.seen.show(clip, drawn, played, rate_hz)
+        self.lay_out()
+
+    def use(self, tool: Tool) -> None:
+        """Take another tool."""
+        self._tool.cancel()
+        self._tool = tool
+        self.viewport().setCursor(tool.cursor)
+        self.lay_out()
+
+    @property
+    def tool(self) -> Tool:
+        """The tool that is taken."""
+        return self._tool
+
+    def take_look(self) -> None:
+        super().take_look()
+        self.item.show_font(scaled(tabular(self.font()), _TEXT))
+
+    def cancel(self) -> bool:
+        """Give up what the tool has begun; whether anything had."""
+        given_up = self._tool.cancel()
+        self.seen.let_go()
+        self.lay_out()
+        return given_up
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self.setFocus(Qt.FocusReason.MouseFocusReason)
+        content = self.content
+        event.accept()
+        if content is None:
+            return
+        # Nothing moves under the pen, however long or loud the clip becomes.
+        self.seen.hold(content)
+        self._tool.press(content, event.position(), event.button(), event.modifiers())
+        self.lay_out()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        if self.content is not None:
+            self._tool.move(self.content, event.position(), event.modifiers())
+            self.item.update()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        if self.content is not None:
+            self._tool.release(self.content)
+        self.seen.let_go()
+        self.lay_out()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        if self.content is not None and event.button() == Qt.MouseButton.LeftButton:
+            self._tool.double_click(self.content, event.position())
+            self.lay_out()
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        event.accept()
+        if self.content is None:
+            return
+        by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
+        menu = QMenu(self)
+        menu.setObjectName("clip_editor_menu")
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self._tool.fill_menu(menu, self.content, None if by_key else QPointF(event.pos()))
+        if menu.isEmpty():
+            # The right button belongs to the tool.
+            menu.deleteLater()
+            return
+        # The menu takes the release of the button.
+        self.seen.let_go()
+        self.lay_out()
+        menu.popup(event.globalPos())
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        event.accept()
+        self.seen.turn(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and self.cancel():
+            return
+        event.ignore()
+        self.key_pressed.emit(event)
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        if self.content is not None and not self.seen.held:
+            self._tool.move(self.content, QPointF(-1, -1), Qt.KeyboardModifier.NoModifier)
+            self.item.update()
+
+    def lay_out(self) -> None:
+        whole = QRectF(self.rect())
+        self.content = self.seen.content_in(
+            whole.adjusted(_LEFT_PX, _TOP_PX, -_RIGHT_PX, -_BOTTOM_PX)
+        )
+        self.item.show_content(self.content, self._tool, whole)
+
+
+# Spectrum of one clip, with the measured band.
+
+_SPECTRUM_STRIP_LEFT_PX, _SPECTRUM_STRIP_RIGHT_PX, _SPECTRUM_STRIP_BOTTOM_PX = 40, 10, 18
+_SPAN_DB = 60.0
+_SPECTRUM_STRIP_TICK_PX = 64.0
+# Above this share a designer has to know: the actuator, or the skin model, sees it.
+_NOTEWORTHY = 0.01
+
+
+def spectrum_db(samples: Floats, sample_rate_hz: float) -> tuple[Floats, Floats]:
+    """Frequencies in Hz, and magnitude in dB below the largest, (n_frequencies,) each."""
+    # Of numpy, which is imported before the window is painted.
+    n = 1 << (max(2 * samples.size, 512) - 1).bit_length()
+    peak = float(np.abs(samples).max(initial=0.0))
+    spectrum = np.abs(np.fft.rfft(samples / peak if peak > 0 else samples, n))
+    largest = float(spectrum.max(initial=0.0))
+    floor = largest * 1e-10
+    levels = 20 * np.log10(np.maximum(spectrum, floor) / largest) if largest > 0 else spectrum - 1e3
+    return np.arange(spectrum.size) * sample_rate_hz / n, levels
+
+
+class SpectrumStrip(QWidget):
+    """Magnitude over frequency, and how much of the energy lies outside the band."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("clip_spectrum")
+        self.setAccessibleName("Spectrum of the clip")
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        self.setMinimumHeight(78)
+        # All of it is painted: nothing behind needs to be.
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self._axes = KeptPicture()
+        self._frequency_hz: Floats | None = None
+        self._levels_db: Floats | None = None
+        self._outside = 0.0
+        self._samples: Floats | None = None
+        self._rate_hz = 0.0
+        self._band_hz: Band | None = None
+
+    @property
+    def outside(self) -> float:
+        """Share of the energy outside the measured band, from 0 to 1."""
+        return self._outside
+
+    def sizeHint(self) -> QSize:
+        return QSize(200, 106)
+
+    def show_samples(
+        self, samples: Floats | None, sample_rate_hz: float, band_hz: Band | None
+    ) -> None:
+        """Show the spectrum of ``samples``, (n_times,), and the share of energy out of band.
+
+        Of a limb of which the band is not known neither is that.
+        """
+        shown = sample_rate_hz, band_hz
+        if samples is self._samples and shown == (self._rate_hz, self._band_hz):
+            return
+        self._samples, self._rate_hz, self._outside = samples, sample_rate_hz, 0.0
+        self._band_hz = band_hz
+        if samples is None or not samples.size:
+            self._frequency_hz = self._levels_db = None
+        else:
+            if band_hz is not None:
+                self._outside = share_outside_band(samples, sample_rate_hz, band_hz)
+            self._frequency_hz, self._levels_db = spectrum_db(samples, sample_rate_hz)
+        show_tooltip(self, self.words)
+        self.update()
+
+    @property
+    def words(self) -> str:
+        """How much of the energy lies outside the band."""
+        if self._band_hz is None:
+            return "In which band this limb was measured is not known"
+        low, high = self._band_hz
+        share = 100 * self._outside
+        number = "0" if share == 0 else "< 0.1" if share < 0.1 else f"{share:.3g}"
+        return f"{number} % of the energy outside {low:g} to {high:g} Hz"
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setFont(scaled(tabular(self.font()), _TEXT))
+        # The words stand above: on the curve neither could be read.
+        top = painter.fontMetrics().height() + 3
+        area = QRectF(self.rect()).adjusted(
+            _SPECTRUM_STRIP_LEFT_PX, top, -_SPECTRUM_STRIP_RIGHT_PX, -_SPECTRUM_STRIP_BOTTOM_PX
+        )
+        ground = QColor(current_theme().window)
+        if self._frequency_hz is None or self._levels_db is None:
+            painter.fillRect(self.rect(), ground)
+            painter.fillRect(area, QColor(current_theme().base))
+            return
+        highest = float(self._frequency_hz[-1])
+
+        def paint_axes(on_image: QPainter) -> None:
+            on_image.fillRect(area, QColor(current_theme().base))
+            self._paint_band(on_image, area, highest)
+            self._paint_axes(on_image, area, highest)
+
+        key = (current_theme().name, highest, self._band_hz)
+        self._axes.paint(painter, QRectF(self.rect()), key, paint_axes, ground)
+        columns = max(int(area.width() * dots_in_px(painter)), 1)
+        points = visible_points(
+            self._frequency_hz, self._levels_db[np.newaxis], (0.0, highest), columns
+        )
+        x = area.left() + points.x / highest * area.width()
+        y = area.top() - np.maximum(points.y[0], -_SPAN_DB) / _SPAN_DB * area.height()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(thin_pen(QColor(current_theme().accent)))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
+        painter.setPen(QPen(QColor(current_theme().border), 1))
+        painter.drawRect(area)
+        self._write(painter, area)
+
+    def _paint_band(self, painter: QPainter, area: QRectF, highest: float) -> None:
+        if self._band_hz is None:
+            return
+        low, high = (area.left() + min(one / highest, 1.0) * area.width() for one in self._band_hz)
+        for left, right in ((area.left(), low), (high, area.right())):
+            outside = QRectF(left, area.top(), right - left, area.height())
+            painter.fillRect(outside, QColor(current_theme().window))
+
+    def _paint_axes(self, painter: QPainter, area: QRectF, highest: float) -> None:
+        metrics = QFontMetricsF(painter.font())
+        right = area.right() - metrics.horizontalAdvance("Hz") - 4
+        for tick in linear_ticks(0.0, highest, max(area.width() / _SPECTRUM_STRIP_TICK_PX, 2)):
+            x = area.left() + tick.value / highest * area.width()
+            painter.setPen(QPen(QColor(current_theme().grid), 1))
+            painter.drawLine(QLineF(x, area.top(), x, area.bottom()))
+            width = metrics.horizontalAdvance(tick.label)
+            if x + width / 2 < right:
+                painter.setPen(QColor(current_theme().dim))
+                at = QPointF(x - width / 2, area.bottom() + metrics.ascent() + 2)
+                painter.drawText(at, tick.label)
+        painter.setPen(QColor(current_theme().dim))
+        painter.drawText(QPointF(right + 4, area.bottom() + metrics.ascent() + 2), "Hz")
+        for level, text in ((0.0, "0 dB"), (-_SPAN_DB, f"\u2212{_SPAN_DB:g}")):
+            y = area.top() - level / _SPAN_DB * area.height()
+            room = QRectF(0, y - metrics.height() / 2, area.left() - 4, metrics.height())
+            room.moveTop(min(max(room.top(), 0.0), self.height() - metrics.height()))
+            flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+            painter.drawText(room, flags, text)
+
+    def _write(self, painter: QPainter, area: QRectF) -> None:
+        metrics = QFontMetricsF(painter.font())
+        noteworthy = self._outside > _NOTEWORTHY
+        painter.setPen(QColor(current_theme().warning if noteworthy else current_theme().dim))
+        flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        text = metrics.elidedText(self.words, Qt.TextElideMode.ElideRight, area.width())
+        painter.drawText(QRectF(area.left(), 0.0, area.width(), area.top() - 2), flags, text)

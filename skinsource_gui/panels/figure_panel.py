@@ -1,0 +1,143 @@
+"""What the panels have in common that show one figure under a row of choices."""
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QPoint, QRectF, QSize, Qt
+from PySide6.QtGui import QPainter
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
+
+from skinsource_gui.plots.figure import Figure, WordsLabel, draw_figure, open_figure_menu
+from skinsource_gui.qt.asking import CopyButton
+from skinsource_gui.qt.labels import output_words
+from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme
+from skinsource_gui.state.panel import Panel
+
+#: What is said until there are results, and where nothing moves.
+COMPUTING = "Computing…"
+SILENT = "Silent: nothing is driven"
+
+
+class FigurePanel(Panel):
+    """A panel with choices above a figure, and below it what the cursor reads or what was found.
+
+    Parameters
+    ----------
+    figure
+        What fills it.
+
+    Attributes
+    ----------
+    figure, choices, heads, words
+        Its parts; ``heads`` is a row of its own between choices and figure.
+    """
+
+    def __init__(self, figure: Figure, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.figure = figure
+        self.setMinimumSize(240, 160)
+        self.setFocusProxy(figure)
+        self._found = ""
+        self._copy: CopyButton | None = None
+        self._above: WordsLabel | None = None
+        self.words = WordsLabel(f"{self.name}_words")
+        self.choices = QHBoxLayout()
+        self.choices.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
+        self.choices.setSpacing(UNIT_PX // 2)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addLayout(self.choices)
+        # Words about the figure that would have too little room beside the choices.
+        self.heads = QVBoxLayout()
+        self.heads.setContentsMargins(UNIT_PX, 0, UNIT_PX, 1)
+        column.addLayout(self.heads)
+        column.addWidget(figure, 1)
+        foot = QHBoxLayout()
+        foot.setContentsMargins(UNIT_PX, 1, UNIT_PX, 2)
+        foot.addWidget(self.words)
+        column.addLayout(foot)
+        figure.reading.connect(self._read)
+        figure.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        figure.customContextMenuRequested.connect(self._open_menu)
+
+    @property
+    def no_outputs(self) -> str:
+        """What it says while no output is selected."""
+        return output_words(self.in_sight)
+
+    @property
+    def picture_words(self) -> str:
+        """What stands above the figure in a picture: what is chosen there, in words."""
+        return "" if self._above is None else self._above.text
+
+    def draw_picture(
+        self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
+    ) -> None:
+        """Draw figure and words for a page or a slide, and nothing that is pressed; size in px."""
+        del theme  # that in use: the figure has its colours
+        # Words grow with the picture, and are no smaller than on the screen.
+        scale = min(width / max(self.width(), 1), height / max(self.height(), 1))
+        scale = max(scale, 1.0)
+        painter.save()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.scale(scale, scale)
+        room = QRectF(0.0, 0.0, width / scale, height / scale)
+        draw_figure(painter, room, self.figure, self.picture_words, self._found)
+        painter.restore()
+
+    def sizeHint(self) -> QSize:
+        return QSize(360, 280)
+
+    def add_copy(self, table: Callable[[], str]) -> CopyButton:
+        """Return a new button that copies what ``table`` gives, at the right end of the choices."""
+        self._copy = CopyButton(self.name, table, self)
+        self.choices.addWidget(self._copy)
+        return self._copy
+
+    def add_above(self, name: str) -> WordsLabel:
+        """Words above the figure, also in pictures; whoever adds them says where they stand."""
+        self._above = WordsLabel(name)
+        return self._above
+
+    def say_instead(self, message: str) -> None:
+        """Say why there is no figure."""
+        self.figure.say(message)
+        self.show_found("")
+        if self._copy is not None:
+            self._copy.offer(False)
+
+    def await_results(self) -> None:
+        """Ask for nothing any more while what was asked for is computed."""
+        self.figure.say(COMPUTING)
+
+    def show_found(self, words: str) -> None:
+        """Say below the figure what was found, while the cursor reads nothing."""
+        self._found = words
+        if self.figure.cursor_at is None:
+            self.words.say(words)
+
+    def show_in_sight(self, names: frozenset[str]) -> None:
+        said = self.figure.message == self.no_outputs
+        super().show_in_sight(names)
+        if said:
+            self.figure.say(self.no_outputs)
+
+    def show_late(self, late: bool) -> None:
+        self.figure.show_late(late)
+
+    def show_problem(self, reason: str) -> None:
+        self.say_instead(reason)
+
+    def _open_menu(self, at: QPoint) -> None:
+        if not self.figure.message:
+            copy = None if self._copy is None else self._copy.click
+            open_figure_menu(self.figure, self.figure.mapToGlobal(at), self._save_picture, copy)
+
+    def _save_picture(self) -> None:
+        # What is saved is the panel that has the keyboard.
+        self.figure.setFocus(Qt.FocusReason.MouseFocusReason)
+        self.action_wanted.emit("export_panel_picture")
+
+    def _read(self, words: str) -> None:
+        # While something is read its room stays: a figure that grows and shrinks would jump.
+        self.words.say(words or self._found, holding=bool(words))

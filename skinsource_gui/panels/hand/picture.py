@@ -1,0 +1,475 @@
+"""The line below the hand."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QObject, QPointF, QRectF, QSize, QSizeF, Qt, Signal
+from PySide6.QtGui import QColor, QFontDatabase, QFontMetricsF, QPainter, QPainterPath, QPixmap
+from PySide6.QtWidgets import QWidget
+
+from skinsource.base.arrays import Floats
+from skinsource.limbs.limb import LimbFacts, LimbMap
+from skinsource.limbs.locations import input_words
+from skinsource.limbs.own_limbs import facts_of, own_map
+from skinsource.limbs.synthetic import standard_hand
+from skinsource_gui.panels.hand.layout import (
+    HandDrawing,
+    HandLayout,
+    HandState,
+    Mark,
+    Place,
+    fitted_hand,
+    hand_layout,
+    hand_pixmap,
+    has_room,
+    kept_hand_pixmap,
+    paint_cursor,
+    paint_dot,
+    paint_empty,
+    paint_hovered,
+    paint_occupied,
+    paint_selection,
+    palmar_drawing,
+    polygon,
+)
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, is_on_paper
+from skinsource_gui.qt.wheel import WHOLE, PanZoom
+
+#: What an empty hand asks for.
+HINT = "Click a place on the hand"
+
+
+def caption_of(state: HandState, limb: str, fits: Callable[[str], bool]) -> str:
+    """What is said below the hand: a note, the place that is meant, or what can be done.
+
+    Where the pointer is at another place than the ring, both are named.  The longest words that
+    fit are taken, else the shortest.
+    """
+    if state.note:
+        return state.note
+    ringed = state.selected_site if state.cursor is None else state.cursor
+    there = state.target or state.hovered
+    if there is None and ringed is None:
+        return HINT if not state.marks else ""
+    if state.target is None and there and ringed and there != ringed:
+        wanted = _both(there, ringed, "Keys" if state.cursor else "Selected", limb)
+    else:
+        site = there or ringed or 0
+        place = input_words(site, limb)
+        wanted = (f"{site} · {place.name}", f"{site} · {place.short_name}")
+    return next((one for one in wanted if fits(one)), wanted[-1])
+
+
+def _both(there: int, ringed: int, ring: str, limb: str) -> tuple[str, ...]:
+    at, rung = input_words(there, limb), input_words(ringed, limb)
+    return (
+        f"Pointer: {there} · {at.name}  |  {ring}: {ringed} · {rung.name}",
+        f"Pointer: {there} · {at.short_name}  |  {ring}: {ringed} · {rung.short_name}",
+        f"Pointer: {there} · {at.short_name}  |  {ring}: {ringed}",
+        f"Pointer: {there}  |  {ring}: {ringed}",
+    )
+
+
+# The drawing of each limb's hand.
+
+# Outline pixels in one hand length, as in the project's own hand.
+_HAND_PX = 400.0
+# How much is seen around the outermost sites, in hand lengths.
+_AROUND = 0.22
+# Places that are one point lie around it, this far off; those that lie nowhere, in columns beside
+# the hand, this far from each other.
+_AROUND_POINT_PX, _BESIDE_PX = 6.0, 40.0
+_FADE_PX = 40.0
+
+
+def drawing_of(limb: str) -> HandDrawing:
+    """The hand of a limb, by its name; of one that is not known, the project's own."""
+    found = own_map(limb)
+    return _standard() if found is None else _own(found, facts_of(limb))
+
+
+@lru_cache(maxsize=1)
+def _standard() -> HandDrawing:
+    return palmar_drawing(standard_hand())
+
+
+@lru_cache(maxsize=8)
+def _own(limb_map: LimbMap, facts: LimbFacts) -> HandDrawing:
+    """Outline and places as the lab gave them, seen from the palm."""
+    scale = _HAND_PX / limb_map.hand_length_px
+
+    def palmar(points: Floats) -> Floats:
+        # Seen from the palm left and right change places; on screen y points down.
+        return -scale * points
+
+    outline = QPainterPath()
+    outline.addPolygon(polygon(palmar(limb_map.outline)))
+    outline.closeSubpath()
+    sites = _told_apart(palmar(limb_map.input_positions))
+    side = "Left" if facts.left else "Right"
+    mirrored = "\nmirrored," if facts.mirrored else ""
+    bounds = _bounds(palmar(limb_map.outline), sites[np.isfinite(sites[:, 0])])
+    left = float(palmar(limb_map.outline)[:, 0].min())
+    sites, bounds = _with_those_beside(sites, bounds, left)
+    below = float(palmar(limb_map.outline)[:, 1].max()) - bounds.bottom()
+    return HandDrawing(
+        outline=outline,
+        creases=QPainterPath(),
+        bounds=bounds,
+        sites=sites,
+        pushes=np.zeros_like(sites),
+        limb=facts.name,
+        side=f"{side} hand,{mirrored}\npalm side",
+        spacing=_spacing(sites),
+        contacts=False,
+        # Where a long arm goes on it fades, as the project's own.
+        fade=(bounds.bottom() - _FADE_PX, bounds.bottom()) if below > 1.0 else None,
+    )
+
+
+def _bounds(outline: Floats, sites: Floats) -> QRectF:
+    """What is seen: the sites and the hand around them, of a long arm not the rest."""
+    shown = sites if len(sites) else outline
+    around = _AROUND * _HAND_PX
+    low = np.maximum(outline.min(axis=0), shown.min(axis=0) - around)
+    high = np.minimum(outline.max(axis=0), shown.max(axis=0) + around)
+    width, height = np.maximum(high - low, 1.0)
+    return QRectF(float(low[0]), float(low[1]), float(width), float(height))
+
+
+def _with_those_beside(sites: Floats, bounds: QRectF, left: float) -> tuple[Floats, QRectF]:
+    """Sites that lie nowhere, beside a hand that begins at ``left``; and what is seen then."""
+    nowhere = np.flatnonzero(np.isnan(sites[:, 0]))
+    if not nowhere.size:
+        return sites, bounds
+    in_column = max(int(bounds.height() / _BESIDE_PX), 1)
+    column, row = np.divmod(np.arange(nowhere.size), in_column)
+    all_sites = sites.copy()
+    all_sites[nowhere, 0] = left - _BESIDE_PX * (0.5 + column)
+    all_sites[nowhere, 1] = bounds.top() + _BESIDE_PX * (0.5 + row)
+    seen = QRectF(bounds)
+    seen.setLeft(left - _BESIDE_PX * (column.max() + 1.0))
+    return all_sites, seen
+
+
+def _told_apart(sites: Floats) -> Floats:
+    """Sites that are one point, as contacts of two kinds may be, moved off it to lie around it."""
+    _, group, count = np.unique(sites, axis=0, return_inverse=True, return_counts=True)
+    apart = sites.copy()
+    for shared in np.flatnonzero(count > 1):
+        members = np.flatnonzero(group == shared)
+        angles = 2.0 * np.pi * np.arange(members.size) / members.size
+        apart[members] += _AROUND_POINT_PX * np.column_stack((np.cos(angles), np.sin(angles)))
+    return apart
+
+
+def _spacing(sites: Floats) -> Floats:
+    """From each site to the nearest other one, (n_sites,)."""
+    apart = np.linalg.norm(sites[:, None] - sites[None], axis=-1)
+    np.fill_diagonal(apart, np.inf)
+    return apart.min(axis=1, initial=np.inf)
+
+
+# What the hand diagram shows, and how it is painted.
+
+_SIDE_ALIGNMENT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
+# From this height on there is a legend below the hand.
+_ROOMY_PX = 300
+# In large letters the words on the side take at most this part of the width.
+_MOST_SIDE = 0.35
+# In front of people words are larger than usual.  Numbers of empty places that are not larger than
+# those cannot be read from afar, and only hide the fingers: lines of text in a radius.
+_ENLARGED, _FROM_AFAR = 1.1, 1.2
+# Pixels of the hand in a px on paper: of 600 dots in an inch.
+_PAPER_RATIO = 6.25
+_LEGEND = (("perpendicular", None), ("in-axis", QPointF(0.0, 1.0)))
+
+
+class HandPicture:
+    """Paints the hand.
+
+    Parameters
+    ----------
+    drawing
+        The hand.
+
+    Attributes
+    ----------
+    area
+        Where the hand is seen.
+    """
+
+    def __init__(self, drawing: HandDrawing) -> None:
+        self.area = QRectF(0.0, 0.0, 260.0, 330.0)
+        self._drawing = drawing
+        self._size = QSize()
+        self._line_px = 0.0
+        self._lines = 2
+        # Radius from which on empty places have their numbers.
+        self._readable_px = 0.0
+        # Of the picture that is being painted.
+        self._layout: HandLayout
+
+    def show_drawing(self, drawing: HandDrawing) -> None:
+        """Take another hand."""
+        self._drawing = drawing
+
+    def resize(self, size: QSize, metrics: QFontMetricsF) -> None:
+        """Take a widget's size; below the area of the hand there is text."""
+        self._size = size
+        self._line_px = metrics.height() + 2.0
+        general = QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont)
+        enlarged = metrics.height() > _ENLARGED * QFontMetricsF(general).height()
+        self._readable_px = _FROM_AFAR * metrics.height() if enlarged else 0.0
+        # Where there is little room the hand needs it more than the legend does.
+        legend = sum(_widths(metrics)) + 2 * UNIT_PX
+        roomy = size.height() >= _ROOMY_PX and (not enlarged or legend <= size.width())
+        self._lines = 2 if roomy else 1
+        height = size.height() - self._lines * self._line_px - UNIT_PX
+        self.area = QRectF(0.0, 2.0, size.width(), height)
+
+    def paint(self, painter: QPainter, layout: HandLayout, state: HandState, ratio: float) -> None:
+        """Paint all; ``ratio`` is device pixels per widget pixel."""
+        self._layout = layout
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        font = painter.font()
+        painter.save()
+        # Magnified, the hand would lie on the words below it.
+        painter.setClipRect(self.area.adjusted(0, -2, 0, UNIT_PX / 2))
+        painter.drawPixmap(0, 0, self._hand(ratio))
+        for site in self._in_order(state):
+            self._paint_site(painter, site, state)
+        if state.cursor is not None:
+            paint_cursor(painter, self._place(state.cursor, in_use=True), current_theme())
+        painter.restore()
+        if state.ghost is not None and state.moving is not None:
+            self._paint_ghost(painter, state.ghost, state.marks[state.moving])
+        painter.setFont(font)
+        self._paint_side(painter)
+        self._paint_caption(painter, state)
+        if self._lines > 1 and self._drawing.contacts:
+            self._paint_legend(painter)
+
+    def _hand(self, ratio: float) -> QPixmap:
+        about = self._drawing, self._layout.transform, self._size
+        if is_on_paper():
+            return hand_pixmap(*about, _PAPER_RATIO, current_theme())
+        return kept_hand_pixmap(*about, ratio, current_theme())
+
+    def _in_order(self, state: HandState) -> list[int]:
+        """All sites, those above others last: in use, selected, pointed at."""
+        above = [*sorted({mark.site for mark in state.marks}), state.selected_site, state.cursor]
+        above += [state.hovered, state.target]
+        # Each once, where it comes last.
+        last = dict.fromkeys(site for site in reversed(above) if site and self._layout.has(site))
+        quiet = [site for site in range(1, self._layout.n_sites + 1) if site not in last]
+        return [*quiet, *reversed(last)]
+
+    def _place(self, site: int, *, in_use: bool) -> Place:
+        radius_px = self._layout.radius_in_use_px if in_use else self._layout.radius_px
+        return Place(
+            site=site,
+            centre=self._layout.centre(site),
+            radius_px=radius_px(site),
+            push=self._layout.push(site),
+        )
+
+    def _paint_site(self, painter: QPainter, site: int, state: HandState) -> None:
+        if site == state.target and state.moving is None:
+            # What is held over it comes from another panel.
+            paint_cursor(painter, self._place(site, in_use=True), current_theme())
+        front, chosen = state.front_at(site), site in (state.hovered, state.target)
+        place = self._place(site, in_use=front is not None or chosen or site == state.cursor)
+        if front is None:
+            small = place.radius_px < self._readable_px and site != state.cursor
+            if chosen:
+                paint_hovered(painter, place, current_theme())
+            elif not has_room(place) or (small and state.moving is None):
+                paint_dot(painter, place, current_theme())
+            else:
+                paint_empty(painter, place, current_theme(), inviting=state.moving is not None)
+            return
+        if front == state.selected:
+            paint_selection(painter, place, current_theme())
+        elif any(state.marks[k].chosen for k in state.at(site)):
+            paint_selection(painter, place, current_theme(), last=False)
+        elif chosen:
+            paint_hovered(painter, place, current_theme())
+        order = (front, *(k for k in state.at(site) if k != front))
+        colours = [state.marks[k].colour for k in order]
+        paint_occupied(painter, place, current_theme(), colours, silent=state.marks[front].silent)
+
+    def _paint_ghost(self, painter: QPainter, centre: QPointF, mark: Mark) -> None:
+        ghost = replace(self._place(mark.site, in_use=True), centre=centre)
+        painter.setOpacity(0.6)
+        paint_occupied(painter, ghost, current_theme(), [mark.colour], silent=mark.silent)
+        painter.setOpacity(1.0)
+
+    def _paint_caption(self, painter: QPainter, state: HandState) -> None:
+        metrics, area = QFontMetricsF(painter.font()), self._line_area(self._lines)
+        limb = self._drawing.limb
+        text = caption_of(
+            state, limb, lambda words: metrics.horizontalAdvance(words) <= area.width()
+        )
+        colour = current_theme().accent if text == HINT else current_theme().text
+        text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, area.width())
+        painter.setPen(QColor(colour))
+        painter.drawText(area, Qt.AlignmentFlag.AlignCenter, text)
+
+    def _paint_side(self, painter: QPainter) -> None:
+        """Which hand this is, in the free corner below the thumb."""
+        bottom = self._line_area(self._lines).bottomRight() - QPointF(0.0, 1.5 * self._line_px)
+        metrics = QFontMetricsF(painter.font())
+        # As wide as the words are, in letters of any size.
+        lines = self._drawing.side.split("\n")
+        width = 1.0 + max(metrics.horizontalAdvance(line) for line in lines)
+        if self._readable_px and width > _MOST_SIDE * self._size.width():
+            return  # in large letters it would lie on the fingers
+        area = QRectF(bottom - QPointF(width, 4 * self._line_px), bottom)
+        painter.setPen(QColor(current_theme().dim))
+        painter.drawText(area, _SIDE_ALIGNMENT, self._drawing.side)
+
+    def _paint_legend(self, painter: QPainter) -> None:
+        metrics, area = QFontMetricsF(painter.font()), self._line_area(1)
+        radius = 0.36 * metrics.height()
+        advance = 2 * radius + UNIT_PX
+        widths = _widths(metrics)
+        left = area.center().x() - (sum(widths) + 2 * UNIT_PX) / 2
+        for (words, push), width in zip(_LEGEND, widths, strict=True):
+            sign = Place(
+                site=0,
+                centre=QPointF(left + radius, area.center().y() - (0 if push is None else 1)),
+                radius_px=radius * (1.0 if push is None else 0.85),
+                push=push,
+            )
+            painter.setPen(QColor(current_theme().dim))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.drawPath(sign.path())
+            at = QRectF(QPointF(left + advance, area.top()), QSizeF(width, area.height()))
+            painter.drawText(at, Qt.AlignmentFlag.AlignVCenter, words)
+            left += width + 2 * UNIT_PX
+
+    def _line_area(self, from_bottom: int) -> QRectF:
+        top = self._size.height() - from_bottom * self._line_px - UNIT_PX / 2
+        return QRectF(UNIT_PX, top, max(0.0, self._size.width() - 2.0 * UNIT_PX), self._line_px)
+
+
+def _widths(metrics: QFontMetricsF) -> list[float]:
+    """Of the parts of the legend, sign and words."""
+    advance = 2 * 0.36 * metrics.height() + UNIT_PX
+    return [advance + metrics.horizontalAdvance(words) for words, _ in _LEGEND]
+
+
+# What the hand shows at present, and what part of it is seen.
+
+_CONTACTS = {
+    "perpendicular": "perpendicular: pushes into the skin",
+    "in-axis": "in-axis: pushes along the digit",
+}
+
+
+class HandStage(QObject):
+    """The hand with its inputs, in pictures and in words, and where its sites are.
+
+    Parameters
+    ----------
+    drawing
+        The hand.
+    widget
+        Where it is painted.
+
+    Attributes
+    ----------
+    state
+        What is shown.
+    layout
+        Where the sites are, in pixels of the widget.
+    pan_zoom
+        What part of the hand is seen.
+    """
+
+    #: It looks different.
+    changed = Signal()
+
+    def __init__(self, drawing: HandDrawing, widget: QWidget) -> None:
+        super().__init__(widget)
+        self._drawing, self._outline = drawing, _points_of(drawing)
+        self._picture = HandPicture(drawing)
+        self.state = HandState()
+        self.layout: HandLayout = hand_layout(drawing, fitted_hand(drawing, self._picture.area))
+        self.pan_zoom = PanZoom(widget)
+        self.pan_zoom.changed.connect(self._lay_out)
+
+    @property
+    def drawing(self) -> HandDrawing:
+        """The hand."""
+        return self._drawing
+
+    def show_drawing(self, drawing: HandDrawing, widget: QWidget) -> None:
+        """Take another hand, which has other sites."""
+        if drawing is not self._drawing:
+            self._drawing, self._outline = drawing, _points_of(drawing)
+            self._picture.show_drawing(drawing)
+            self.state = replace(self.state, hovered=None, cursor=None, target=None)
+            self.layout = hand_layout(drawing, fitted_hand(drawing, self._picture.area))
+            self.fit(widget)
+            self.pan_zoom.show(WHOLE)
+            self.changed.emit()
+
+    def change(self, **changes: Any) -> None:
+        """Replace fields of the state, and tell if that makes a difference."""
+        changed = replace(self.state, **changes)
+        if changed != self.state:
+            self.state = changed
+            self.changed.emit()
+
+    def fit(self, widget: QWidget) -> None:
+        """Fit the hand into the widget, which has another size or font."""
+        self._picture.resize(widget.size(), QFontMetricsF(widget.font()))
+        area = self._picture.area
+        fits = {WHOLE: fitted_hand(self._drawing, area)}
+        self.pan_zoom.arrange(fits, self._outline, area)
+
+    def paint(self, painter: QPainter, ratio: float) -> None:
+        """Paint all; ``ratio`` is device pixels per widget pixel."""
+        state = self.state
+        if is_on_paper():
+            # Neither mouse nor keys are anywhere.
+            state = replace(state, hovered=None, cursor=None, target=None)
+        self._picture.paint(painter, self.layout, state, ratio)
+
+    def site_at(self, position: QPointF) -> int | None:
+        """Site under the mouse; what is magnified beyond the picture cannot be hit."""
+        inside = self._picture.area.adjusted(0, -2, 0, float(self.layout.radii_px.max()))
+        return self.layout.site_at(position) if inside.contains(position) else None
+
+    def marker_area(self, site: int) -> QRectF:
+        """Square around the marker of a site."""
+        return self.layout.marker_area(site)
+
+    def words(self, site: int) -> str:
+        """What is at a site, in lines."""
+        place = input_words(site, self._drawing.limb)
+        lines = [f"{site} · {place.name}", *filter(None, [_CONTACTS.get(place.kind, "")])]
+        for index in self.state.at(site):
+            chosen = ", selected" if index == self.state.selected else ""
+            lines.append(f"Input {index + 1}: {self.state.marks[index].words}{chosen}")
+        return "\n".join(lines)
+
+    def description(self, site: int) -> str:
+        """What is at a site, in a sentence for assistive technology."""
+        words = "Place " + self.words(site).replace("\n", ". ")
+        return words if self.state.marks else f"{HINT}. {words}"
+
+    def _lay_out(self) -> None:
+        if self.pan_zoom.frame is not None:
+            self.layout = hand_layout(self._drawing, self.pan_zoom.frame)
+            self.changed.emit()
+
+
+def _points_of(drawing: HandDrawing) -> np.ndarray:
+    points = drawing.outline.toFillPolygon().toList()
+    return np.array([(point.x(), point.y()) for point in points])

@@ -1,1 +1,0 @@
-"""The chain of effects of the selected clip."""

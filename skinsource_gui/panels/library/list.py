@@ -1,0 +1,464 @@
+"""Presets as rows."""
+
+from functools import lru_cache, partial
+from html import escape
+from typing import Any
+
+import numpy as np
+from pyqtgraph.functions import arrayToQPath
+from PySide6.QtCore import (
+    QAbstractListModel,
+    QEvent,
+    QMimeData,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    QPoint,
+    QRect,
+    QSize,
+    Qt,
+    QUrl,
+    Signal,
+)
+from PySide6.QtGui import (
+    QColor,
+    QDrag,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPainterPath,
+    QPaintEvent,
+    QPen,
+    QPixmap,
+)
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QFrame,
+    QLabel,
+    QListView,
+    QScrollArea,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.base.arrays import Floats
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.quoting import sentence
+from skinsource.design.presets.presets import Entry, Preset, mixed
+from skinsource.limbs.locations import input_words
+from skinsource.limbs.own_limbs import facts_of
+from skinsource_gui.plots.preview import ClipStrip, SpectrumPreview, strip_lanes
+from skinsource_gui.qt.keys import claims_shortcut, meaning_of
+from skinsource_gui.qt.theme import UNIT_PX, current_theme
+
+_Role = Qt.ItemDataRole
+#: `Entry`; whether it is the user's own; tags in a line.
+ENTRY, OWN, TAGS = (_Role.UserRole + k for k in range(1, 4))
+
+_Index = QModelIndex | QPersistentModelIndex
+
+
+class PresetsModel(QAbstractListModel):
+    """A row for each preset that was found; the user's own can be given other names."""
+
+    #: An `Entry`, and its new name.
+    rename_wanted = Signal(object, str)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._entries: tuple[tuple[Entry, bool], ...] = ()
+
+    @property
+    def entries(self) -> tuple[tuple[Entry, bool], ...]:
+        """What is listed, and whether it is the user's own."""
+        return self._entries
+
+    def show_entries(self, entries: tuple[tuple[Entry, bool], ...]) -> None:
+        """List others."""
+        if entries != self._entries:
+            self.beginResetModel()
+            self._entries = entries
+            self.endResetModel()
+
+    def rowCount(self, parent: _Index | None = None) -> int:
+        return 0 if parent is not None and parent.isValid() else len(self._entries)
+
+    def data(self, index: _Index, role: int = _Role.DisplayRole) -> Any:
+        if not 0 <= index.row() < len(self._entries):
+            return None
+        entry, own = self._entries[index.row()]
+        preset = entry.preset
+        found = {
+            _Role.DisplayRole: preset.name,
+            _Role.EditRole: preset.name,
+            ENTRY: entry,
+            OWN: own,
+            TAGS: ", ".join(preset.tags),
+        }
+        if role == _Role.AccessibleTextRole:
+            return f"{preset.name}{', your own' if own else ''}, {found[TAGS]}"
+        return found.get(role)
+
+    def setData(self, index: _Index, value: Any, role: int = _Role.EditRole) -> bool:
+        entry = index.data(ENTRY)
+        if role != _Role.EditRole or entry is None or value == entry.preset.name:
+            return False
+        # What is listed follows from the files.
+        self.rename_wanted.emit(entry, str(value))
+        return False
+
+    def flags(self, index: _Index) -> Qt.ItemFlag:
+        flags = super().flags(index)
+        if index.isValid():
+            flags |= Qt.ItemFlag.ItemIsDragEnabled
+            if index.data(OWN):
+                flags |= Qt.ItemFlag.ItemIsEditable
+        return flags
+
+    def supportedDragActions(self) -> Qt.DropAction:
+        return Qt.DropAction.CopyAction
+
+    def mimeData(self, indexes: Any) -> QMimeData:
+        """The files: the window takes them, and so do other programs."""
+        data = QMimeData()
+        data.setUrls([QUrl.fromLocalFile(str(one.data(ENTRY).path)) for one in indexes])
+        return data
+
+
+# Small pictures of what presets play.
+
+SIZE_PX = QSize(44, 26)
+#: Pixels of the screen for each of them, at most.
+_SHARPEST = 3
+_LINE_PX = 1.0
+# What is so small looks the same at the rate of any limb.
+_RATE_HZ = 2000.0
+
+
+@lru_cache(maxsize=256)
+def thumbnail(preset: Preset, colour: str, ratio: float) -> QPixmap:
+    """What it plays, at full height; nothing where it cannot be played."""
+    per_px = min(max(round(ratio), 1), _SHARPEST)
+    picture = QPixmap(SIZE_PX * per_px)
+    picture.setDevicePixelRatio(per_px)
+    picture.fill(Qt.GlobalColor.transparent)
+    try:
+        samples = mixed(preset.fragment, _RATE_HZ)
+    except SkinSourceError:
+        return picture
+    if not samples.size:
+        return picture
+    samples = samples / max(float(np.abs(samples).max()), np.finfo(np.float64).tiny)
+    painter = QPainter(picture)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(QPen(QColor(colour), _LINE_PX))
+    painter.drawPath(_curve(samples, SIZE_PX.width() * per_px))
+    painter.end()
+    return picture
+
+
+def _curve(samples: Floats, columns: int) -> QPainterPath:
+    """Every sample, or the highest and the lowest of each column."""
+    if samples.size > 2 * columns:
+        starts = np.arange(columns) * samples.size // columns
+        high, low = np.maximum.reduceat(samples, starts), np.minimum.reduceat(samples, starts)
+        samples = np.stack((high, low), axis=1).reshape(-1)
+    middle, reach = SIZE_PX.height() / 2, SIZE_PX.height() / 2 - 1
+    x = np.linspace(1, SIZE_PX.width() - 1, max(samples.size, 2))
+    y = np.resize(middle - reach * samples, x.size)
+    return arrayToQPath(x, y, finiteCheck=False)
+
+
+# Draws a row of the library.
+
+_OWN_PX = 3
+
+
+class PresetDelegate(QStyledItemDelegate):
+    """A picture, the name, and tags below it; a bar at the user's own."""
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: _Index) -> QSize:
+        words = 2 * option.fontMetrics.height() + UNIT_PX
+        return QSize(10 * UNIT_PX, max(words, SIZE_PX.height() + UNIT_PX))
+
+    def updateEditorGeometry(
+        self, editor: QWidget, option: QStyleOptionViewItem, index: _Index
+    ) -> None:
+        editor.setGeometry(self._words(option.rect))
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: _Index) -> None:
+        theme, rect = current_theme(), option.rect
+        chosen = bool(option.state & QStyle.StateFlag.State_Selected)
+        focused = chosen and bool(option.state & QStyle.StateFlag.State_HasFocus)
+        under = bool(option.state & QStyle.StateFlag.State_MouseOver)
+        painter.save()
+        if chosen or under:
+            painter.fillRect(rect, QColor(theme.raised if theme.name == "dark" else theme.window))
+        if index.data(OWN):
+            bar = QRect(rect.left(), rect.top(), _OWN_PX, rect.height())
+            painter.fillRect(bar, QColor(theme.accent))
+        ratio = painter.device().devicePixelRatioF()
+        picture = thumbnail(index.data(ENTRY).preset, theme.text, ratio)
+        top = rect.center().y() - SIZE_PX.height() // 2
+        painter.drawPixmap(rect.left() + UNIT_PX, top, picture)
+        words = self._words(rect)
+        metrics, middle = option.fontMetrics, words.center().y()
+        for text, colour, area in (
+            (index.data(), theme.text, words.adjusted(0, 0, 0, middle - words.bottom())),
+            (index.data(TAGS), theme.dim, words.adjusted(0, middle - words.top(), 0, 0)),
+        ):
+            painter.setPen(QColor(colour))
+            shown = metrics.elidedText(text, Qt.TextElideMode.ElideRight, area.width())
+            painter.drawText(area, Qt.AlignmentFlag.AlignVCenter, shown)
+        if focused:
+            painter.setPen(QColor(theme.accent))
+            painter.drawRect(rect.adjusted(0, 0, -1, -1))
+        painter.restore()
+
+    def _words(self, rect: QRect) -> QRect:
+        return rect.adjusted(SIZE_PX.width() + 2 * UNIT_PX, 2, -UNIT_PX // 2, -2)
+
+
+# The list of presets.
+
+_PLACE = "library"
+# How far from the pointer a dragged preset is shown, and how wide its name may be.
+_ASIDE_PX, _WIDEST_TAG_PX = 14, 180
+
+
+class PresetList(QListView):
+    """Rows that are looked at by pointer or keys, dragged away, and placed."""
+
+    #: An `Entry`.
+    place_wanted = Signal(object)
+    delete_wanted = Signal(object)
+    search_wanted = Signal()
+    #: The `Entry` under the pointer, else the one that the keys have reached, or None.
+    looked_at = Signal(object)
+
+    def __init__(self, model: PresetsModel, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._words = ""
+        self._under: Entry | None = None
+        self._delegate = PresetDelegate(self)
+        self.setObjectName("preset_rows")
+        self.setAccessibleName("Presets")
+        self.setModel(model)
+        self.setItemDelegate(self._delegate)
+        self.setUniformItemSizes(True)
+        self.setMouseTracking(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setDragEnabled(True)
+        self.setDragDropMode(QAbstractItemView.DragDropMode.DragOnly)
+        self.setDefaultDropAction(Qt.DropAction.CopyAction)
+        self.doubleClicked.connect(self._place)
+
+    @property
+    def current(self) -> Entry | None:
+        """The one that the keys have reached."""
+        return self.currentIndex().data(ENTRY)
+
+    @property
+    def current_is_own(self) -> bool:
+        """Whether it is the user's."""
+        return bool(self.currentIndex().data(OWN))
+
+    def show_words(self, words: str) -> None:
+        """Say why there are no rows."""
+        self._words = words
+        self.viewport().update()
+
+    def go_to(self, row: int) -> None:
+        """Let the keys be at this row."""
+        self.setCurrentIndex(self.model().index(row, 0))
+
+    def rename(self) -> None:
+        """Let the user type another name, where it is the user's own."""
+        if self.current_is_own:
+            self.edit(self.currentIndex())
+
+    def startDrag(self, actions: Qt.DropAction) -> None:
+        chosen = self.selectedIndexes()
+        if chosen:
+            drag = QDrag(self)
+            drag.setMimeData(self.model().mimeData(chosen))
+            drag.setPixmap(self._tag(str(chosen[0].data())))
+            # Beside the pointer: below it lies what it is dragged to.
+            drag.setHotSpot(QPoint(-_ASIDE_PX, -_ASIDE_PX))
+            drag.exec(actions, Qt.DropAction.CopyAction)
+
+    def _tag(self, name: str) -> QPixmap:
+        """A small label with a name on it."""
+        metrics, ratio = self.fontMetrics(), self.devicePixelRatioF()
+        words = metrics.elidedText(name, Qt.TextElideMode.ElideRight, _WIDEST_TAG_PX)
+        size = QSize(metrics.horizontalAdvance(words) + 2 * UNIT_PX, metrics.height() + UNIT_PX)
+        tag = QPixmap(size * ratio)
+        tag.setDevicePixelRatio(ratio)
+        tag.fill(QColor(current_theme().accent))
+        painter = QPainter(tag)
+        painter.setFont(self.font())
+        painter.setPen(QColor(current_theme().on_accent))
+        painter.drawText(QRect(QPoint(), size), Qt.AlignmentFlag.AlignCenter, words)
+        painter.end()
+        return tag
+
+    def currentChanged(
+        self,
+        current: QModelIndex | QPersistentModelIndex,
+        previous: QModelIndex | QPersistentModelIndex,
+    ) -> None:
+        super().currentChanged(current, previous)
+        self._under = None
+        self.looked_at.emit(self.current)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        super().mouseMoveEvent(event)
+        self._look(self.indexAt(event.position().toPoint()).data(ENTRY))
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self._look(None)
+
+    def event(self, event: QEvent) -> bool:
+        return claims_shortcut(event, partial(meaning_of, _PLACE)) or super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        name, entry = meaning_of(_PLACE, event), self.current
+        if name == "search":
+            self.search_wanted.emit()
+        elif name == "rename":
+            self.rename()
+        elif name in ("place", "remove"):
+            wanted = self.place_wanted if name == "place" else self.delete_wanted
+            if entry is not None and (name == "place" or self.current_is_own):
+                wanted.emit(entry)
+        else:
+            super().keyPressEvent(event)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.model().rowCount() == 0 and self._words:
+            painter = QPainter(self.viewport())
+            painter.setPen(QColor(current_theme().dim))
+            room = self.viewport().rect().adjusted(UNIT_PX, UNIT_PX, -UNIT_PX, -UNIT_PX)
+            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+            painter.drawText(room, flags, self._words)
+
+    def _place(self, index: QModelIndex) -> None:
+        self.place_wanted.emit(index.data(ENTRY))
+
+    def _look(self, under: Entry | None) -> None:
+        if under != self._under:
+            self._under = under
+            self.looked_at.emit(under or self.current)
+
+
+# What a preset plays, and what is known about it.
+
+_LEAST_WIDTH_PX = 160
+_LEAST_STRIP_PX, _LEAST_SPECTRUM_PX, _LEAST_WORDS_PX = 58, 64, 40
+_MOST_STRIP_PX, _MOST_SPECTRUM_PX, _MOST_WORDS_PX = 84, 96, 92
+
+
+class PresetPreview(QWidget):
+    """Clips on their tracks, the spectrum of their sum, and words."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._preset: Preset | None = None
+        self._limb = ""
+        self.strip, self.spectrum, self.words = ClipStrip(), SpectrumPreview(), QLabel()
+        self.strip.setAccessibleName("Clips of the preset")
+        about = QScrollArea()
+        about.setObjectName("preset_about")
+        about.setFrameShape(QFrame.Shape.NoFrame)
+        about.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        about.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        about.setWidgetResizable(True)
+        about.setWidget(self.words)
+        about.viewport().setAutoFillBackground(False)
+        for part, least, most in (
+            (self.strip, _LEAST_STRIP_PX, _MOST_STRIP_PX),
+            (self.spectrum, _LEAST_SPECTRUM_PX, _MOST_SPECTRUM_PX),
+            (about, _LEAST_WORDS_PX, _MOST_WORDS_PX),
+        ):
+            part.setMinimumHeight(least)
+            part.setMaximumHeight(most)
+        self.setMinimumWidth(_LEAST_WIDTH_PX)
+        self.words.setObjectName("preset_words")
+        self.words.setWordWrap(True)
+        self.words.setTextFormat(Qt.TextFormat.RichText)
+        self.words.setAlignment(Qt.AlignmentFlag.AlignTop)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2)
+        column.addWidget(self.strip, 3)
+        column.addWidget(self.spectrum, 4)
+        column.addWidget(about, 3)
+
+    @property
+    def preset(self) -> Preset | None:
+        """What is shown."""
+        return self._preset
+
+    def show_limb(self, limb: str) -> None:
+        """Take over on which limb it would be placed."""
+        if limb != self._limb:
+            self._limb, preset = limb, self._preset
+            self._preset = None
+            self.show_preset(preset)
+
+    def show_preset(self, preset: Preset | None) -> None:
+        """Show another one, or nothing."""
+        if preset == self._preset:
+            return
+        self._preset = preset
+        self.setVisible(preset is not None)
+        if preset is None:
+            return
+        try:
+            limb = facts_of(self._limb)
+            rate_hz = limb.sample_rate_hz
+            samples = mixed(preset.fragment, rate_hz)
+            self.strip.show_lanes(strip_lanes(preset.fragment, rate_hz))
+            self.spectrum.show_samples(samples, rate_hz, limb.band_hz)
+        except SkinSourceError as error:
+            self.strip.show_words(sentence(str(error)))
+            self.spectrum.show_samples(None)
+        self._show_words(preset)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and self._preset is not None:
+            self._show_words(self._preset)
+
+    def _show_words(self, preset: Preset) -> None:
+        parts = [f"<b>{escape(preset.name)}</b> · {escape(_facts(preset, self._limb))}"]
+        if preset.description:
+            parts.append(escape(preset.description))
+        if preset.source:
+            dim = current_theme().dim
+            parts.append(f"<span style='color:{dim}'>Source: {escape(preset.source)}</span>")
+        self.words.setText("<br>".join(parts))
+
+
+def _facts(preset: Preset, limb: str) -> str:
+    """How long, how many clips, and for which places."""
+    lanes = preset.fragment.lanes
+    length_s = preset.fragment.duration_s
+    length = f"{length_s:.3g} s" if length_s >= 1.0 else f"{1e3 * length_s:.3g} ms"
+    if len(lanes) == 1:
+        n = len(lanes[0].clips)
+        return length if n == 1 else f"{length}, {n} clips"
+    places = (lane.location for lane in lanes)
+    names = (input_words(k, limb).short_name if _is_there(k, limb) else str(k) for k in places)
+    return f"{length}, {len(lanes)} tracks: {', '.join(names)}"
+
+
+def _is_there(place: int, limb: str) -> bool:
+    return place <= facts_of(limb).n_inputs

@@ -1,0 +1,56 @@
+"""What the panels with signals of the selected outputs share."""
+
+from pathlib import Path
+
+from PySide6.QtGui import QPainter
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from skinsource_gui.plots.signal_view import SignalView, draw_signals
+from skinsource_gui.qt.labels import output_words
+from skinsource_gui.qt.theme import LIGHT, Theme
+from skinsource_gui.state.panel import Panel
+
+
+class SignalPanel(Panel):
+    """A panel that is filled by one `SignalView`.
+
+    Parameters
+    ----------
+    plot_name, accessible_name
+        `objectName` of the plot; what it shows, for those who do not see it.
+    """
+
+    def __init__(self, plot_name: str, accessible_name: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._plot = SignalView(plot_name, accessible_name, self, self._lateness)
+        self.setFocusProxy(self._plot.plot)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self._plot)
+        self._plot.exports.failed.connect(self.failed)
+        self._plot.exports.written.connect(self.written)
+
+    @property
+    def no_outputs(self) -> str:
+        """What it says while no output is selected."""
+        return output_words(self.in_sight)
+
+    def show_in_sight(self, names: frozenset[str]) -> None:
+        said = self._plot.plot.message == self.no_outputs
+        super().show_in_sight(names)
+        if said:
+            self._plot.show_message(self.no_outputs)
+
+    def begin_anew(self) -> None:
+        self._plot.plot.begin_anew()
+
+    def show_problem(self, reason: str) -> None:
+        self._plot.show_message(reason)
+
+    def show_folder(self, folder: Path) -> None:
+        self._plot.exports.folder = folder
+
+    def draw_picture(
+        self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
+    ) -> None:
+        draw_signals(painter, width, height, plot=self._plot.plot, theme=theme)

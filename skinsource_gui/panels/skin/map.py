@@ -1,0 +1,751 @@
+"""Which input is pointed at on the map, and which one a click means."""
+
+from itertools import product
+
+import numpy as np
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QContextMenuEvent,
+    QFont,
+    QFontMetricsF,
+    QHelpEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QResizeEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+
+from skinsource.base.work import counted
+from skinsource.design.labels import BACK_SIDE, TRIAD_SENTENCE
+from skinsource.limbs.limb import LimbMap
+from skinsource.limbs.locations import input_words
+from skinsource_gui.fields.units import level_text, output_text
+from skinsource_gui.panels.skin.layout import (
+    HAND,
+    MapLayout,
+    SeenPart,
+    fitted_beside_cards,
+    hand_bounds,
+    map_layout,
+    outline_bounds,
+    seen_part,
+)
+from skinsource_gui.panels.skin.painting import (
+    InputMark,
+    MapContent,
+    MapPainter,
+    letters_for,
+    marks_at,
+    paint_band,
+    paint_mark,
+    small_font,
+)
+from skinsource_gui.panels.skin.settings import LEVELS, time_text
+from skinsource_gui.plots.outputs import ADDS, OutputPicker, output_at
+from skinsource_gui.plots.small_map import FIXED_MARK
+from skinsource_gui.qt.frames import paint_focus_frame
+from skinsource_gui.qt.keys import KEYS, claims_shortcut, meaning_of
+from skinsource_gui.qt.theme import Theme, current_theme, tabular
+from skinsource_gui.qt.tooltips import tooltip
+from skinsource_gui.qt.wheel import FREE, WHOLE, PanZoom
+
+#: Of inputs on each other, so many are named.
+_NAMED = 3
+
+
+class InputPointer(QObject):
+    """Tells which input is pointed at, once for each."""
+
+    #: Its id, or None.
+    pointed_at = Signal(object)
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._now: int | None = None
+
+    def follow(self, input_id: int | None) -> None:
+        """Take over what is under the pointer."""
+        if input_id != self._now:
+            self._now = input_id
+            self.pointed_at.emit(input_id)
+
+
+def input_at(content: MapContent, layout: MapLayout | None, at: QPointF) -> int | None:
+    """Id of the input whose mark is at a place of the screen."""
+    found = _inputs_at(content, layout, at)
+    return found[0].id if found else None
+
+
+def input_meant(
+    content: MapContent, layout: MapLayout | None, at: QPointF, last: str
+) -> int | None:
+    """Id of the input that a click means; None: the output there, or nothing.
+
+    What lies on each other takes turns, click by click: an output, then one input after the other.
+    ``last`` is what the click before selected: "input" or "outputs".
+    """
+    if layout is None:
+        return None
+    inputs = [one.id for one in _inputs_at(content, layout, at)]
+    output = output_at(layout.points, at)
+    here = [*([] if output is None else [None]), *inputs]
+    chosen = selected_inputs(content)
+    if len(chosen) == 1 and chosen[0] in inputs and (output is None or last == "input"):
+        turn = here.index(chosen[0]) + 1
+    else:
+        turn = int(output is not None and last == "outputs" and content.outputs == (output,))
+    return here[turn % len(here)] if here else None
+
+
+def inputs_words(content: MapContent, layout: MapLayout | None, at: QPointF) -> str:
+    """The inputs at a place of the screen, a line for each, and how to come to those below."""
+    found = _inputs_at(content, layout, at)
+    numbers = {one.id: number for number, one in enumerate(content.inputs, 1)}
+    lines = [
+        f"Input {numbers[one.id]}: {one.location} · {input_words(one.location, content.limb).name}"
+        for one in found[:_NAMED]
+    ]
+    lines += ["…"] * (len(found) > _NAMED)
+    covered = layout is not None and output_at(layout.points, at) is not None
+    if len(found) + covered > 1:
+        lines.append("Click again for the next one here")
+    return "\n".join(lines)
+
+
+def _inputs_at(content: MapContent, layout: MapLayout | None, at: QPointF) -> tuple[InputMark, ...]:
+    if content.limb_map is None or layout is None:
+        return ()
+    return marks_at(content.inputs, content.limb_map, layout, at)
+
+
+def selected_inputs(content: MapContent) -> tuple[int, ...]:
+    """Ids of the inputs that are selected."""
+    return tuple(one.id for one in content.inputs if one.selected)
+
+
+# What is under the pointer, or else selected, in words.
+
+
+def output_readout(content: MapContent, number: int) -> str:
+    """Number and place of an output, and in a second line its value."""
+    values = content.coloured_values
+    words = output_text(number, content.limb)
+    return (
+        words if values is None else f"{words}\n{_value_text(float(values[number - 1]), content)}"
+    )
+
+
+def pixel_readout(content: MapContent, layout: MapLayout, at: QPointF) -> str:
+    """Value of the interpolated map at a screen place, empty outside."""
+    field, levels = content.shown_field, content.field_values
+    on_card = layout.palmar_card.contains(at) or layout.triad_card.contains(at)
+    if field is None or levels is None or on_card:
+        return ""
+    level = field.level_at(levels, *layout.frame.to_drawing(at))
+    return "" if level is None else _value_text(level, content)
+
+
+def hover_words(content: MapContent, layout: MapLayout | None, at: QPointF) -> str:
+    """What a tooltip says at a screen place: of the axes, of an output, of inputs, or nothing."""
+    if layout is None:
+        return ""
+    if layout.triad_card.contains(at):
+        return tooltip(TRIAD_SENTENCE)
+    number = output_at(layout.points, at)
+    lines = [] if number is None else [output_readout(content, number)]
+    return "\n".join(filter(None, [*lines, inputs_words(content, layout, at)]))
+
+
+def selection_readout(outputs: tuple[int, ...]) -> str:
+    """How many outputs are selected, and in a second line how to select others."""
+    if not outputs:
+        return "No output selected\nClick one, or drag around several"
+    return f"{counted(len(outputs), 'output')} selected\nShift+click adds or removes one"
+
+
+def _value_text(value: float, content: MapContent) -> str:
+    quantity = content.quantity
+    is_level = quantity.name == LEVELS
+    return level_text(value, quantity.span) if is_level else quantity.text(value)
+
+
+# Words that stand on the map: the reason for its absence, and marks.
+
+SYNTHETIC_MARK = "SYNTHETIC"
+OUTDATED_MARK = "updating…"
+# Places that are tried for a message: so many steps across, and so many down.
+_STEPS = 24
+# Into so many lines a message is broken, rather than that it hides something.
+_MOST_LINES = 4
+
+
+def paint_words(
+    painter: QPainter,
+    content: MapContent,
+    layout: MapLayout | None,
+    room: QRectF,
+    theme: Theme,
+) -> None:
+    """Draw side, message, synthetic mark and the mark of something outdated in ``room``."""
+    unit = QFontMetricsF(painter.font()).height() / 14
+    inner = room.adjusted(8 * unit, 5 * unit, -5 * unit, -6 * unit)
+    free = QRectF(inner)
+    if content.synthetic:
+        free.setRight(_paint_synthetic_mark(painter, inner, theme) - 8 * unit)
+    painter.save()
+    painter.setFont(small_font(painter.font()))
+    said = _side_words(content, free.width(), QFontMetricsF(painter.font()))
+    _paint_card(painter, free, said, theme)
+    painter.restore()
+    if content.message:
+        _paint_message(painter, inner, content.message, layout, theme)
+
+
+def message_place(wanted: QRectF, room: QRectF, layout: MapLayout) -> QRectF | None:
+    """Return ``wanted``, moved no farther than needed to hide no output and no card in ``room``.
+
+    None: there is no such place.
+    """
+    return _nearest(wanted, room, layout, free_of_outputs=True)
+
+
+def _nearest(
+    wanted: QRectF, room: QRectF, layout: MapLayout, *, free_of_outputs: bool
+) -> QRectF | None:
+    radius = layout.disc_radius
+    outputs = [QPointF(x, y) for x, y in layout.points] if free_of_outputs else []
+
+    def is_free(place: QRectF) -> bool:
+        around = place.adjusted(-radius, -radius, radius, radius)
+        cards = (layout.palmar_card, layout.triad_card)
+        return not any(map(around.contains, outputs)) and not any(map(around.intersects, cards))
+
+    across, down = room.width() - wanted.width(), room.height() - wanted.height()
+    corners = (
+        QPointF(room.left() + across * i / _STEPS, room.top() + down * k / _STEPS)
+        for i, k in product(range(_STEPS + 1), repeat=2)
+    )
+    places = [wanted, *(QRectF(corner, wanted.size()) for corner in corners)]
+    free = [place for place in places if is_free(place)]
+    return min(
+        free,
+        key=lambda place: (place.center() - wanted.center()).manhattanLength(),
+        default=None,
+    )
+
+
+def _side_words(content: MapContent, room_px: float, metrics: QFontMetricsF) -> str:
+    side = "" if content.limb_map is None else BACK_SIDE
+    said = [FIXED_MARK] if content.fixed else []
+    if content.quantity.moves and content.values is not None:
+        said.insert(0, time_text(content.quantity.time_s))
+    phrasings: tuple[str, ...]
+    if content.outdated:
+        phrasings = (f"{side} · {OUTDATED_MARK}", OUTDATED_MARK) if side else (OUTDATED_MARK,)
+    elif said and side:
+        phrasings = (" · ".join((side, *said)), " · ".join(said), said[0])
+    else:
+        phrasings = (side, side.partition(" ")[0])
+    fitting = (words for words in phrasings if metrics.horizontalAdvance(words) <= room_px)
+    return next(fitting, phrasings[-1])
+
+
+def _paint_synthetic_mark(painter: QPainter, area: QRectF, theme: Theme) -> float:
+    """Draw the word SYNTHETIC into the upper right corner of ``area``; return its left edge."""
+    painter.save()
+    font = small_font(painter.font())
+    font.setBold(True)
+    painter.setFont(font)
+    metrics = QFontMetricsF(font)
+    line = metrics.height()
+    width = metrics.horizontalAdvance(SYNTHETIC_MARK) + 0.7 * line
+    badge = QRectF(area.right() - width, area.top(), width, 1.35 * line)
+    painter.setPen(QColor(theme.warning))
+    painter.setBrush(QColor(theme.base))
+    painter.drawRoundedRect(badge, 3, 3)
+    painter.drawText(badge, Qt.AlignmentFlag.AlignCenter, SYNTHETIC_MARK)
+    painter.restore()
+    return badge.left()
+
+
+def message_card(
+    words: str, area: QRectF, layout: MapLayout | None, metrics: QFontMetricsF
+) -> QRectF:
+    """Where a message stands in ``area``: rather in more lines than on outputs or cards.
+
+    Where everything is full it hides outputs rather than cards.
+    """
+    flags = int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap)
+    inside = area.adjusted(10, 7, -10, -7)
+    wide = metrics.boundingRect(inside, flags, words).adjusted(-10, -7, 10, 7)
+    if layout is None:
+        return wide
+    widest_word = max(map(metrics.horizontalAdvance, words.split()), default=0.0)
+    for lines in range(1, _MOST_LINES + 1):
+        narrow = QRectF(inside)
+        narrow.setWidth(max(inside.width() if lines == 1 else wide.width() / lines, widest_word))
+        narrow.moveCenter(inside.center())
+        needed = metrics.boundingRect(narrow, flags, words).adjusted(-10, -7, 10, 7)
+        place = message_place(needed, area, layout)
+        if place is not None:
+            return place
+    return _nearest(wide, area, layout, free_of_outputs=False) or wide
+
+
+def _paint_message(
+    painter: QPainter, area: QRectF, words: str, layout: MapLayout | None, theme: Theme
+) -> None:
+    flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+    card = message_card(words, area, layout, QFontMetricsF(painter.font()))
+    painter.setPen(QColor(theme.border))
+    painter.setBrush(QColor(theme.base))
+    painter.drawRoundedRect(card, 4, 4)
+    painter.setPen(QColor(theme.text))
+    painter.drawText(card.adjusted(10, 7, -10, -7), int(flags), words)
+
+
+def _paint_card(painter: QPainter, area: QRectF, words: str, theme: Theme) -> None:
+    """Words in the upper left corner of ``area``, readable on whatever was moved under them."""
+    if not words:
+        return
+    # One line: below a second one there could be skin.
+    flags, metrics = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, painter.fontMetrics()
+    words = metrics.elidedText(words, Qt.TextElideMode.ElideRight, int(area.width()))
+    needed = QFontMetricsF(painter.font()).boundingRect(area, int(flags), words)
+    ground = QColor(theme.base)
+    ground.setAlphaF(0.88)
+    painter.fillRect(needed.adjusted(-4, -2, 4, 2), ground)
+    painter.setPen(QColor(theme.dim))
+    painter.drawText(needed, int(flags), words)
+
+
+# What part of the map is seen, and where everything lies.
+
+
+class MapStage(QObject):
+    """Fits the map of a limb into a widget, and lays it out wherever it is panned and zoomed to.
+
+    Parameters
+    ----------
+    widget
+        Where it is drawn, in small letters of its font, or smaller ones.
+
+    Attributes
+    ----------
+    pan_zoom
+        What part of it is seen.
+    layout
+        Screen places of everything; None before there is a limb.
+    """
+
+    #: Everything lies elsewhere.
+    changed = Signal()
+
+    def __init__(self, widget: QWidget) -> None:
+        super().__init__(widget)
+        self._widget = widget
+        self._limb_map: LimbMap | None = None
+        self.layout: MapLayout | None = None
+        self.pan_zoom = PanZoom(widget)
+        self.pan_zoom.changed.connect(self._lay_out)
+
+    @property
+    def letters(self) -> QFont:
+        """Those of messages on it; labels have small ones."""
+        return letters_for(self._widget.font(), self._room)
+
+    @property
+    def seen(self) -> SeenPart:
+        """What part of the map is in sight."""
+        return seen_part(self.pan_zoom, self._room)
+
+    def place_of(self, number: int) -> QPointF:
+        """Where an output is drawn; nowhere before there is a limb."""
+        return QPointF() if self.layout is None else QPointF(*self.layout.points[number - 1])
+
+    def show_limb(self, limb_map: LimbMap | None) -> None:
+        """Take another limb, which is fitted anew."""
+        self._limb_map = limb_map
+        if self.pan_zoom.fit == FREE:
+            self.pan_zoom.fit = WHOLE
+        self.fit()
+
+    def fit(self) -> None:
+        """Fit the limb into the widget, which has another size."""
+        limb_map, room = self._limb_map, self._room
+        if limb_map is None:
+            self.pan_zoom.arrange({}, np.zeros((0, 2)), room)
+            return
+        fits = {
+            WHOLE: fitted_beside_cards(limb_map, outline_bounds(limb_map), room, self._metrics),
+            HAND: fitted_beside_cards(limb_map, hand_bounds(limb_map), room, self._metrics),
+        }
+        self.pan_zoom.arrange(fits, limb_map.outline, room)
+
+    def _lay_out(self) -> None:
+        frame, self.layout = self.pan_zoom.frame, None
+        if frame is not None and self._limb_map is not None:
+            self.layout = map_layout(self._limb_map, frame, self._room, self._metrics)
+        self.changed.emit()
+
+    @property
+    def _room(self) -> QRectF:
+        return QRectF(self._widget.rect())
+
+    @property
+    def _metrics(self) -> QFontMetricsF:
+        return QFontMetricsF(small_font(self.letters))
+
+
+# The map of the skin, on which outputs are selected.
+
+
+class SkinMap(QWidget):
+    """Shows `MapContent`, and tells which outputs the user wants selected.
+
+    Attributes
+    ----------
+    content
+        What is shown.
+    stage
+        What part of it is seen, and where everything lies.
+    picker
+        Which outputs mouse and keys mean.
+    """
+
+    #: The outputs to select, a tuple of numbers.
+    outputs_chosen = Signal(object)
+    #: What is under the pointer or the keyboard's cursor, in words; empty for nothing.
+    readout_changed = Signal(str)
+    #: Id of the input that is pointed at, or None; those of the inputs to select, a tuple.
+    input_pointed_at = Signal(object)
+    inputs_chosen = Signal(object)
+    #: Delete was pressed; whether what was selected last are outputs.
+    removal_wanted = Signal(bool)
+    #: Where on the screen a menu is wanted.
+    menu_requested = Signal(QPoint)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.content = MapContent()
+        self._painter: MapPainter | None = None
+        self._pointer = InputPointer(self)
+        self._pointer.pointed_at.connect(self.input_pointed_at)
+        # What was selected here last, "input" or "outputs": keys are about that.
+        self._last = ""
+        # Outputs that were selected here last.
+        self._chosen: tuple[int, ...] = ()
+        self.stage = MapStage(self)
+        self.stage.changed.connect(self.update)
+        self.picker = OutputPicker(self)
+        self.picker.chosen.connect(self._choose_outputs)
+        self.picker.moved.connect(self._follow_cursor)
+        self.setMinimumSize(150, 180)
+        # All of it is painted: nothing behind needs to be.
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.setMouseTracking(True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAccessibleName("Map of the skin, back of hand and arm")
+        self.setAccessibleDescription(
+            "; ".join(KEYS["skin"].sentences("go", "select", "toggle", "remove"))
+        )
+
+    def show_content(self, content: MapContent) -> None:
+        """Draw ``content``; another limb is fitted anew."""
+        if content.same_as(self.content):
+            return
+        other_limb = content.limb_map is not self.content.limb_map
+        if selected_inputs(content) != selected_inputs(self.content) and self._last == "outputs":
+            self._last = ""
+        if content.outputs not in (self.content.outputs, self._chosen):
+            # They were selected elsewhere: nothing is said any more of where keys were before.
+            self.picker.keys.cursor_output = None
+        self.content, self.picker.selected = content, content.outputs
+        if other_limb:
+            limb_map = content.limb_map
+            self._painter = None if limb_map is None else MapPainter(limb_map)
+            self.stage.show_limb(limb_map)
+        self.update()
+        if self.picker.mouse.pointer is not None or self.hasFocus():
+            self.readout_changed.emit(self.readout())
+
+    def readout(self) -> str:
+        """What is under the pointer, or else under the keyboard's cursor, in words."""
+        number, pointer = self.picker.pointed_at(focused=self.hasFocus()), self.picker.mouse.pointer
+        if number is not None:
+            return output_readout(self.content, number)
+        if self.stage.layout is None or pointer is None:
+            return ""
+        return pixel_readout(self.content, self.stage.layout, pointer)
+
+    def sizeHint(self) -> QSize:
+        return QSize(300, 560)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.stage.fit()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter, mouse = QPainter(self), self.picker.mouse
+        painter.fillRect(self.rect(), QColor(current_theme().base))
+        if self.stage.layout is not None and self._painter is not None:
+            painter.setFont(tabular(small_font(self.stage.letters)))
+            self._painter.paint(painter, self.content, self.stage.layout, current_theme())
+            marks = [(mouse.hovered, current_theme().text)]
+            if self.hasFocus():
+                marks.append((self.picker.keys.cursor_output, current_theme().accent))
+            for number, colour in marks:
+                if number is not None:
+                    paint_mark(
+                        painter, number, colour, self.content, self.stage.layout, current_theme()
+                    )
+            if mouse.band is not None:
+                paint_band(painter, mouse.band, current_theme())
+        painter.setFont(self.stage.letters)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        paint_words(painter, self.content, self.stage.layout, QRectF(self.rect()), current_theme())
+        if self.hasFocus():
+            paint_focus_frame(painter, QRectF(self.rect()), current_theme())
+        painter.end()
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            words = hover_words(self.content, self.stage.layout, QPointF(event.pos()))
+            QToolTip.showText(event.globalPos(), words, self)
+            return True
+        return claims_shortcut(event, self._claims) or super().event(event)
+
+    def _claims(self, event: QKeyEvent) -> bool:
+        return self.picker.claims(event)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        self.stage.pan_zoom.wheel(event)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self.stage.pan_zoom.press(event)
+        self.picker.press(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        self.stage.pan_zoom.move(event)
+        if self.stage.layout is not None:
+            self.picker.mouse.move(event.position(), self.stage.layout.points)
+            self._pointer.follow(input_at(self.content, self.stage.layout, event.position()))
+            self.readout_changed.emit(self.readout())
+            self.update()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self.stage.pan_zoom.release(event)
+        if event.button() == Qt.MouseButton.LeftButton and self.stage.layout is not None:
+            points, mouse = self.stage.layout.points, self.picker.mouse
+            on_output = output_at(points, event.position()) is not None
+            adds = bool(event.modifiers() & ADDS) and on_output
+            meant_input = input_meant(self.content, self.stage.layout, event.position(), self._last)
+            if meant_input is not None and mouse.band is None and not adds:
+                self._choose_inputs((meant_input,))
+                mouse.give_up()
+            elif on_output:
+                self._last = "outputs"
+            self.picker.release(event, points)
+            self.update()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton and self.stage.layout is not None:
+            at = event.position()
+            on_input = input_at(self.content, self.stage.layout, at) is not None
+            if on_input or output_at(self.stage.layout.points, at) is not None:
+                # The second of two quick clicks.
+                self.picker.mouse.press(at)
+            else:
+                self.stage.pan_zoom.show(WHOLE)
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self.picker.mouse.leave()
+        self._pointer.follow(None)
+        self.readout_changed.emit(self.readout())
+        self.update()
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
+        middle = self.mapToGlobal(self.rect().center())
+        self.menu_requested.emit(middle if by_key else event.globalPos())
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        layout, wanted = self.stage.layout, meaning_of("skin", event)
+        middle = QRectF(self.rect()).center()
+        if layout is None:
+            super().keyPressEvent(event)
+        elif wanted == "whole":
+            self.stage.pan_zoom.show(WHOLE)
+        elif wanted == "hand":
+            self.stage.pan_zoom.show(HAND)
+        elif wanted == "remove":
+            self.removal_wanted.emit(self._last == "outputs")
+        elif wanted == "select_none" and self._last == "input" and selected_inputs(self.content):
+            if not self.picker.mouse.give_up():
+                self._choose_inputs(())
+            self.update()
+        elif self.stage.pan_zoom.step(wanted) or self.picker.press_key(
+            event, layout.points, layout.unplaced, middle
+        ):
+            self.update()
+        else:
+            super().keyPressEvent(event)
+
+    def _choose_inputs(self, ids: tuple[int, ...]) -> None:
+        self._last = "input"
+        self.inputs_chosen.emit(ids)
+
+    def _choose_outputs(self, outputs: tuple[int, ...]) -> None:
+        self._last, self._chosen = "outputs", outputs
+        self.outputs_chosen.emit(outputs)
+
+    def _follow_cursor(self) -> None:
+        if self.picker.keys.cursor_output is not None:
+            self.stage.pan_zoom.reveal(self.stage.place_of(self.picker.keys.cursor_output))
+        self.readout_changed.emit(self.readout())
+        self.update()
+
+
+# A line that warns, where there is something to warn of.
+
+_NOTE_LINE_MOST_LINES, _LOST_AT_ENDS = 2, 0.3
+_WRAPPED = Qt.AlignmentFlag.AlignLeft | Qt.TextFlag.TextWordWrap
+
+
+class NoteLine(QWidget):
+    """Some lines of text, cut short where it is longer; the whole of it is in its tooltip.
+
+    It takes no room while there is nothing to say.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._text = self._short = ""
+        self._most_lines = _NOTE_LINE_MOST_LINES
+        self.setAccessibleName("Note on the map")
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.hide()
+
+    def text(self) -> str:
+        """The text, uncut."""
+        return self._text
+
+    @property
+    def shown(self) -> str:
+        """What of it there is room for: the text, or the short one."""
+        whole = self.fontMetrics().horizontalAdvance(self._text) <= self._room_px
+        return self._text if whole else self._short or self._text
+
+    def show_text(self, text: str, short: str = "") -> None:
+        """Show other text, or the short one where it has no room; hide where it is empty."""
+        if (text, short) != (self._text, self._short):
+            self._text, self._short = text, short
+            self.setAccessibleDescription(text)
+            self.setToolTip(tooltip(text) if text else "")
+            self.setVisible(bool(text))
+            self.updateGeometry()
+            self.update()
+
+    def show_lines(self, count: int) -> None:
+        """Have so many lines at most."""
+        if count != self._most_lines:
+            self._most_lines = count
+            self.updateGeometry()
+            self.update()
+
+    def sizeHint(self) -> QSize:
+        return QSize(100, self.fontMetrics().lineSpacing() * self._n_lines())
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(0, self.sizeHint().height())
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setPen(QColor(current_theme().warning))
+        metrics = self.fontMetrics()
+        if self._n_lines() > 1:
+            words = metrics.elidedText(self.shown, Qt.TextElideMode.ElideRight, self._room_px)
+            painter.drawText(self.rect(), _WRAPPED, words)
+        else:
+            words = metrics.elidedText(self.shown, Qt.TextElideMode.ElideRight, self.width())
+            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignLeft, words)
+        painter.end()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if event.oldSize().width() != event.size().width():
+            self.updateGeometry()
+
+    @property
+    def _room_px(self) -> int:
+        # Two lines hold a little less than twice one: words are not broken.
+        lost = _LOST_AT_ENDS if self._most_lines > 1 else 0.0
+        return round(self.width() * (self._most_lines - lost))
+
+    def _n_lines(self) -> int:
+        wide = self.fontMetrics().horizontalAdvance(self.shown) > self.width() > 0
+        return self._most_lines if wide else 1
+
+
+# Two quiet lines that follow the pointer.
+
+_LINES = 2
+
+
+class ReadoutLines(QWidget):
+    """Text of up to two lines, cut short where it is too long, always of the same height."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._text = ""
+        self._lines = _LINES
+        self.setFont(tabular(self.font()))
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+
+    def text(self) -> str:
+        """The text, uncut."""
+        return self._text
+
+    def show_text(self, text: str) -> None:
+        """Show other text."""
+        if text != self._text:
+            self._text = text
+            self.setAccessibleDescription(text)
+            self.setToolTip(text)
+            self.update()
+
+    def show_lines(self, count: int) -> None:
+        """Have room for so many lines; in one alone a value comes first, and how to select last."""
+        if count != self._lines:
+            self._lines = count
+            self.updateGeometry()
+            self.update()
+
+    @property
+    def shown(self) -> tuple[str, ...]:
+        """What stands in its lines."""
+        lines = self._text.split("\n")[:_LINES]
+        if self._lines > 1 or len(lines) < _LINES:
+            return tuple(lines[: self._lines])
+        first, second = lines
+        return (f"{second} · {first}" if any(map(str.isdigit, second)) else first,)
+
+    def sizeHint(self) -> QSize:
+        return QSize(100, self._lines * self.fontMetrics().lineSpacing())
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(0, self.sizeHint().height())
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setPen(QColor(current_theme().dim))
+        height = self.fontMetrics().lineSpacing()
+        for k, line in enumerate(self.shown):
+            words = self.fontMetrics().elidedText(line, Qt.TextElideMode.ElideRight, self.width())
+            painter.drawText(QRectF(0, k * height, self.width(), height), 0, words)
+        painter.end()

@@ -1,0 +1,763 @@
+"""Where the inputs are, seen through the hand, and how they are drawn."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, fields, replace
+from itertools import product
+
+import numpy as np
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontMetrics,
+    QFontMetricsF,
+    QPainter,
+    QPainterPath,
+    QPen,
+    QPolygonF,
+)
+
+from skinsource.base.arrays import Floats
+from skinsource.base.quoting import sentence
+from skinsource.design.design import Design, audible_indices
+from skinsource.design.view import View
+from skinsource.limbs.limb import Limb, LimbMap
+from skinsource.limbs.surface.operator import SurfaceOperator
+from skinsource_gui.panels.skin.layout import WORDS_LINES, MapLayout, paint_triad
+from skinsource_gui.panels.skin.settings import LEVELS, SILENT_RANGE, LevelRange, MapQuantity
+from skinsource_gui.plots.colour_maps import VIRIDIS, colour_table, is_light, level_colours
+from skinsource_gui.plots.outputs import dorsal_outputs
+from skinsource_gui.plots.small_map import (
+    FieldImage,
+    bar_length_mm,
+    paint_dark_strokes,
+    paint_strokes,
+)
+from skinsource_gui.qt.frames import KeptPicture, PaintedAnew
+from skinsource_gui.qt.overlays import COVERED
+from skinsource_gui.qt.theme import Theme
+
+_RING_PX, _DASH, _REACH_PX = 7.5, (3.0, 2.0), 10.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class InputMark:
+    """One input on the map.
+
+    Attributes
+    ----------
+    id, location, colour
+        As those of the input; colours are numbers of the theme's palette.
+    heard, selected
+        Whether it is heard; whether it is selected.
+    """
+
+    id: int
+    location: int
+    colour: int
+    heard: bool
+    selected: bool
+
+
+def marks_of(design: Design, view: View) -> tuple[InputMark, ...]:
+    """Marks of all inputs of a design."""
+    heard = set(audible_indices(design.inputs))
+    return tuple(
+        InputMark(
+            id=one.id,
+            location=one.location,
+            colour=one.colour,
+            heard=index in heard,
+            selected=one.id in view.selected_inputs,
+        )
+        for index, one in enumerate(design.inputs)
+    )
+
+
+def marks_at(
+    marks: tuple[InputMark, ...], limb_map: LimbMap, layout: MapLayout, at: QPointF
+) -> tuple[InputMark, ...]:
+    """The marks within reach of a place of the screen, nearest first, of one place the last one."""
+    found = []
+    for rank, one in enumerate(marks):
+        centre = _centre(one, limb_map, layout)
+        if centre is not None:
+            away = float(np.hypot(at.x() - centre.x(), at.y() - centre.y()))
+            if away <= _REACH_PX * layout.unit:
+                found.append((away, -rank, one))
+    return tuple(one for *_, one in sorted(found, key=lambda each: each[:2]))
+
+
+def paint_marks(
+    painter: QPainter,
+    marks: tuple[InputMark, ...],
+    limb_map: LimbMap,
+    layout: MapLayout,
+    theme: Theme,
+    pointed_at: int | None = None,
+) -> None:
+    """Draw a dashed ring for each input; the one that is pointed at with its number."""
+    painter.save()
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for one in marks:
+        centre = _centre(one, limb_map, layout)
+        if centre is None:
+            continue
+        wide = one.selected or one.id == pointed_at
+        radius = (_RING_PX + (1.5 if wide else 0.0)) * layout.unit
+        width = (2.4 if wide else 1.6) * layout.unit
+        painter.setOpacity(1.0 if one.heard else 0.45)
+        painter.setPen(QPen(QColor(theme.base), width + 2.0 * layout.unit))
+        painter.drawEllipse(centre, radius, radius)
+        pen = QPen(theme.input_colour(one.colour), width)
+        pen.setDashPattern(list(_DASH))
+        painter.setPen(pen)
+        painter.drawEllipse(centre, radius, radius)
+        if one.id == pointed_at:
+            _paint_number(painter, one, centre, radius, layout, theme)
+    painter.restore()
+
+
+def _paint_number(
+    painter: QPainter,
+    one: InputMark,
+    centre: QPointF,
+    radius: float,
+    layout: MapLayout,
+    theme: Theme,
+) -> None:
+    words = str(one.location)
+    line = painter.fontMetrics().height()
+    width = painter.fontMetrics().horizontalAdvance(words) + 0.5 * line
+    area = QRectF(centre.x() + radius + 2 * layout.unit, centre.y() - line / 2, width, line)
+    painter.setPen(QPen(theme.input_colour(one.colour), layout.unit))
+    painter.setBrush(QColor(theme.base))
+    painter.drawRoundedRect(area, 3 * layout.unit, 3 * layout.unit)
+    painter.setPen(QColor(theme.text))
+    painter.drawText(area, Qt.AlignmentFlag.AlignCenter, words)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def _centre(one: InputMark, limb_map: LimbMap, layout: MapLayout) -> QPointF | None:
+    if not 1 <= one.location <= len(limb_map.input_positions):
+        return None
+    [[x, y]] = layout.frame.to_screen(limb_map.input_positions[one.location - 1 : one.location])
+    return QPointF(float(x), float(y)) if np.isfinite((x, y)).all() else None
+
+
+# The bar on the skin map that says how long some millimetres are.
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LengthBar:
+    """Where the bar stands, with what stands over it, and how long it is, px."""
+
+    card: QRectF
+    words: str
+    long_px: float
+    line_px: float
+    unit: float
+
+
+def length_bar(
+    layout: MapLayout, px_per_mm: float, skin: QPainterPath, metrics: QFontMetrics
+) -> LengthBar:
+    """The bar in a corner, the lower left one unless skin lies there.
+
+    Parameters
+    ----------
+    layout
+        Where the map lies.
+    px_per_mm
+        Outline pixels in a millimetre; 0: that is not known, and the bar is empty.
+    skin
+        The outline on the screen.
+    metrics
+        Of the font of labels.
+    """
+    on_screen = px_per_mm * layout.frame.scale
+    if on_screen <= 0.0:
+        return LengthBar(card=QRectF(), words="", long_px=0.0, line_px=0.0, unit=0.0)
+    length_mm = bar_length_mm(on_screen, layout.room.width())
+    line, unit = metrics.height(), layout.unit
+    words = f"{length_mm} mm"
+    width = max(length_mm * on_screen, metrics.horizontalAdvance(words))
+    card = bar_card(layout, QSizeF(width + 8 * unit, 1.5 * line + 3 * unit), line, skin)
+    return LengthBar(card=card, words=words, long_px=length_mm * on_screen, line_px=line, unit=unit)
+
+
+def paint_length_bar(painter: QPainter, bar: LengthBar, theme: Theme) -> None:
+    """Draw the bar; the painter's font is that of labels."""
+    card, line, unit = bar.card, bar.line_px, bar.unit
+    if card.isEmpty():
+        return
+    left, bottom = card.left() + 4 * unit, card.bottom() - 3 * unit
+    ground = QColor(theme.base)
+    ground.setAlphaF(0.88)
+    painter.fillRect(card, ground)
+    pen = QPen(QColor(theme.text), 2 * unit)
+    pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+    painter.setPen(pen)
+    painter.drawLine(QLineF(left, bottom, left + bar.long_px, bottom))
+    painter.setPen(QColor(theme.text))
+    beside = QRectF(left, bottom - 1.4 * line, card.width() - 8 * unit, 1.2 * line)
+    painter.drawText(beside, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, bar.words)
+
+
+def bar_card(layout: MapLayout, size: QSizeF, line: float, skin: QPainterPath) -> QRectF:
+    """Where the bar stands: in the first corner where it hides neither skin nor a card.
+
+    Where there is none, as on a hand that was zoomed into, in the lower left one.
+    """
+    room, unit = layout.room, layout.unit
+    cards = [one for one in (layout.palmar_card, layout.triad_card) if not one.isEmpty()]
+    left, top = room.left() + 4 * unit, room.top() + WORDS_LINES * line
+    low, right = room.bottom() - 3 * unit - size.height(), room.right() - 4 * unit - size.width()
+    beside = min((one.left() for one in cards), default=room.right()) - 4 * unit - size.width()
+    corners = (QPointF(left, low), QPointF(beside, low), QPointF(right, top), QPointF(left, top))
+    places = [QRectF(corner, size) for corner in corners]
+    free = (
+        place
+        for place in places
+        if room.contains(place)
+        and not skin.intersects(place)
+        and not any(one.intersects(place) for one in cards)
+    )
+    return next(free, places[0])
+
+
+# Strokes over what is mostly noise.
+
+# Around a sensor, in radii of its disc: about half of the way to its neighbours.
+_REACH = 3.0
+
+
+def paint_hatch(
+    painter: QPainter, noisy: tuple[int, ...], layout: MapLayout, outline: QPainterPath
+) -> None:
+    """Hatch the surroundings of noisy outputs, dark and light so that it shows on any colour.
+
+    On the back of the hand inside of the outline; on the palm side their discs.
+    """
+    dorsal = dorsal_outputs(layout.points, layout.unplaced)
+    known = [number for number in noisy if number <= len(layout.points)]
+    places = {number: QPointF(*layout.points[number - 1]) for number in known}
+    aside = [place for number, place in places.items() if number not in dorsal]
+    paint_dark_strokes(painter, aside, layout.palmar_radius)
+    on_map = [place for number, place in places.items() if number in dorsal]
+    paint_strokes(painter, on_map, _REACH * layout.disc_radius, outline)
+
+
+# Where the numbers of selected outputs stand.
+
+# Directions in which a label may lie from its ring, the better ones first, and how far beyond
+# the nearest place, in heights of a label.
+_WAYS = ((1, 0), (-1, 0), (0, -1), (0, 1), (1, -1), (-1, -1), (1, 1), (-1, 1))
+_FURTHER = (0.0, 0.8, 1.6, 2.4)
+
+
+# From so many selected outputs on numbers need discs of this radius beside each other.
+_MANY, _ROOMY_PX = 20, 8.0
+
+
+def is_crowded(n: int, layout: MapLayout) -> bool:
+    """Whether ``n`` selected outputs are so many, and so near, that numbers would hide the map.
+
+    Magnified they have room again.
+    """
+    return n > _MANY and layout.disc_radius < _ROOMY_PX * layout.unit
+
+
+def is_on_card(number: int, layout: MapLayout) -> bool:
+    """Whether an output that has a place on the map lies under one of the cards."""
+    if number in layout.unplaced:
+        return False
+    place = QPointF(*layout.points[number - 1])
+    return any(card.contains(place) for card in (layout.palmar_card, layout.triad_card))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OutputLabel:
+    """A number and the area it is written in; ``far`` from its ring a line leads to it."""
+
+    number: int
+    area: QRectF
+    far: bool
+
+
+def output_labels(
+    numbers: Iterable[int],
+    layout: MapLayout,
+    radius: float,
+    metrics: QFontMetricsF,
+    taken: QRectF,
+) -> tuple[OutputLabel, ...]:
+    """Labels of dorsal outputs, each beside its ring, and where that is taken at some distance.
+
+    One that would cover another label or a ring is left out: a pile of numbers says less than the
+    output that is pointed at.
+
+    Parameters
+    ----------
+    numbers
+        The earlier ones are placed first.
+    layout
+        Places of the outputs.
+    radius
+        Of the rings, px.
+    metrics
+        Of the font of the labels.
+    taken
+        Where none may lie, as on the cards.
+    """
+    wanted = tuple(numbers)
+    rings = [square(QPointF(*layout.points[number - 1]), radius) for number in wanted]
+    gap = 1.5 * layout.unit
+    placed: list[OutputLabel] = []
+    # Words stand above the map.
+    room = layout.room.adjusted(0, WORDS_LINES * metrics.height(), 0, 0)
+    for number in wanted:
+        hidden = [label.area.adjusted(-gap, -gap, gap, gap) for label in placed]
+        hidden += [layout.palmar_card, layout.triad_card, taken]
+        free = [
+            label
+            for label in _candidates(number, layout, radius, metrics)
+            if room.contains(label.area) and not any(map(label.area.intersects, hidden + rings))
+        ]
+        placed += free[:1]
+    return tuple(placed)
+
+
+def paint_labels(
+    painter: QPainter,
+    outputs: tuple[int, ...],
+    layout: MapLayout,
+    radius: float,
+    theme: Theme,
+    taken: QRectF,
+) -> None:
+    """Draw numbers beside the rings of dorsal outputs; palmar ones carry theirs anyway."""
+    drawn = dorsal_outputs(layout.points, layout.unplaced)
+    dorsal = [one for one in outputs if one in drawn and not is_on_card(one, layout)]
+    if is_crowded(len(outputs), layout):
+        return
+    painter.setBrush(QColor(theme.base))
+    for label in output_labels(dorsal, layout, radius, QFontMetricsF(painter.font()), taken):
+        painter.setPen(theme.output_pen(outputs.index(label.number), 1.0))
+        if label.far:
+            centre = QPointF(*layout.points[label.number - 1])
+            edge = QLineF(centre, label.area.center())
+            edge.setLength(radius)
+            painter.drawLine(QLineF(edge.p2(), label.area.center()))
+        painter.drawRoundedRect(label.area, 3 * layout.unit, 3 * layout.unit)
+        painter.setPen(QColor(theme.text))
+        painter.drawText(label.area, Qt.AlignmentFlag.AlignCenter, str(label.number))
+
+
+def square(centre: QPointF, radius: float) -> QRectF:
+    """The square around a circle."""
+    return QRectF(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius)
+
+
+def _candidates(
+    number: int, layout: MapLayout, radius: float, metrics: QFontMetricsF
+) -> list[OutputLabel]:
+    x, y = layout.points[number - 1]
+    width = metrics.horizontalAdvance(str(number)) + 6 * layout.unit
+    height = metrics.height()
+    labels = []
+    for further, (right, down) in product(_FURTHER, _WAYS):
+        away = radius + 3 * layout.unit + further * height
+        if right and down:
+            away *= 0.75  # the same distance from the ring, slantwise
+        centre = QPointF(x + right * (away + width / 2), y + down * (away + height / 2))
+        corner = centre - QPointF(width / 2, height / 2)
+        area = QRectF(corner.x(), corner.y(), width, height)
+        labels.append(OutputLabel(number=number, area=area, far=further > 0))
+    return labels
+
+
+# What the map shows.
+
+_LEVELS = MapQuantity()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class MapContent:
+    """What the map shows.
+
+    Attributes
+    ----------
+    limb_map, limb
+        Outline and places, ``None`` before there are any; and whose they are.
+    values : (n_outputs,) or None
+        Level of each output in dB, or what ``quantity`` says; ``None``: no colours.
+    field, field_values
+        Interpolated map and its values, (rows, columns); ``None``: sensors carry the colours.
+    quantity
+        What the values are.
+    value_range, fixed
+        Values of the lowest and the highest colour; whether they were chosen, and stay.
+    colours
+        Name of the colour map.
+    outputs
+        Selected outputs.
+    px_per_mm
+        Outline pixels in a millimetre of the limb; 0 before that is known.
+    inputs, pointed_at
+        Marks of the inputs, and the id of the one that is pointed at here or on the hand.
+    sensors_shown
+        Whether sensors are marked on the interpolated map.
+    noisy
+        Outputs that are mostly noise; they are hatched.
+    synthetic
+        Whether the responses are computed, not measured.
+    message
+        Why there is no map; shown in its middle, instead of it.
+    note
+        What one should know about the map.
+    drawn_note
+        What of it stands in a picture: the caption below says the rest.
+    outdated
+        Whether something newer is being computed.
+    """
+
+    limb_map: LimbMap | None = None
+    limb: str = ""
+    values: Floats | None = None
+    field: FieldImage | None = None
+    field_values: Floats | None = None
+    quantity: MapQuantity = _LEVELS
+    value_range: LevelRange = SILENT_RANGE
+    fixed: bool = False
+    colours: str = VIRIDIS
+    outputs: tuple[int, ...] = ()
+    px_per_mm: float = 0.0
+    inputs: tuple[InputMark, ...] = ()
+    pointed_at: int | None = None
+    sensors_shown: bool = True
+    noisy: tuple[int, ...] = ()
+    synthetic: bool = False
+    message: str = ""
+    note: str = ""
+    drawn_note: str = ""
+    outdated: bool = False
+
+    def same_as(self, other: "MapContent") -> bool:
+        """Whether ``other`` looks the same; arrays are compared by identity."""
+        return all(
+            mine is theirs
+            or (
+                type(mine) in (tuple, bool, str, MapQuantity)
+                and type(mine) is type(theirs)
+                and mine == theirs
+            )
+            for mine, theirs in (
+                (getattr(self, field.name), getattr(other, field.name)) for field in fields(self)
+            )
+        )
+
+    @property
+    def covered(self) -> "MapContent":
+        """The same without anything that was computed, for an audience that shall guess first."""
+        quantity = replace(self.quantity, name=LEVELS)
+        return replace(self, values=None, field_values=None, quantity=quantity, message=COVERED)
+
+    @property
+    def coloured_values(self) -> Floats | None:
+        """Values that may be shown, (n_outputs,); none while a message stands in their place."""
+        return None if self.message else self.values
+
+    @property
+    def hatched(self) -> tuple[int, ...]:
+        """Outputs that are drawn as mostly noise."""
+        return () if self.message else self.noisy
+
+    @property
+    def shown_field(self) -> FieldImage | None:
+        """The interpolated map, where it may be shown."""
+        return None if self.message or self.field_values is None else self.field
+
+
+def px_per_mm_of(limb: Limb) -> float:
+    """Outline pixels in a millimetre."""
+    return limb.map.hand_length_px / limb.hand_length_mm
+
+
+def note_of(surface: SurfaceOperator | None, limb: Limb) -> str:
+    """What one should know about the map and about where its numbers come from."""
+    last = sentence(f"{limb.note[:1].upper()}{limb.note[1:]}") if limb.note else ""
+    return " ".join(part for part in (drawn_note_of(surface), last) if part)
+
+
+def drawn_note_of(surface: SurfaceOperator | None) -> str:
+    """What one should know about the map itself."""
+    return "" if surface is None else " ".join(surface.warnings)
+
+
+# Draws the dorsal map.
+
+_MAP_PAINTER_RING_PX, _THIN_PX = 2.2, 1.2
+# A map is so many lines of its letters high, and wide, at least; a line that is no larger, px.
+_MAP_LINES, _MAP_WORDS, _USUAL_PX = 12.0, 9.0, 18.0
+_HINTS = QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
+
+
+class MapPainter:
+    """Draws maps, and keeps what stays the same from one frame to the next.
+
+    Parameters
+    ----------
+    limb_map
+        Outline and places.
+    kept
+        `KeptPicture` on the screen, `PaintedAnew` for pages and files.
+    """
+
+    def __init__(
+        self,
+        limb_map: LimbMap,
+        kept: type[KeptPicture | PaintedAnew] = KeptPicture,
+    ) -> None:
+        self._limb_map, self._outline = limb_map, QPainterPath()
+        self._outline.addPolygon(QPolygonF([QPointF(x, y) for x, y in limb_map.outline]))
+        self._outline.closeSubpath()
+        self._kept = kept
+        self._layout: MapLayout | None = None
+        self._screen_outline, self._bar_card = QPainterPath(), QRectF()
+        self._forget_pictures()
+
+    def _forget_pictures(self) -> None:
+        self._still, self._selection = self._kept(), self._kept()
+        self._hatch, self._marks = self._kept(), self._kept()
+
+    def paint(
+        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+    ) -> None:
+        """Draw ``content``; the painter's font is that of labels."""
+        if layout is not self._layout:
+            self._layout = layout
+            self._screen_outline = layout.frame.transform().map(self._outline)
+            self._forget_pictures()
+        painter.setRenderHints(_HINTS)
+        self._paint_ground(painter, content, layout, theme)
+        self._paint_still(painter, content, layout, theme)
+        if content.shown_field is None:
+            self._paint_discs(painter, content, layout, theme)
+            _paint_cards(painter, layout, theme)
+        self._paint_palmar(painter, content, layout, theme)
+        if content.hatched:
+            self._paint_hatch(painter, content, layout)
+        if content.inputs:
+            self._paint_inputs(painter, content, layout, theme)
+        metrics = painter.fontMetrics()
+        bar = length_bar(layout, content.px_per_mm, self._screen_outline, metrics)
+        self._bar_card = bar.card
+        self._paint_selection(painter, content, layout, theme)
+        paint_length_bar(painter, bar, theme)
+
+    def _paint_ground(
+        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+    ) -> None:
+        """The field, a little beyond the outline, or the bare skin."""
+        field, levels = content.shown_field, content.field_values
+        if field is None or levels is None:
+            painter.fillPath(self._screen_outline, QColor(theme.skin))
+            return
+        # The picture's first line is the highest y: it is drawn downwards from there.
+        area = layout.frame.transform().mapRect(field.rect)
+        table = colour_table(content.colours)
+        painter.drawImage(area, field.image(levels, content.value_range, table))
+
+    def _paint_still(
+        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+    ) -> None:
+        """Outline; on a field also sensor dots, the card of the palm, and all that is outside."""
+        on_field = content.shown_field is not None
+        dots = content.sensors_shown and on_field
+
+        def paint(on_image: QPainter) -> None:
+            if on_field:
+                # To cover what is outside is far quicker than to clip what is inside.
+                outside = QPainterPath(self._screen_outline)
+                outside.addRect(layout.room)
+                on_image.fillPath(outside, QColor(theme.base))
+            line = QPen(QColor(theme.skin_line), 1.25 * layout.unit)
+            on_image.strokePath(self._screen_outline, line)
+            if dots:
+                _paint_dots(on_image, layout)
+            if on_field:
+                _paint_cards(on_image, layout, theme)
+
+        self._still.paint(painter, layout.room, (theme.name, dots, on_field), paint)
+
+    def _paint_hatch(self, painter: QPainter, content: MapContent, layout: MapLayout) -> None:
+        """Strokes where there is mostly noise."""
+
+        def paint(on_image: QPainter) -> None:
+            paint_hatch(on_image, content.noisy, layout, self._screen_outline)
+
+        self._hatch.paint(painter, layout.room, (content.noisy,), paint)
+
+    def _paint_inputs(
+        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+    ) -> None:
+        shown = content.inputs, self._limb_map, layout, theme, content.pointed_at
+        key = (theme.name, content.inputs, content.pointed_at)
+        self._marks.paint(painter, layout.room, key, lambda one: paint_marks(one, *shown))
+
+    def _paint_selection(
+        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+    ) -> None:
+        """Rings in the colours of the curves, and numbers."""
+        if not content.outputs:
+            return
+
+        def paint(on_image: QPainter) -> None:
+            _paint_rings(on_image, content, layout, theme)
+            radius = ring_radius(0, content, layout)
+            paint_labels(on_image, content.outputs, layout, radius, theme, self._bar_card)
+
+        on_field = content.shown_field is not None
+        key = (theme.name, content.outputs, on_field, self._bar_card.getRect())
+        self._selection.paint(painter, layout.room, key, paint)
+
+    def _paint_discs(
+        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+    ) -> None:
+        painter.setPen(QPen(QColor(theme.skin_line), 1))
+        dorsal = dorsal_outputs(layout.points, layout.unplaced)
+        fills = self._fills(dorsal, content, theme)
+        radius = layout.disc_radius
+        for number, fill in zip(dorsal, fills, strict=True):
+            painter.setBrush(fill)
+            painter.drawEllipse(QPointF(*layout.points[number - 1]), radius, radius)
+
+    def _paint_palmar(
+        self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
+    ) -> None:
+        radius = layout.palmar_radius
+        fills = self._fills(layout.unplaced, content, theme)
+        outline = QPen(QColor(theme.skin_line), 1)
+        for number, fill in zip(layout.unplaced, fills, strict=True):
+            centre = QPointF(*layout.points[number - 1])
+            painter.setPen(outline)
+            painter.setBrush(fill)
+            painter.drawEllipse(centre, radius, radius)
+            painter.setPen(QColor("black" if is_light(fill) else "white"))
+            painter.drawText(square(centre, radius), Qt.AlignmentFlag.AlignCenter, str(number))
+
+    def _fills(self, outputs: Sequence[int], content: MapContent, theme: Theme) -> list[QColor]:
+        """Colour of each of ``outputs``."""
+        levels = content.coloured_values
+        if levels is None:
+            return [QColor(theme.base)] * len(outputs)
+        table = colour_table(content.colours)
+        return level_colours(levels[np.array(outputs, int) - 1], content.value_range, table)
+
+
+def ring_radius(number: int, content: MapContent, layout: MapLayout) -> float:
+    """Radius of the ring around an output, px."""
+    if number in layout.unplaced:
+        return layout.palmar_radius + 2 * layout.unit
+    if content.shown_field is None:
+        return layout.disc_radius + 1.5 * layout.unit
+    return max(layout.dot_radius + 2.5 * layout.unit, 4.5 * layout.unit)
+
+
+def paint_ring(
+    painter: QPainter, centre: QPointF, radius: float, pen: QPen, ground: QColor
+) -> None:
+    """Draw a ring that stands out from any colour under it."""
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(QPen(ground, 2 * pen.widthF()))
+    painter.drawEllipse(centre, radius, radius)
+    painter.setPen(pen)
+    painter.drawEllipse(centre, radius, radius)
+
+
+def paint_mark(
+    painter: QPainter,
+    number: int,
+    colour: str,
+    content: MapContent,
+    layout: MapLayout,
+    theme: Theme,
+) -> None:
+    """Draw a wide ring around an output that is pointed at."""
+    radius = ring_radius(number, content, layout) + 3.5 * layout.unit
+    centre = QPointF(*layout.points[number - 1])
+    pen = QPen(QColor(colour), 0.8 * _MAP_PAINTER_RING_PX * layout.unit)
+    paint_ring(painter, centre, radius, pen, QColor(theme.base))
+
+
+def paint_band(painter: QPainter, band: QRectF, theme: Theme) -> None:
+    """Draw a rubber band."""
+    fill = QColor(theme.accent)
+    painter.setPen(QPen(fill, 1))
+    fill.setAlphaF(0.15)
+    painter.setBrush(fill)
+    painter.drawRect(band)
+
+
+def letters_for(font: QFont, room: QRectF) -> QFont:
+    """Copy of ``font``, smaller where in its size a map in ``room`` would be hidden by its words.
+
+    Letters of a usual size stay as they are.
+    """
+    line = QFontMetricsF(font).height()
+    most = max(min(room.height() / _MAP_LINES, room.width() / _MAP_WORDS), _USUAL_PX)
+    return font if line <= most else small_font(font, most / line)
+
+
+def small_font(font: QFont, factor: float = 0.86) -> QFont:
+    """Copy of ``font`` for labels."""
+    copy = QFont(font)
+    if font.pixelSize() > 0:
+        copy.setPixelSize(max(round(font.pixelSize() * factor), 8))
+    else:
+        copy.setPointSizeF(font.pointSizeF() * factor)
+    return copy
+
+
+def _paint_cards(painter: QPainter, layout: MapLayout, theme: Theme) -> None:
+    """Draw the ground of the palmar group, and the sensors' axes."""
+    card = layout.palmar_card
+    if not card.isEmpty():
+        _paint_card(painter, card, layout, theme)
+        painter.setPen(QColor(theme.dim))
+        line = painter.fontMetrics().height()
+        head = QRectF(card.left(), card.top(), card.width(), 1.4 * line)
+        painter.drawText(head, Qt.AlignmentFlag.AlignCenter, layout.card_title)
+    if not layout.triad_card.isEmpty():
+        _paint_card(painter, layout.triad_card, layout, theme)
+        paint_triad(painter, layout.triad_card, theme)
+
+
+def _paint_card(painter: QPainter, card: QRectF, layout: MapLayout, theme: Theme) -> None:
+    ground = QColor(theme.base)
+    ground.setAlphaF(0.88)
+    painter.setPen(QPen(QColor(theme.grid), 1))
+    painter.setBrush(ground)
+    painter.drawRoundedRect(card, 4 * layout.unit, 4 * layout.unit)
+
+
+def _paint_dots(painter: QPainter, layout: MapLayout) -> None:
+    painter.setPen(QPen(QColor(0, 0, 0, 150), layout.unit))
+    painter.setBrush(QColor(255, 255, 255, 230))
+    for number in dorsal_outputs(layout.points, layout.unplaced):
+        centre = QPointF(*layout.points[number - 1])
+        painter.drawEllipse(centre, layout.dot_radius, layout.dot_radius)
+
+
+def _paint_rings(painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme) -> None:
+    """Rings in the colours of the curves around the selected outputs."""
+    ground, crowded = QColor(theme.base), is_crowded(len(content.outputs), layout)
+    for rank, number in enumerate(content.outputs):
+        if number > len(layout.points) or is_on_card(number, layout):
+            continue  # not on this limb, or out of sight
+        centre = QPointF(*layout.points[number - 1])
+        radius = ring_radius(number, content, layout)
+        width = (_THIN_PX if crowded else _MAP_PAINTER_RING_PX) * layout.unit
+        pen = theme.output_pen(rank, width, layout.unit)
+        paint_ring(painter, centre, radius, pen, ground)

@@ -1,0 +1,213 @@
+"""The map as a picture for a page or a slide."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QRectF, QSizeF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
+
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.design.design import Design
+from skinsource.design.labels import limb_word, signal_words
+from skinsource.design.view import View
+from skinsource.limbs.limb import LimbMap
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.perception.sensation import LIMITS, LIMITS_IN_SHORT
+from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
+from skinsource_gui.panels.skin.layout import ALL, MapLayout, SeenPart, map_layout
+from skinsource_gui.panels.skin.map import paint_words
+from skinsource_gui.panels.skin.painting import MapContent, MapPainter, small_font
+from skinsource_gui.panels.skin.scale import paint_colour_scale
+from skinsource_gui.panels.skin.settings import LEVELS, SENSATION, MapQuantity
+from skinsource_gui.plots.colour_maps import colour_table
+from skinsource_gui.qt.frames import PaintedAnew
+from skinsource_gui.qt.theme import Theme, tabular
+
+#: What strokes over a map say.
+HATCHED = f"hatched: less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise"
+# Lines of text in the height of the picture, also of one that is wide; the limits of a line, px.
+_LINES, _WIDE_LINES = 48, 32
+_SMALLEST_FONT_PX, _LARGEST_FONT_PX = 9, 64
+# Each part of a heading may take this part of the height; where it needs more, its font shrinks.
+_HEADING_LINE = 0.06
+# Size of the details, in fonts of the title.
+_DETAILS = 0.8
+_WRAPPED = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Heading:
+    """What stands above the map: what is shown, of what, and what one should know about it."""
+
+    title: str
+    details: str
+    note: str = ""
+
+    @property
+    def with_hatching(self) -> "Heading":
+        """The same where something is hatched, which nobody can ask a picture about."""
+        return replace(self, details=f"{self.details} · {HATCHED}")
+
+
+def heading_of(design: Design | None, view: View, quantity: MapQuantity | None = None) -> Heading:
+    """What a picture of the map is called; levels, if nothing else is said."""
+    quantity = quantity or MapQuantity(span=view.span)
+    limb = facts_of("" if design is None else design.limb)
+    parts = [quantity.details_on(limb.axes) or signal_words(view.axes, view.method)]
+    if design is not None:
+        band_hz = limb.band_hz
+        if quantity.name == SENSATION and band_hz is not None:
+            parts.append(f"{band_hz[0]:g} to {band_hz[1]:g} Hz")
+        parts = [limb_word(design.limb).title, *parts]
+    return Heading(title=quantity.heading, details=" · ".join(parts))
+
+
+def paint_picture(
+    painter: QPainter,
+    size: QSizeF,
+    content: MapContent,
+    heading: Heading,
+    theme: Theme,
+    family: str,
+    seen: SeenPart = ALL,
+) -> None:
+    """Draw the map with heading, colour bar and, where due, the synthetic mark.
+
+    Parameters
+    ----------
+    painter
+        Of an image, a page or a drawing.
+    size
+        Of the picture, px.
+    content, heading
+        What the map shows, and how it is called.
+    theme, family
+        Colours, and the family of the font.
+    seen
+        What part of the map; all of it unless given.
+    """
+    if content.hatched:
+        heading = heading.with_hatching
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    whole = QRectF(0, 0, size.width(), size.height())
+    painter.fillRect(whole, QColor(theme.base))
+    font = QFont(family)
+    # The map is narrow: where the picture is wide, as a slide is, words have more room.
+    lines = _LINES if whole.width() <= whole.height() else _WIDE_LINES
+    pixels = min(whole.height() / lines, whole.width() / _LINES * 1.6)
+    font.setPixelSize(round(min(max(pixels, _SMALLEST_FONT_PX), _LARGEST_FONT_PX)))
+    font = tabular(font)
+    line = QFontMetricsF(font).height()
+    inner = whole.adjusted(line, 0.6 * line, -line, -line)
+    inner.setTop(_paint_heading(painter, inner, heading, font, theme) + 0.4 * line)
+    room = inner.adjusted(0, 0, -6.2 * line, 0)
+    painter.setFont(small_font(font))
+    layout = None
+    if content.limb_map is not None:
+        layout = _paint_map(painter, content, content.limb_map, room, theme, seen)
+    ramp = QRectF(room.right() + line, room.top() + line, line, room.height() - 2 * line)
+    levels = content.value_range
+    painter.setFont(small_font(font))
+    table = colour_table(content.colours)
+    paint_colour_scale(painter, ramp, levels, levels, table, theme, content.quantity)
+    painter.setFont(font)
+    paint_words(painter, content, layout, room, theme)
+
+
+def heading_font(font: QFont, text: str, area: QRectF) -> QFont:
+    """Copy of ``font``, shrunk until ``text`` fits into ``area`` in as many lines as it takes."""
+    copy = QFont(font)
+    while copy.pixelSize() > 1:
+        needed = QFontMetricsF(copy).boundingRect(QRectF(area), int(_WRAPPED), text)
+        if needed.width() <= area.width() and needed.height() <= area.height():
+            break
+        copy.setPixelSize(copy.pixelSize() - 1)
+    return copy
+
+
+def _paint_heading(
+    painter: QPainter, inner: QRectF, heading: Heading, font: QFont, theme: Theme
+) -> float:
+    """Draw title, details and note; return where they end."""
+    title_font = QFont(font)
+    title_font.setBold(True)
+    top = inner.top()
+    for words, usual, colour in (
+        (heading.title, title_font, theme.text),
+        (heading.details, small_font(font, _DETAILS), theme.dim),
+        (heading.note, small_font(font, _DETAILS), theme.warning),
+    ):
+        if not words:
+            continue
+        area = QRectF(inner.left(), top, inner.width(), _HEADING_LINE * inner.height())
+        painter.setFont(heading_font(usual, words, area))
+        painter.setPen(QColor(colour))
+        painter.drawText(area, int(_WRAPPED), words)
+        metrics = QFontMetricsF(painter.font())
+        top += metrics.boundingRect(area, int(_WRAPPED), words).height() + 0.15 * metrics.height()
+    return top
+
+
+def _paint_map(
+    painter: QPainter,
+    content: MapContent,
+    limb_map: LimbMap,
+    room: QRectF,
+    theme: Theme,
+    seen: SeenPart,
+) -> MapLayout:
+    metrics = QFontMetricsF(painter.font())
+    frame = seen.frame_in(limb_map, room, metrics)
+    layout = map_layout(limb_map, frame, room, metrics)
+    map_painter = MapPainter(limb_map, PaintedAnew)
+    painter.save()
+    # Magnified, the map would lie on heading and scale.
+    painter.setClipRect(room, Qt.ClipOperation.IntersectClip)
+    map_painter.paint(painter, content, layout, theme)
+    painter.restore()
+    return layout
+
+
+# What the map shows that is the same at any time: levels, or levels above threshold.
+
+SILENT = "Silent: nothing is driven"
+#: By quantity: that of outputs, and that over the skin.
+_NAMES = {
+    LEVELS: ("output_levels_db", "surface_levels_db"),
+    SENSATION: ("sensation_db", "surface_sensation_db"),
+}
+
+
+def needs_of(quantity: str) -> frozenset[str]:
+    """What has to be known of outputs."""
+    more = {"sensation"} if quantity == SENSATION else set()
+    return frozenset({_NAMES[quantity][0]} | more)
+
+
+def over_skin(quantity: str) -> str:
+    """What has to be known over the skin."""
+    return _NAMES[quantity][1]
+
+
+def changes_of(quantity: str, results: Mapping[str, Any], *, interpolated: bool) -> dict[str, Any]:
+    """What of the map's content follows from ``results``."""
+    values = results[_NAMES[quantity][0]]
+    if not values.size:
+        return {"values": None, "field_values": None, "message": results["sensation"].problem}
+    return {
+        "values": values,
+        "field_values": results[_NAMES[quantity][1]] if interpolated else None,
+        "message": SILENT if float(np.max(values)) <= FLOOR_DB else "",
+    }
+
+
+def limits_and(note: str, quantity: str) -> str:
+    """What is to be said below the map: what thresholds are not good for, before all else."""
+    return f"{LIMITS} {note}".strip() if quantity == SENSATION else note
+
+
+def in_short(note: str) -> str:
+    """The note where there is little room for it."""
+    return note.replace(LIMITS, LIMITS_IN_SHORT)

@@ -1,1 +1,0 @@
-"""The scale of the colours, and the range of levels that they span."""

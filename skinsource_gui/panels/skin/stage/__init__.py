@@ -1,1 +1,0 @@
-"""Where everything of the map lies on the screen."""

@@ -1,0 +1,544 @@
+"""What the skin does at an instant, from signals that are kept."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import count as counted
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QSlider,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.base.arrays import Floats
+from skinsource.base.decibels import decibels
+from skinsource.design.labels import signal_words
+from skinsource.design.view import View
+from skinsource.engine.time_rules import Moving, SlidingEnergy, block_of
+from skinsource.limbs.limb import LimbFacts
+from skinsource.signals.map_range import map_range_db
+from skinsource.specs.numbers import NumberSpec
+from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.fields.choice_field import ChoiceField
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.panels.skin.painting import small_font
+from skinsource_gui.panels.skin.scale import AutoButton, paint_colour_scale
+from skinsource_gui.panels.skin.settings import (
+    MAGNITUDE,
+    QUANTITY,
+    RMS,
+    RMS_WINDOW,
+    STILL,
+    LevelRange,
+    MapQuantity,
+    SkinSettings,
+    Z,
+    time_text,
+)
+from skinsource_gui.plots.colour_maps import DIVERGING, colour_table
+from skinsource_gui.qt.frames import KeptPicture
+from skinsource_gui.qt.keys import shortcut_text
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, play_icon, tabular
+from skinsource_gui.qt.tooltips import tooltip
+
+#: What each quantity is made from.
+NEEDS = {Z: "moving_z", MAGNITUDE: "moving_vector", RMS: "moving_energy"}
+# Along z colours reach their ends at this part of the largest acceleration anywhere: under the
+# actuator it is far larger than elsewhere.
+_SHARE_OF_LARGEST = 0.25
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Frame:
+    """The skin at an instant.
+
+    Attributes
+    ----------
+    quantity
+        What the values are.
+    values : (n_outputs,)
+        m/s² along z, else dB.
+    """
+
+    quantity: MapQuantity
+    values: Floats
+
+
+class Frames:
+    """Makes frames; transforms nothing.
+
+    Attributes
+    ----------
+    made
+        How many were made.
+    """
+
+    def __init__(self) -> None:
+        self.made = 0
+        self._kept: Moving | SlidingEnergy | None = None
+        self._name = ""
+        self._block = 0
+
+    def take(self, results: Mapping[str, Any], name: str, view: View) -> None:
+        """Take over signals for the quantity ``name``, computed for ``view``."""
+        self._kept, self._name = results[NEEDS[name]], name
+        self._block = block_of(view.playhead_s)
+
+    def forget(self) -> None:
+        """There are none any more."""
+        self._kept = None
+
+    @property
+    def known(self) -> bool:
+        """Whether there are signals."""
+        return self._kept is not None
+
+    @property
+    def largest(self) -> float:
+        """The largest acceleration of the whole response, m/s²; 0 where nothing is known."""
+        return 0.0 if self._kept is None else self._kept.largest
+
+    def end_s(self, view: View) -> float:
+        """When the response ends, on the time axis of ``view``; 0 where nothing is known."""
+        kept = self._kept
+        if kept is None:
+            return 0.0
+        return max((kept.response_samples - 1) / kept.sample_rate_hz - _removed_s(view, kept), 0.0)
+
+    def has(self, view: View) -> bool:
+        """Whether the signals around the playhead of ``view`` are kept."""
+        kept = self._kept
+        if kept is None:
+            return False
+        at = response_time_s(view, kept.delay_s) * kept.sample_rate_hz
+        return at >= kept.response_samples or kept.first <= at <= max(kept.end, 1)
+
+    def runs_out(self, view: View) -> bool:
+        """Whether others should be asked for: soon these will not do."""
+        kept = self._kept
+        if kept is None or (kept.first == 0 and kept.end >= kept.response_samples):
+            return False
+        return block_of(view.playhead_s) != self._block
+
+    def frame(self, view: View, settings: SkinSettings) -> Frame:
+        """The skin at the playhead of ``view``."""
+        kept = self._kept
+        if kept is None:
+            raise LookupError("there are no signals to make a frame of")
+        at_s = response_time_s(view, kept.delay_s)
+        self.made += 1
+        quantity = MapQuantity(
+            name=self._name,
+            span=view.span,
+            signal=signal_words(view.axes, view.method),
+            window_s=settings.rms_window_s,
+            time_s=view.playhead_s,
+        )
+        if isinstance(kept, SlidingEnergy):
+            values = decibels(kept.rms(at_s, settings.rms_window_s))
+        else:
+            is_z = self._name == Z
+            values = kept.acceleration(at_s)[:, 0] if is_z else decibels(kept.magnitude(at_s))
+        return Frame(quantity=quantity, values=values)
+
+    def value_range(self, settings: SkinSettings) -> LevelRange:
+        """Values of the lowest and the highest colour: the same at each instant."""
+        if settings.quantity == Z:
+            return settings.z_limits or self._usual_limits()
+        return settings.moving_range_db or self._usual_range_db()
+
+    def _usual_limits(self) -> LevelRange:
+        limit = _round_up(self.largest * _SHARE_OF_LARGEST) if self.largest > 0.0 else 1.0
+        return -limit, limit
+
+    def _usual_range_db(self) -> LevelRange:
+        return map_range_db(decibels(np.array([self.largest])))
+
+
+def response_time_s(view: View, delay_s: float) -> float:
+    """Where the playhead is in the response, which contains the pre-trigger delay."""
+    return view.playhead_s + (delay_s if view.delay_removed else 0.0)
+
+
+def _removed_s(view: View, kept: Moving | SlidingEnergy) -> float:
+    return kept.delay_s if view.delay_removed else 0.0
+
+
+def _round_up(value: float) -> float:
+    """The next number that begins with 1, 2 or 5."""
+    power = 10.0 ** np.floor(np.log10(value))
+    return float(next(step * power for step in (1.0, 2.0, 5.0, 10.0) if step * power >= value))
+
+
+# How slowly a film of the skin map runs.
+
+#: How many times slower it can be chosen to run.
+PACES = (1, 2, 5, 10, 20, 50, 100, 200)
+
+
+def pace_of(view: View, settings: SkinSettings, per_s: int, limb: LimbFacts) -> float:
+    """How many times slower it is shown: as the view says, or as slowly as it can be followed.
+
+    Fewer than two instants in a period of the fastest motion would show waves that there are not:
+    of a limb that is sampled quickly a film runs more slowly than the window plays.
+    """
+    highest_hz = limb.band_hz[1] if limb.band_hz else limb.sample_rate_hz / 2.0
+    # A length of a vector moves twice as fast.
+    fastest_hz = {Z: highest_hz, MAGNITUDE: 2.0 * highest_hz, RMS: 1.0 / settings.rms_window_s}
+    needed = 2.0 * fastest_hz[settings.quantity] / per_s
+    if view.slow_motion >= needed:
+        return view.slow_motion
+    return next(pace for pace in _paces() if pace >= needed)
+
+
+def _paces() -> Iterator[float]:
+    """Round ones, 1, 2, 5, 10, 20, 50 and so on, without end."""
+    return (digit * 10.0**power for power in counted() for digit in (1.0, 2.0, 5.0))
+
+
+# What the map shows: levels, or the skin in time; and how slowly that is played.
+
+PACE = ChoiceSpec(
+    label="Speed",
+    options=tuple((str(pace), f"1/{pace}") for pace in PACES),
+    hint="How fast time runs while it plays; below 1/1 it is seen, and not heard",
+)
+_PACE_PX, _WINDOW_PX = 76, 66
+# Beside the words of a list: its arrow and edges.
+_ARROW_PX = 40
+
+
+class QuantityRow(QWidget):
+    """Shows what is chosen, and tells what is wanted."""
+
+    #: Name of what the map shall show.
+    quantity_chosen = Signal(str)
+    #: How many times slower it shall be played.
+    pace_chosen = Signal(float)
+    #: Length of the sliding window, s.
+    window_chosen = Signal(float)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.quantity = ChoiceField(QUANTITY, self)
+        self.quantity.setObjectName("skin_quantity")
+        self.rms_window = NumberField(RMS_WINDOW, self, widest_unit="ms")
+        self.rms_window.setObjectName("skin_rms_window")
+        self.rms_window.setAccessibleName(RMS_WINDOW.label)
+        self.rms_window.setToolTip(tooltip(RMS_WINDOW.label, RMS_WINDOW.hint))
+        self.pace = ChoiceField(PACE, self)
+        self.pace.setObjectName("skin_pace")
+        self.pace.setMinimumContentsLength(4)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(UNIT_PX // 2)
+        row.addWidget(self.quantity, 1)
+        row.addWidget(self.rms_window)
+        row.addWidget(self.pace)
+        self._fit()
+        self.quantity.chosen.connect(self._choose_quantity)
+        self.pace.chosen.connect(self._choose_pace)
+        self.rms_window.edited.connect(self._choose_window)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._fit()
+
+    def show_settings(self, settings: SkinSettings, slow_motion: float) -> None:
+        """Show the present choice."""
+        self.quantity.set_value(settings.quantity)
+        self.rms_window.setVisible(settings.quantity == RMS)
+        self.rms_window.set_value(settings.rms_window_s)
+        self.pace.setVisible(settings.quantity not in STILL)
+        self.pace.set_value(f"{slow_motion:g}")
+
+    def _fit(self) -> None:
+        metrics = self.fontMetrics()
+        pace = metrics.horizontalAdvance("1/200") + _ARROW_PX
+        window = metrics.horizontalAdvance("500 ms") + 3 * UNIT_PX
+        self.pace.setFixedWidth(max(_PACE_PX, pace))
+        self.rms_window.setFixedWidth(max(_WINDOW_PX, window))
+
+    def _choose_quantity(self, name: str, _gesture: object) -> None:
+        self.quantity_chosen.emit(name)
+
+    def _choose_pace(self, pace: str, _gesture: object) -> None:
+        self.pace_chosen.emit(float(pace))
+
+    def _choose_window(self, window_s: float, _gesture: object) -> None:
+        self.window_chosen.emit(window_s)
+
+
+# Play, pause and scrub, below the map.
+
+# The slider counts tenths of a millisecond.
+_PER_S = 10_000
+# One press of an arrow key, and of Page Up.
+_STEP, _PAGE = 10, 500
+
+
+class ScrubBar(QWidget):
+    """Shows where the playhead is, and tells where it shall be."""
+
+    #: Where the playhead shall be, s.
+    time_wanted = Signal(float)
+    play_wanted = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._telling = True
+        self.play = QToolButton(self)
+        self.play.setObjectName("skin_play")
+        self.play.setIconSize(QSize(14, 14))
+        self.play.setAccessibleName("Play or stop")
+        self.play.setToolTip(
+            tooltip(
+                f"Play or stop ({shortcut_text('play')})",
+                f"{shortcut_text('pause')} stops where the playhead is, and goes on.",
+            )
+        )
+        self.play.clicked.connect(self.play_wanted)
+        self.slider = QSlider(Qt.Orientation.Horizontal, self)
+        self.slider.setObjectName("skin_time")
+        self.slider.setAccessibleName("Time")
+        self.slider.setToolTip("Drag through time; arrow keys step by a millisecond")
+        self.slider.setSingleStep(_STEP)
+        self.slider.setPageStep(_PAGE)
+        self.slider.valueChanged.connect(self._tell)
+        self.words = QLabel(self)
+        self.words.setFont(tabular(self.words.font()))
+        self.words.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(UNIT_PX // 2)
+        row.addWidget(self.play)
+        row.addWidget(self.slider, 1)
+        row.addWidget(self.words)
+        self.play.setIcon(play_icon())
+
+    def show_time(self, time_s: float, end_s: float) -> None:
+        """Show where the playhead is, in a response that ends there; tell nobody."""
+        self._telling = False
+        self.slider.setMaximum(max(round(end_s * _PER_S), 1))
+        self.slider.setValue(round(time_s * _PER_S))
+        self._telling = True
+        self.words.setText(time_text(time_s))
+        # As wide as its widest words, so that the slider stays.
+        widest = self.words.fontMetrics().horizontalAdvance(time_text(max(end_s, time_s)) + "0")
+        if self.words.minimumWidth() != widest:
+            self.words.setMinimumWidth(widest)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self.play.setIcon(play_icon())
+
+    def _tell(self, tenths_ms: int) -> None:
+        if self._telling:
+            self.time_wanted.emit(tenths_ms / _PER_S)
+
+
+# The colour bar of signed values: zero in the middle, the same limit either way.
+
+_LIMIT = NumberSpec(
+    label="Limit",
+    unit="m/s²",
+    minimum=1e-6,
+    maximum=1e6,
+    hint="Acceleration along z at the end of the colours, either way",
+)
+_RAMP_LEFT, _RAMP_WIDTH, _END_PX = 4, 14, 8
+
+
+class SignedStrip(QWidget):
+    """The colours, with ticks."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._range: LevelRange = (-1.0, 1.0)
+        self._matched = ""
+        self._kept = KeptPicture()
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.setMinimumHeight(70)
+
+    def show_range(self, limits: LevelRange) -> None:
+        """Show other limits."""
+        if limits != self._range:
+            self._range = limits
+            self.update()
+
+    def show_matched(self, matched: str) -> None:
+        """Say by how much it is louder or softer than it was stored."""
+        if matched != self._matched:
+            self._matched = matched
+            self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setFont(tabular(small_font(self.font())))
+        ground = self.palette().window().color()
+        key = (self._range, current_theme(), self._matched)
+        self._kept.paint(painter, QRectF(self.rect()), key, self._paint, ground)
+        painter.end()
+
+    def _paint(self, painter: QPainter) -> None:
+        # Half of a number stands beyond either end.
+        end = max(_END_PX, painter.fontMetrics().height() / 2)
+        ramp = QRectF(_RAMP_LEFT, end, _RAMP_WIDTH, self.height() - 2 * end)
+        limits, table = self._range, colour_table(DIVERGING)
+        quantity = MapQuantity(name=Z, matched=self._matched)
+        paint_colour_scale(painter, ramp, limits, limits, table, current_theme(), quantity)
+
+
+class SignedBar(QWidget):
+    """Colours from minus to plus a limit, a field for it, and a switch for the automatic one."""
+
+    #: The limits that are wanted, or None for the automatic ones.
+    limits_chosen = Signal(object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._limits: LevelRange = (-1.0, 1.0)
+        self.limit = NumberField(_LIMIT, self)
+        self.limit.setObjectName("z_limit")
+        self.limit.setAccessibleName(_LIMIT.label)
+        self.limit.setToolTip(tooltip(_LIMIT.label, _LIMIT.hint))
+        self.limit.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.strip = SignedStrip(self)
+        self.auto_button = AutoButton(
+            "z_auto",
+            "Automatic limit",
+            "The limit follows the design: a quarter of the largest acceleration along z anywhere",
+            self,
+        )
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(UNIT_PX // 2)
+        column.addWidget(self.limit)
+        column.addWidget(self.strip, 1)
+        column.addWidget(self.auto_button)
+        self.setFixedWidth(self._width())
+        self.limit.edited.connect(self._choose)
+        self.auto_button.clicked.connect(self._switch)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self.setFixedWidth(self._width())
+
+    def show_limits(self, limits: LevelRange, *, automatic: bool) -> None:
+        """Show limits, and whether they follow the design."""
+        self._limits = limits
+        self.limit.set_value(limits[1])
+        self.strip.show_range(limits)
+        self.auto_button.setChecked(automatic)
+
+    def _choose(self, limit: float, _gesture: object) -> None:
+        self.limits_chosen.emit((-limit, limit))
+
+    def _switch(self, automatic: bool) -> None:
+        self.limits_chosen.emit(None if automatic else self._limits)
+
+    def _width(self) -> int:
+        return self.fontMetrics().horizontalAdvance("0.0005 m/s²") + 2 * UNIT_PX
+
+
+# The map in time: its frames, and the controls that only it has.
+
+
+class TimeView(QObject):
+    """Turns what is kept of the skin in time into what the map shows at the playhead.
+
+    Attributes
+    ----------
+    frames
+        Who makes frames.
+    row, scrub, bar
+        What is shown, and how slowly; play and scrub; the colour bar of signed values.
+    """
+
+    #: Signals of another part of the response are wanted.
+    part_wanted = Signal()
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._parent = parent
+        self.frames = Frames()
+        self.row, self.scrub, self.bar = QuantityRow(parent), ScrubBar(parent), SignedBar(parent)
+        self._asked_block = -1
+        # Else Space, which plays, would open the list again.
+        self.row.quantity.chosen.connect(self._leave_lists)
+        self.row.pace.chosen.connect(self._leave_lists)
+
+    def put_behind(self, widget: QWidget) -> None:
+        """Let the keyboard come to what stands below the map after ``widget``."""
+        order = (
+            widget,
+            self.bar.limit,
+            self.bar.auto_button,
+            self.scrub.play,
+            self.scrub.slider,
+        )
+        for before, after in pairwise(order):
+            QWidget.setTabOrder(before, after)
+
+    def needs(self, settings: SkinSettings) -> frozenset[str]:
+        """Quantities from which frames are made; none while levels are shown."""
+        name = NEEDS.get(settings.quantity)
+        return frozenset() if name is None else frozenset({name})
+
+    def take(self, results: Mapping[str, Any], settings: SkinSettings, view: View) -> None:
+        """Take over signals, where ``results`` have any."""
+        if settings.quantity not in STILL and NEEDS[settings.quantity] in results:
+            self.frames.take(results, settings.quantity, view)
+            self._asked_block = -1
+        else:
+            self.frames.forget()
+
+    def show_state(self, settings: SkinSettings, view: View) -> None:
+        """Show what is chosen."""
+        moves = settings.quantity not in STILL
+        self.row.show_settings(settings, view.slow_motion)
+        self.scrub.setVisible(moves)
+        if moves:
+            limits = self.frames.value_range(settings)
+            self.bar.show_limits(limits, automatic=settings.z_limits is None)
+            self.scrub.show_time(view.playhead_s, self.frames.end_s(view))
+
+    def levels_of_largest(self) -> np.ndarray:
+        """The largest level there can be, dB, (1,): what the automatic range follows."""
+        return decibels(np.array([self.frames.largest]))
+
+    def changes(self, settings: SkinSettings, view: View, surface: Any) -> dict[str, Any] | None:
+        """What the map shows at the playhead; None: that is not known yet, and was asked for."""
+        self.scrub.show_time(view.playhead_s, self.frames.end_s(view))
+        block = block_of(view.playhead_s)
+        if self.frames.runs_out(view) and block != self._asked_block:
+            self._asked_block = block
+            self.part_wanted.emit()
+        if not self.frames.has(view):
+            return None
+        frame = self.frames.frame(view, settings)
+        signed = frame.quantity.signed
+        chosen = settings.z_limits if signed else settings.moving_range_db
+        return {
+            "values": frame.values,
+            "field_values": None if surface is None else surface.interpolate(frame.values),
+            "quantity": frame.quantity,
+            "value_range": self.frames.value_range(settings),
+            "fixed": chosen is not None,
+            "colours": DIVERGING if signed else settings.colours,
+        }
+
+    def _leave_lists(self) -> None:
+        self._parent.setFocus(Qt.FocusReason.OtherFocusReason)

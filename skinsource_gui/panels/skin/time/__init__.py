@@ -1,1 +1,0 @@
-"""The skin map in time: frames, and what chooses them."""

@@ -1,0 +1,320 @@
+"""Gain curves as an item of the scene, over the clips."""
+
+from collections.abc import Callable
+from typing import Any
+
+import pyqtgraph
+from PySide6.QtCore import QLineF, QObject, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QKeyEvent, QPainter, QPen, QPolygonF
+
+from skinsource.design import edits
+from skinsource.design.effects.breakpoints import Points, moved, with_point
+from skinsource_gui.fields.editor import Burst
+from skinsource_gui.panels.timeline.content import (
+    Content,
+    GainStrip,
+    curve_of,
+    gain_words,
+    show_gain_curves,
+    toggle_gain_curves,
+)
+from skinsource_gui.panels.timeline.gestures import Gesture, Held, MoveGain, Stage
+from skinsource_gui.qt.keys import meaning_of
+from skinsource_gui.qt.theme import current_theme
+
+_DOT_PX, _CHOSEN_PX = 3.5, 5.0
+_HALO_ALPHA, _HINT_ALPHA = 190, 110
+#: How a curve begins.
+HINT = "Gain: double click on the line adds a point"
+
+
+def has_hint(strip: GainStrip) -> bool:
+    """Whether it is said how a curve begins: of a selected track that has none."""
+    return strip.shown and strip.lane.selected and not strip.points
+
+
+class GainItem(pyqtgraph.GraphicsObject):
+    """Paints gain curves: those that are edited with points, others that do something as a hint."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setCacheMode(self.CacheMode.DeviceCoordinateCache)
+        self.setZValue(0.5)
+        self._content: Content | None = None
+        self._font = QFont()
+        self._rect = QRectF(0, 0, 1, 1)
+
+    def show_content(self, content: Content, rect: QRectF) -> None:
+        """Paint something else, in this rectangle."""
+        if rect != self._rect:
+            self.prepareGeometryChange()
+            self._rect = rect
+        had = self._content is not None and bool(self._content.strips)
+        self._content = content
+        self.setVisible(bool(content.strips))
+        if had or content.strips:
+            self.update()
+
+    def show_font(self, font: QFont) -> None:
+        """Take over a font."""
+        self._font = font
+        self.update()
+
+    def boundingRect(self) -> QRectF:
+        return self._rect
+
+    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+        content = self._content
+        if content is None:
+            return
+        painter.setFont(self._font)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        below = self._rect.adjusted(0, content.ruler_px, 0, 0)
+        for strip in content.strips:
+            lane = strip.lane
+            room = QRectF(below.left(), lane.top_px, below.width(), lane.height_px)
+            painter.save()
+            painter.setClipRect(room.intersected(below))
+            self._paint_curve(painter, strip, room)
+            if strip.shown:
+                chosen = content.chosen_point
+                own = chosen is not None and chosen[0] == lane.track.id
+                number = chosen[1] if chosen and own and chosen[1] < len(strip.points) else None
+                self._paint_points(painter, strip, room, number)
+            painter.restore()
+
+    def _paint_curve(self, painter: QPainter, strip: GainStrip, room: QRectF) -> None:
+        line, words = QColor(current_theme().text), QColor(current_theme().dim)
+        if strip.shown:
+            unity = strip.y(1.0)
+            painter.setPen(QPen(words, 1, Qt.PenStyle.DotLine))
+            painter.drawLine(QLineF(room.left(), unity, room.right(), unity))
+        points = strip.points or ((0.0, 1.0, "straight"),)
+        places = [strip.at(x, y) for x, y, _ in points]
+        places = [
+            QPointF(room.left(), places[0].y()),
+            *places,
+            QPointF(max(room.right(), places[-1].x()), places[-1].y()),
+        ]
+        curve = QPolygonF(places)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        if strip.shown:
+            halo = QColor(current_theme().base)
+            halo.setAlpha(_HALO_ALPHA)
+            painter.setPen(QPen(halo, 4))
+            painter.drawPolyline(curve)
+            painter.setPen(QPen(line, 1.5))
+        else:
+            line.setAlpha(_HINT_ALPHA)
+            painter.setPen(QPen(line, 1, Qt.PenStyle.DashLine))
+        painter.drawPolyline(curve)
+
+    def _paint_points(
+        self, painter: QPainter, strip: GainStrip, room: QRectF, chosen: int | None
+    ) -> None:
+        theme = current_theme()
+        for k, (x, y, _) in enumerate(strip.points):
+            radius = _CHOSEN_PX if k == chosen else _DOT_PX
+            painter.setPen(QPen(QColor(theme.text), 1.5))
+            painter.setBrush(QColor(theme.accent if k == chosen else theme.base))
+            painter.drawEllipse(strip.at(x, y), radius, radius)
+        words = "Gain" if chosen is None else gain_words(*strip.points[chosen][:2])
+        metrics = QFontMetricsF(self._font)
+        height, top = metrics.height() + 1, room.top() + 2
+        if has_hint(strip):
+            # Below, as names of clips stand above.
+            words, top = HINT, room.bottom() - height - 2
+        width = metrics.horizontalAdvance(words) + 8
+        label = QRectF(room.right() - width - 4, top, width, height)
+        ground = QColor(theme.base)
+        ground.setAlpha(_HALO_ALPHA)
+        painter.fillRect(label, ground)
+        painter.setPen(QColor(theme.text))
+        painter.drawText(label, Qt.AlignmentFlag.AlignCenter, words)
+
+
+# What mouse and keys do to the gain curves on the lanes.
+
+_PLACE = "timeline"
+_Key = Qt.Key
+#: Steps of the arrow keys, s and gain; with Shift so many times as far.
+STEP_S, STEP_GAIN, _LEAP = 0.001, 0.01, 10
+_ASIDE = {_Key.Key_Left: -1, _Key.Key_Right: 1}
+_UPRIGHT = {_Key.Key_Down: -1, _Key.Key_Up: 1}
+
+
+class GainPoints(QObject):
+    """Adds, moves and removes points of gain curves that are shown, and shows and hides them.
+
+    Parameters
+    ----------
+    content
+        Returns what is shown now.
+
+    Attributes
+    ----------
+    chosen
+        Id of a track and number of the point on its curve that keys are about, or None.
+    """
+
+    edited = Signal(object, object)
+    looked = Signal(object)
+    #: Another point is chosen, or none.
+    chose = Signal()
+
+    def __init__(self, content: Callable[[], Content], parent: QObject) -> None:
+        super().__init__(parent)
+        self._content = content
+        self._burst = Burst(self)
+        self.chosen: tuple[int, int] | None = None
+
+    def strip_at(self, at: QPointF) -> GainStrip | None:
+        """The curve that is edited and passes here."""
+        content = self._content()
+        if at.y() < content.ruler_px:
+            return None
+        for one in content.strips:
+            inside = one.lane.top_px <= at.y() < one.lane.bottom_px
+            if one.shown and inside and (one.point_at(at) is not None or one.is_on_line(at)):
+                return one
+        return None
+
+    def press(self, stage: Stage, at: QPointF, held: Held) -> Gesture | None:
+        """The left button went down; None where no curve is caught."""
+        strip = self.strip_at(at)
+        if strip is None:
+            self.choose(None)
+            return None
+        self._burst.end()
+        track, near = strip.lane.track.id, strip.point_at(at)
+        if near is not None:
+            self.choose((track, near))
+            return MoveGain(stage, strip, at, strip.points, (near,))
+        time_s = max(strip.scale.time(at.x()), 0.0)
+        if held & Held.ControlModifier:
+            points, number = _added(strip, time_s)
+            gesture = MoveGain(stage, strip, at, points, (number,), fine=False)
+            gesture.put(points)
+            self.choose((track, number))
+            return gesture
+        points = strip.points or ((0.0, 1.0, "straight"),)
+        return MoveGain(stage, strip, at, points, strip.around(time_s) or (0,), upright=True)
+
+    def double_click(self, at: QPointF) -> bool:
+        """Add a point where the curve is pressed twice; whether one is there."""
+        strip = self.strip_at(at)
+        if strip is None:
+            return False
+        if strip.point_at(at) is None:
+            self._add(strip, max(strip.scale.time(at.x()), 0.0))
+        return True
+
+    def key(self, event: QKeyEvent) -> bool:
+        """Do what a key means to a curve; whether it means anything to one."""
+        wanted, key = meaning_of(_PLACE, event), Qt.Key(event.key())
+        if wanted == "gain_curve":
+            content = self._content()
+            ids = content.view.selected_inputs
+            self.looked.emit(toggle_gain_curves(content.design, content.view, ids).view)
+            self.choose(None)
+        elif wanted == "gain_point":
+            self._walk(-1 if key == _Key.Key_PageUp else 1)
+        elif wanted == "gain_add":
+            strip = self._selected_strip()
+            if strip is not None:
+                self._add(strip, self._content().view.playhead_s)
+        else:
+            return self._key_of_point(wanted, key, event.modifiers())
+        return True
+
+    def remove(self, track: int, numbers: tuple[int, ...]) -> None:
+        """Remove points of a track's curve."""
+        design = self._content().design
+        if track not in design.ids:
+            return
+        curve = design.input(track).gain_curve
+        left = tuple(one for k, one in enumerate(curve) if k not in numbers)
+        self.choose(None)
+        self._tell(track, tuple((x, y, "straight") for x, y in left), None)
+
+    def choose(self, chosen: tuple[int, int] | None) -> None:
+        """Let keys be about another point, or about none."""
+        if chosen != self.chosen:
+            self.chosen = chosen
+            self.chose.emit()
+
+    def words(self) -> str:
+        """The chosen point in words, or "" where there is none."""
+        strip, number = self._chosen_strip()
+        if strip is None:
+            return ""
+        return f"Point {number + 1} of the gain curve: {gain_words(*strip.points[number][:2])}"
+
+    def _key_of_point(self, wanted: str, key: Qt.Key, held: Held) -> bool:
+        strip, number = self._chosen_strip()
+        if strip is None:
+            # Held as for a point, where there is none it is for the clips.
+            return False
+        if wanted == "give_up":
+            self.choose(None)
+        elif wanted == "remove":
+            self.remove(strip.lane.track.id, (number,))
+        elif wanted in ("nudge", "change_track", "gain_far"):
+            far = _LEAP if held & Held.ShiftModifier else 1
+            by_s, by_gain = (
+                far * STEP_S * _ASIDE.get(key, 0),
+                far * STEP_GAIN * _UPRIGHT.get(key, 0),
+            )
+            after = moved(strip.points, (number,), by_s, by_gain)
+            self._tell(strip.lane.track.id, after, self._burst.gesture())
+        else:
+            return False
+        return True
+
+    def _walk(self, step: int) -> None:
+        strip = self._selected_strip()
+        if strip is None or not strip.points:
+            return
+        track, last = strip.lane.track.id, len(strip.points) - 1
+        chosen = self.chosen if self.chosen and self.chosen[0] == track else None
+        number = (0 if step > 0 else last) if chosen is None else chosen[1] + step
+        self._burst.end()
+        self.choose((track, min(max(number, 0), last)))
+
+    def _add(self, strip: GainStrip, time_s: float) -> None:
+        points, number = _added(strip, time_s)
+        track = strip.lane.track.id
+        self._tell(track, points, None)
+        self.choose((track, number))
+
+    def _tell(self, track: int, points: Points, gesture: int | None) -> None:
+        content = self._content()
+        curve = curve_of(points)
+        self.edited.emit(edits.set_gain_curve(content.design, content.view, track, curve), gesture)
+
+    def _selected_strip(self) -> GainStrip | None:
+        """The curve of the track that was selected last; shown, if it was not."""
+        content = self._content()
+        track = content.view.selected_input
+        if track is None:
+            return None
+        shown = {one.lane.track.id for one in content.strips if one.shown}
+        if track not in shown:
+            self.looked.emit(show_gain_curves(content.view, shown | {track}))
+        strips = self._content().strips
+        return next((one for one in strips if one.lane.track.id == track and one.shown), None)
+
+    def _chosen_strip(self) -> tuple[GainStrip | None, int]:
+        track, number = self.chosen or (0, 0)
+        for one in self._content().strips:
+            if one.lane.track.id == track and one.shown and number < len(one.points):
+                return one, number
+        return None, 0
+
+
+def _added(strip: GainStrip, time_s: float) -> tuple[Points, int]:
+    """The points with one more on the curve, and its number."""
+    points = strip.points
+    if not points:
+        return ((time_s, 1.0, "straight"),), 0
+    return with_point(points, time_s), sum(x <= time_s for x, _, _ in points)

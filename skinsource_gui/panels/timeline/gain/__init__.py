@@ -1,1 +1,0 @@
-"""Gain curves of tracks, over their clips."""

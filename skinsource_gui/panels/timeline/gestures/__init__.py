@@ -1,1 +1,0 @@
-"""What a pressed button does on the timeline, one file for each kind."""

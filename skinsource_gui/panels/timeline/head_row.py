@@ -1,0 +1,362 @@
+"""Where everything is in the head of a track."""
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QEvent, QObject, QRect, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen, QResizeEvent
+from PySide6.QtWidgets import QWidget
+
+from skinsource.design.clips import Clip
+from skinsource.design.design import AMPLITUDE, Input
+from skinsource.limbs.locations import input_words
+from skinsource.specs.numbers import NumberSpec
+from skinsource_gui.fields.inputs import EMPTY, clip_text, clips_text, duration_text
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.qt.buttons import (
+    SWATCH_PX,
+    LetterButton,
+    mute_button,
+    paint_swatch,
+    remove_button,
+    solo_button,
+)
+from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, scaled
+from skinsource_gui.qt.tooltips import show_tooltip
+
+#: Height of a row.
+ROW_PX = 48
+#: Width of a head; height of a line of text at which sizes are as written here, px.
+HEADS_PX, USUAL_LINE_PX = 196, 14
+# Heads of larger text leave the lanes room too.
+_MOST_HEADS_PX = 320
+_LINE_PX, _FIRST_LINE_PX = 20, 3
+_AMPLITUDE_PX, _GAIN_PX = 90, 54
+_BETWEEN_PX = 2
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RowPlaces:
+    """Where the parts of a head are, px.
+
+    Attributes
+    ----------
+    row
+        All of it.
+    swatch, name
+        Place and its name, which are painted.
+    amplitude, mute, solo, remove
+        The controls.
+    peak
+        The peak that results from a gain, painted beside it.
+    words
+        What has to be painted anew when the words change.
+    """
+
+    row: QRect
+    swatch: QRectF
+    name: QRect
+    amplitude: QRect
+    mute: QRect
+    solo: QRect
+    remove: QRect
+    peak: QRect
+    words: QRect
+
+
+def heads_px(line_px: int) -> int:
+    """Width of heads where a line of text is so high, px."""
+    return min(round(HEADS_PX * max(line_px / USUAL_LINE_PX, 1.0)), _MOST_HEADS_PX)
+
+
+def row_places(width: int, line_px: int = USUAL_LINE_PX, *, peak: bool = False) -> RowPlaces:
+    """Places in a head, in two lines.
+
+    Parameters
+    ----------
+    width
+        Of the head, px.
+    line_px
+        Height of a line of text; where it is larger than usual, so is the head.
+    peak
+        Whether a peak stands beside the amplitude.
+    """
+    scale = max(line_px / USUAL_LINE_PX, 1.0)
+
+    def px(usual: int) -> int:
+        return round(scale * usual)
+
+    height, line, swatch = px(ROW_PX), px(_LINE_PX), px(SWATCH_PX)
+    text_left = UNIT_PX + swatch + UNIT_PX
+    first = px(_FIRST_LINE_PX)
+    second = first + line + 2
+    step, right = line + _BETWEEN_PX, width - UNIT_PX // 2
+    solo, mute = (QRect(right - step * count, first, line, line) for count in (1, 2))
+    remove = QRect(right - step, second, line, line)
+    amplitude_px = px(_GAIN_PX if peak else _AMPLITUDE_PX)
+    amplitude_px = min(amplitude_px, remove.x() - text_left - UNIT_PX // 2)
+    peak_left = text_left + amplitude_px + UNIT_PX // 2
+    return RowPlaces(
+        row=QRect(0, 0, width, height),
+        swatch=QRectF(UNIT_PX, (height - swatch) / 2, swatch, swatch),
+        name=QRect(text_left, first, mute.x() - text_left - _BETWEEN_PX, line),
+        amplitude=QRect(text_left, second, amplitude_px, line + 1),
+        mute=mute,
+        solo=solo,
+        remove=remove,
+        peak=QRect(peak_left, second, remove.x() - peak_left, line + 1),
+        words=QRect(0, 0, remove.x() if peak else mute.x(), height),
+    )
+
+
+# What the head of a track shows.
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RowState:
+    """What a row shows.
+
+    Attributes
+    ----------
+    shown
+        The input.
+    silent
+        Whether it is not heard, for being muted or because another is solo.
+    selected, last, list_focused
+        Whether the row is selected; whether it is the one that was selected last; whether keys go
+        to the list.
+    amplitude
+        What an amplitude is, and in which unit.
+    peak
+        The peak that results where the amplitude is a plain factor, else "".
+    clip
+        The clip that stands for all of them: the selected one, or the first.
+    limb
+        Whose places have which names.
+    """
+
+    shown: Input
+    silent: bool
+    selected: bool
+    last: bool
+    list_focused: bool
+    amplitude: NumberSpec
+    clip: Clip | None
+    limb: str = ""
+    peak: str = ""
+
+    @property
+    def figure(self) -> str:
+        """What the input plays, and for how long."""
+        if self.clip is None:
+            return EMPTY
+        others = clips_text(len(self.shown.clips))
+        lasts = duration_text(self.clip.duration_s)
+        return f"{clip_text(self.clip)} · {lasts}{others}"
+
+    @property
+    def title(self) -> str:
+        """What the input plays."""
+        return EMPTY if self.clip is None else clip_text(self.clip)
+
+    @property
+    def words(self) -> tuple[int, int, bool, str, str]:
+        """What is painted on it: what it plays is said by its tooltip only."""
+        return self.shown.location, self.shown.colour, self.silent, self.limb, self.peak
+
+    @property
+    def frame(self) -> tuple[bool, bool, bool]:
+        """What the ground of the row shows."""
+        return self.selected, self.last, self.list_focused
+
+
+# What the head of a track paints beside its controls.
+
+_MARK_PX = 3
+_TINT_ALPHA = 28
+_SMALLER = 0.8
+
+
+def paint_row(painter: QPainter, state: RowState, places: RowPlaces, theme: Theme) -> None:
+    """Paint ground, place and name of a track, and the peak that results from a gain."""
+    _paint_ground(painter, state, places.row, theme)
+    shown, silent = state.shown, state.silent
+    paint_swatch(
+        painter,
+        places.swatch,
+        shown.location,
+        theme.input_colour(shown.colour),
+        QColor(theme.text),
+        silent=silent,
+    )
+    usual = painter.font()
+    painter.setPen(QColor(theme.dim if silent else theme.text))
+    font = QFont(usual)
+    font.setWeight(QFont.Weight.Medium)
+    painter.setFont(font)
+    place = input_words(shown.location, state.limb)
+    fits = painter.fontMetrics().horizontalAdvance(place.name) <= places.name.width()
+    short_name = place.short_name[0].upper() + place.short_name[1:]
+    _write(painter, places.name, place.name if fits else short_name)
+    painter.setFont(usual)
+    if state.peak:
+        painter.setPen(QColor(theme.dim))
+        painter.setFont(scaled(usual, _SMALLER))
+        room, said = places.peak.width(), f"peak {state.peak}"
+        fits = painter.fontMetrics().horizontalAdvance(said) <= room
+        _write(painter, places.peak, said if fits else state.peak)
+        painter.setFont(usual)
+
+
+def _paint_ground(painter: QPainter, state: RowState, row: QRect, theme: Theme) -> None:
+    painter.setPen(QPen(QColor(theme.border), 1))
+    painter.drawLine(UNIT_PX, row.bottom(), row.width() - UNIT_PX, row.bottom())
+    if not state.selected:
+        return
+    tint = QColor(theme.accent)
+    if state.last:
+        painter.fillRect(0, 0, _MARK_PX, row.height(), tint)
+    if state.last and state.list_focused:
+        painter.setPen(QPen(tint, 2))
+        painter.drawRect(QRectF(row).adjusted(1, 1, -1, -1))
+    tint.setAlpha(_TINT_ALPHA)
+    painter.fillRect(row, tint)
+
+
+def _write(painter: QPainter, place: QRect, text: str) -> None:
+    shown = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, place.width())
+    painter.drawText(place, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, shown)
+
+
+# What heads of tracks tell.
+
+
+class RowSignals(QObject):
+    """What the controls of all rows tell; each signal begins with the id of an input."""
+
+    #: The keyboard went to its number.
+    entered = Signal(int)
+    amplitude_edited = Signal(int, float, object)
+    mute_toggled = Signal(int)
+    solo_toggled = Signal(int)
+    removed = Signal(int)
+
+
+# Head of one track: where it plays, and what is changed most often.
+
+
+class InputRow(QWidget):
+    """The head of a track, which tells by ``signals`` what is done to it."""
+
+    def __init__(self, signals: RowSignals, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._signals = signals
+        self._state: RowState | None = None
+        self.setObjectName("input_row")
+        self._places = row_places(self.width())
+        self.setFixedHeight(ROW_PX)
+        self.amplitude = NumberField(AMPLITUDE, self, widest_unit="")
+        self.amplitude.setObjectName("amplitude_field")
+        # The theme's fields are as high as a line of a form, too high for two lines in a row.
+        self.amplitude.setStyleSheet("QLineEdit { min-height: 0; padding: 0 4px; }")
+        self.mute, self.solo, self.remove = (
+            mute_button(self),
+            solo_button(self),
+            remove_button(self),
+        )
+        self.amplitude.edited.connect(self._edit_amplitude)
+        self.amplitude.installEventFilter(self)
+        self.mute.clicked.connect(self._toggle_mute)
+        self.solo.clicked.connect(self._toggle_solo)
+        self.remove.clicked.connect(self._remove)
+
+    @property
+    def controls(self) -> tuple[NumberField | LetterButton, ...]:
+        """What the keyboard can reach, in its order."""
+        return (self.amplitude, self.mute, self.solo, self.remove)
+
+    @property
+    def id(self) -> int:
+        """Id of its input."""
+        return self.state.shown.id
+
+    @property
+    def state(self) -> RowState:
+        """What is shown; only a row that shows something is asked."""
+        if self._state is None:
+            raise LookupError("this row shows no input yet")
+        return self._state
+
+    def show_state(self, state: RowState) -> None:
+        """Show an input."""
+        if state == self._state:
+            return
+        old, self._state = self._state, state
+        shown = state.shown
+        self.amplitude.set_spec(state.amplitude)
+        self.amplitude.set_value(shown.amplitude)
+        self.mute.setChecked(shown.muted)
+        self.solo.setChecked(shown.solo)
+        if old is None or old.last != state.last:
+            self._let_keyboard_in(state.last)
+        place = input_words(shown.location, state.limb)
+        self.setAccessibleName(
+            f"Input at {place.number}, {place.name}: {state.title}"
+            f"{', silent' if state.silent else ''}"
+        )
+        peak = f"\nPeak {state.peak}" if state.peak else ""
+        show_tooltip(self, f"{place.number} · {place.name}\n{state.figure}{peak}")
+        if bool(state.peak) != bool(old and old.peak):
+            self._lay_out()
+        if old is None or old.frame != state.frame:
+            self.update()
+        elif old.words != state.words:
+            # These alone: the controls beside them look after themselves.
+            self.update(self._places.words)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self.amplitude and event.type() == QEvent.Type.FocusIn:
+            self._signals.entered.emit(self.id)
+        return super().eventFilter(watched, event)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._lay_out()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._lay_out()
+
+    def _lay_out(self) -> None:
+        peak = self._state is not None and bool(self._state.peak)
+        places = self._places = row_places(self.width(), self.fontMetrics().height(), peak=peak)
+        self.setFixedHeight(places.row.height())
+        self.amplitude.setGeometry(places.amplitude)
+        self.mute.setGeometry(places.mute)
+        self.solo.setGeometry(places.solo)
+        self.remove.setGeometry(places.remove)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        if self._state is not None:
+            painter = QPainter(self)
+            paint_row(painter, self._state, self._places, current_theme())
+
+    def _let_keyboard_in(self, selected: bool) -> None:
+        # One row at a time: twenty rows of four stops each would be a long way.
+        number = Qt.FocusPolicy.StrongFocus if selected else Qt.FocusPolicy.ClickFocus
+        button = Qt.FocusPolicy.TabFocus if selected else Qt.FocusPolicy.NoFocus
+        self.amplitude.setFocusPolicy(number)
+        for control in (self.mute, self.solo, self.remove):
+            control.setFocusPolicy(button)
+
+    def _edit_amplitude(self, value: float, gesture: int | None) -> None:
+        self._signals.amplitude_edited.emit(self.id, value, gesture)
+
+    def _toggle_mute(self) -> None:
+        self._signals.mute_toggled.emit(self.id)
+
+    def _toggle_solo(self) -> None:
+        self._signals.solo_toggled.emit(self.id)
+
+    def _remove(self) -> None:
+        self._signals.removed.emit(self.id)

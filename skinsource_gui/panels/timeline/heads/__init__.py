@@ -1,1 +1,0 @@
-"""Heads of the tracks, one row each: colour, place, level, mute, solo."""

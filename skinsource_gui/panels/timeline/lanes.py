@@ -1,0 +1,663 @@
+"""What keys mean on the lanes."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import partial
+
+from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QContextMenuEvent, QHelpEvent, QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtWidgets import QToolTip, QWidget
+
+from skinsource.base.arrays import Floats
+from skinsource.design import edits
+from skinsource.design.clips import Marker
+from skinsource.design.design import Design
+from skinsource.design.view import View
+from skinsource.limbs.own_limbs import facts_of
+from skinsource_gui.fields.editor import Burst
+from skinsource_gui.panels.timeline.content import (
+    CURSORS,
+    Box,
+    ClipLengths,
+    Content,
+    Lane,
+    Overlaps,
+    Part,
+    SeenTime,
+    after,
+    hover_words,
+    overlapping,
+    part_at,
+    ruler_px,
+    shown_gain_curves,
+)
+from skinsource_gui.panels.timeline.gain import GainItem, GainPoints
+from skinsource_gui.panels.timeline.gestures import (
+    Either,
+    FadeEnd,
+    Gesture,
+    Held,
+    Marquee,
+    MoveClips,
+    MoveEnd,
+    MoveGain,
+    MoveLoop,
+    MoveMarker,
+    MovePlayhead,
+    Pan,
+    Shown,
+    Stage,
+    snapped_time,
+)
+from skinsource_gui.panels.timeline.painting import LanesItem, OverItem, PlayheadItem
+from skinsource_gui.plots.plot import PLAYHEAD, Canvas, moved_playhead
+from skinsource_gui.plots.time_scale import TimeScale, panned
+from skinsource_gui.qt.frames import DropPlace
+from skinsource_gui.qt.keys import meaning_of
+from skinsource_gui.qt.theme import scaled, tabular
+from skinsource_gui.qt.wheel import NOTCH
+
+_PLACE = "timeline"
+_Key = Qt.Key
+#: How far an arrow moves clips; with Shift ten times as far.
+STEP_S, _LEAP = 0.001, 10
+_STEPS = {_Key.Key_Left: -1, _Key.Key_Right: 1, _Key.Key_Up: -1, _Key.Key_Down: 1}
+_ZOOM = 1.5
+
+
+class LaneKeys(QObject):
+    """Turns key presses into edits of the selected clips."""
+
+    edited = Signal(object, object)
+    looked = Signal(object)
+    playhead_wanted = Signal(float)
+    copied = Signal()
+    cut = Signal()
+    pasted = Signal()
+    zoomed = Signal(float)
+    everything_wanted = Signal()
+    opened = Signal(int)
+    clip_wanted = Signal(int, float)
+    marker_wanted = Signal(float)
+
+    def __init__(self, content: Callable[[], Content], gain: GainPoints, parent: QObject) -> None:
+        super().__init__(parent)
+        self._content, self._gain = content, gain
+        self._burst = Burst(self)
+        self._nudged: object = None
+
+    def claims(self, event: QKeyEvent) -> bool:
+        """Whether the lanes want this key for themselves, before any shortcut of the window."""
+        return bool(meaning_of(_PLACE, event) or meaning_of(PLAYHEAD, event))
+
+    def press(self, event: QKeyEvent) -> bool:
+        """Do what a key means; whether it means anything."""
+        if self._gain.key(event):
+            return True
+        content = self._content()
+        playhead_s = moved_playhead(event, content.design, content.view.playhead_s)
+        if playhead_s is not None:
+            self._put_playhead(playhead_s)
+            return True
+        wanted = meaning_of(_PLACE, event)
+        if wanted in ("nudge", "change_track"):
+            leap = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+            self._nudge(wanted, _STEPS[_Key(event.key())] * (_LEAP if leap else 1))
+        elif wanted == "go":
+            self._go(_STEPS[_Key(event.key())])
+        elif wanted == "below":
+            self._go_below()
+        elif wanted == "gain_far":
+            self._reach(_STEPS[_Key(event.key())])
+        elif wanted == "playhead":
+            ends = (clip.end_s for clip in content.design.clips)
+            at_start = event.key() == _Key.Key_Home
+            self._put_playhead(0.0 if at_start else max(ends, default=0.0))
+        else:
+            return self._show(wanted) or self._edit(wanted)
+        return True
+
+    def _show(self, wanted: str) -> bool:
+        """Do what leaves the design as it is; whether that is wanted."""
+        content = self._content()
+        design, view = content.design, content.view
+        if wanted in ("zoom_in", "zoom_out"):
+            self.zoomed.emit(_ZOOM if wanted == "zoom_in" else 1 / _ZOOM)
+        elif wanted == "whole":
+            self.everything_wanted.emit()
+        elif wanted == "select_all":
+            self.looked.emit(edits.select_all_clips(design, view).view)
+        elif wanted == "open":
+            for clip in content.chosen[-1:]:
+                self.opened.emit(clip)
+        else:
+            return False
+        return True
+
+    def _edit(self, wanted: str) -> bool:
+        """Do what changes the design; whether that is wanted."""
+        content = self._content()
+        design, view = content.design, content.view
+        chosen, at_s = content.chosen, view.playhead_s
+        if wanted == "copy":
+            self.copied.emit()
+        elif wanted == "cut":
+            self.cut.emit()
+        elif wanted == "paste":
+            self.pasted.emit()
+        elif wanted == "marker":
+            self.marker_wanted.emit(at_s)
+        elif wanted == "add" and view.selected_input is not None:
+            self.clip_wanted.emit(view.selected_input, at_s)
+        outcome = {
+            "split": lambda: edits.split_clips(design, view, chosen, at_s),
+            "repeat": lambda: edits.repeat_clips(design, view, chosen, 2),
+            "mute": lambda: edits.toggle_mute_clips(design, view, chosen),
+            "duplicate": lambda: edits.duplicate_clips(design, view, chosen),
+            "remove": lambda: edits.remove_clips(design, view, chosen),
+        }.get(wanted)
+        if outcome is not None:
+            self.edited.emit(outcome(), None)
+        return bool(wanted)
+
+    def _put_playhead(self, time_s: float) -> None:
+        content = self._content()
+        low, high = content.scale.shown_s
+        self.playhead_wanted.emit(time_s)
+        if not low <= time_s <= high:
+            # What is seen follows, so that the time is in sight again, beside its nearest edge.
+            by_s = time_s - (low if time_s < low else high)
+            shown_s = panned((low, high), by_s, content.whole_s)
+            self.looked.emit(replace(self._content().view, time_range_s=shown_s))
+
+    def _go(self, step: int) -> None:
+        """Select the next clip, or the one before, through all tracks."""
+        content = self._content()
+        design, view = content.design, content.view
+        ids = [
+            clip.id
+            for track in design.inputs
+            for clip in sorted(track.clips, key=lambda one: one.onset_s)
+        ]
+        if not ids:
+            return
+        chosen = view.selected_clips
+        here = ids.index(chosen[-1]) if chosen and chosen[-1] in ids else (-1 if step > 0 else 0)
+        self.looked.emit(edits.select_clips(design, view, (ids[(here + step) % len(ids)],)).view)
+
+    def _reach(self, step: int) -> None:
+        """Select besides the nearest clip of the next track that has any."""
+        content = self._content()
+        design, view = content.design, content.view
+        for last in content.chosen[-1:]:
+            here, onset_s = design.index_of(design.track_of(last).id), design.clip(last).onset_s
+            ahead = design.inputs[here + 1 :] if step > 0 else design.inputs[:here][::-1]
+            clips = next((track.clips for track in ahead if track.clips), ())
+            near = min(clips, key=lambda one: abs(one.onset_s - onset_s), default=None)
+            if near is not None:
+                kept = (one for one in content.chosen if one != near.id)
+                self.looked.emit(edits.select_clips(design, view, (*kept, near.id)).view)
+
+    def _go_below(self) -> None:
+        """Select the next of the clips that overlap."""
+        content = self._content()
+        for clip in content.chosen[-1:]:
+            track = content.design.track_of(clip)
+            following = after(overlapping(track, content.design.clip(clip)), clip)
+            chosen = (clip if following is None else following,)
+            self.looked.emit(edits.select_clips(content.design, content.view, chosen).view)
+
+    def _nudge(self, wanted: str, steps: int) -> None:
+        content = self._content()
+        design, view = content.design, content.view
+        aside = wanted == "nudge"
+        by_s, by_tracks = (steps * STEP_S, 0) if aside else (0.0, steps)
+        outcome = edits.move_clips(design, view, content.chosen, by_s, by_tracks)
+        # One burst of nudges is one step of the history; other clips, or upright, are another.
+        nudged = (aside, content.chosen)
+        if nudged != self._nudged:
+            self._burst.end()
+            self._nudged = nudged
+        self.edited.emit(outcome, self._burst.gesture())
+
+
+# What the mouse does on the lanes and on the ruler.
+
+# A movement shorter than this is a click.
+_DRAG_PX = 4.0
+_CATCH_PX = 6.0
+
+
+class LaneMouse(QObject):
+    """Turns what the buttons do into gestures, and single clicks into selections.
+
+    Parameters
+    ----------
+    content
+        Returns what is shown now.
+    gain
+        Knows where gain curves are, which lie over the clips.
+
+    Attributes
+    ----------
+    elsewhere
+        Returns where in another panel something goes that is held over a place, px.
+    """
+
+    edited = Signal(object, object)
+    looked = Signal(object)
+    playhead_wanted = Signal(float)
+    #: `Shown`: what is painted over the lanes.
+    shown = Signal(object)
+    #: A double click on a clip, with its id; on an empty lane, with track and time; on the ruler.
+    opened = Signal(int)
+    clip_wanted = Signal(int, float)
+    marker_wanted = Signal(float)
+
+    def __init__(self, content: Callable[[], Content], gain: GainPoints, parent: QObject) -> None:
+        super().__init__(parent)
+        self._content, self._gain = content, gain
+        self.elsewhere: Callable[[QPointF | None], DropPlace | None] = lambda at: None
+        self._gesture: Gesture | None = None
+        self._click: Callable[[], None] | None = None
+        self._at = QPointF()
+        self._moving = False
+        # The clip on which the button went down last.
+        self._pressed: int | None = None
+
+    @property
+    def busy(self) -> bool:
+        """Whether a button is down that means something."""
+        return self._gesture is not None
+
+    def press(self, at: QPointF, button: Qt.MouseButton, held: Held, rate_hz: float) -> None:
+        """A button went down."""
+        if self.busy:
+            return
+        content = self._content()
+        stage = self._stage()
+        self._at, self._moving, self._click = at, False, None
+        box = content.box_at(at)
+        if button == Qt.MouseButton.MiddleButton:
+            self._gesture = Pan(stage, at)
+        elif button != Qt.MouseButton.LeftButton:
+            return
+        elif at.y() < content.ruler_px:
+            self._gesture = self._on_ruler(stage, at, held)
+        elif (curve := self._gain.press(stage, at, held)) is not None:
+            on_line = isinstance(curve, MoveGain) and curve.upright
+            if on_line and box is not None:
+                curve = self._on_line(curve, box, at, held, rate_hz)
+            self._gesture = curve
+        elif box is not None:
+            self._gesture = self._on_clip(box, at, held, rate_hz)
+        else:
+            self._gesture = Marquee(stage, at)
+            self._click = self._on_ground(stage, at)
+
+    def move(self, at: QPointF, held: Held) -> None:
+        """The pointer moved."""
+        if self._gesture is None:
+            return
+        away = at - self._at
+        self._moving = self._moving or max(abs(away.x()), abs(away.y())) >= _DRAG_PX
+        if self._moving:
+            self._click = None
+            self.shown.emit(self._gesture.move(at, held))
+
+    def release(self) -> None:
+        """The button went up."""
+        gesture, click, self._gesture, self._click = self._gesture, self._click, None, None
+        if gesture is not None:
+            gesture.finish()
+            self.shown.emit(Shown())
+        if click is not None:
+            click()
+
+    def cancel(self) -> bool:
+        """Give up the gesture as if it had not begun; whether there was one."""
+        gesture, self._gesture, self._click = self._gesture, None, None
+        if gesture is None:
+            return False
+        gesture.cancel()
+        self.shown.emit(Shown())
+        return True
+
+    def double_click(self, at: QPointF) -> None:
+        """The left button was pressed twice."""
+        self.cancel()
+        content = self._content()
+        box, lane = content.box_at(at), content.lane_at(at.y())
+        if at.y() < content.ruler_px:
+            self.marker_wanted.emit(max(content.scale.time(at.x()), 0.0))
+        elif self._gain.double_click(at):
+            return
+        elif box is not None:
+            # The first of the two clicks may have gone on to a clip below.
+            under = [one.clip.id for one in content.boxes_at(at)]
+            wanted = self._pressed if self._pressed in under else box.clip.id
+            self._select(wanted)
+            self.opened.emit(wanted)
+        elif lane is not None:
+            self.clip_wanted.emit(lane.track.id, self.time_at(at))
+
+    def time_at(self, at: QPointF) -> float:
+        """The time to which something would snap that is put there, s."""
+        return snapped_time(self._stage(), at)[0]
+
+    def cursor_at(self, at: QPointF) -> Qt.CursorShape:
+        """Shape of the pointer."""
+        content = self._content()
+        if at.y() < content.ruler_px:
+            caught = _loop_end_at(content, at) is not None or marker_at(content, at) is not None
+            return Qt.CursorShape.SizeHorCursor if caught else Qt.CursorShape.PointingHandCursor
+        strip = self._gain.strip_at(at)
+        if strip is not None:
+            on_point = strip.point_at(at) is not None
+            return Qt.CursorShape.SizeAllCursor if on_point else Qt.CursorShape.SizeVerCursor
+        box = content.box_at(at)
+        if box is None:
+            return Qt.CursorShape.ArrowCursor
+        part = part_at(box.rect, at, box.fades_px)
+        if part is Part.BODY and self.busy:
+            return Qt.CursorShape.ClosedHandCursor
+        return CURSORS[part]
+
+    def _stage(self) -> Stage:
+        return Stage(
+            content=self._content,
+            apply=self.edited.emit,
+            look=self.looked.emit,
+            put_playhead=self.playhead_wanted.emit,
+            elsewhere=lambda at: self.elsewhere(at),
+            before=self._content(),
+        )
+
+    def _on_clip(self, box: Box, at: QPointF, held: Held, rate_hz: float) -> Gesture:
+        content, clip = self._content(), box.clip
+        self._pressed = clip.id
+        chosen = clip.id in content.view.selected_clips
+        if held & Held.ControlModifier:
+            # Ctrl copies if it moves, and otherwise adds to the selection or takes away.
+            toggled = edits.toggle_clip(content.design, content.view, clip.id).view
+            self._click = lambda: self.looked.emit(toggled)
+        elif content.view.selected_clips == (clip.id,):
+            # Clips may lie over each other: another click goes on to the next one below.
+            ids = [one.clip.id for one in content.boxes_at(at)]
+            self._click = partial(self._select, after(ids, clip.id) or clip.id)
+        elif not chosen:
+            self.looked.emit(edits.select_clips(content.design, content.view, (clip.id,)).view)
+        else:
+            self._click = partial(self._select, clip.id)
+        stage = self._stage()
+        part = part_at(box.rect, at, box.fades_px)
+        if part is Part.BODY or held & Held.ControlModifier:
+            return MoveClips(stage, box, at, rate_hz)
+        ends = (Part.START, Part.END)
+        return MoveEnd(stage, box, at, part) if part in ends else FadeEnd(stage, box, at, part)
+
+    def _on_line(
+        self, curve: Gesture, box: Box, at: QPointF, held: Held, rate_hz: float
+    ) -> Gesture:
+        """The curve of a track where it passes over a clip."""
+
+        def clip() -> Gesture:
+            found = self._on_clip(box, at, held, rate_hz)
+            self._click = None
+            return found
+
+        self._pressed = box.clip.id
+        self._click = partial(self._select, box.clip.id)
+        return Either(at, lambda: curve, clip)
+
+    def _select(self, clip: int) -> None:
+        content = self._content()
+        self.looked.emit(edits.select_clips(content.design, content.view, (clip,)).view)
+
+    def _on_ruler(self, stage: Stage, at: QPointF, held: Held) -> Gesture:
+        content = stage.before
+        marker, fixed_s = marker_at(content, at), _loop_end_at(content, at)
+        if held & Held.ShiftModifier:
+            return MoveLoop(stage, snapped_time(stage, at)[0])
+        if marker is not None:
+            return MoveMarker(stage, marker)
+        if fixed_s is not None:
+            return MoveLoop(stage, fixed_s)
+        gesture = MovePlayhead(stage)
+        gesture.move(at, held)
+        return gesture
+
+    def _on_ground(self, stage: Stage, at: QPointF) -> Callable[[], None]:
+        def click() -> None:
+            content = self._content()
+            lane = content.lane_at(at.y())
+            time_s = snapped_time(stage, at)[0]
+            tracks = () if lane is None else (lane.track.id,)
+            self.looked.emit(replace(content.view, selected_inputs=tracks, selected_clips=()))
+            self.playhead_wanted.emit(time_s)
+
+        return click
+
+
+def marker_at(content: Content, at: QPointF) -> Marker | None:
+    """The marker whose flag is at this place."""
+    near = (
+        (abs(content.scale.x(one.time_s) - at.x()), index)
+        for index, one in enumerate(content.design.markers)
+    )
+    found = min(near, default=None)
+    if found is None or found[0] > _CATCH_PX or at.y() > content.ruler_px / 2:
+        return None
+    return content.design.markers[found[1]]
+
+
+def _loop_end_at(content: Content, at: QPointF) -> float | None:
+    """The other end of the loop region, if one is at this place."""
+    if content.design.loop_s is None:
+        return None
+    start_s, end_s = content.design.loop_s
+    for here, other in ((start_s, end_s), (end_s, start_s)):
+        if abs(content.scale.x(here) - at.x()) <= _CATCH_PX:
+            return other
+    return None
+
+
+# The part of the timeline on which clips are moved.
+
+_SIDE_PX = 8.0
+_TEXT = 0.9
+_CTRL = Qt.KeyboardModifier.ControlModifier
+
+
+class LanesView(Canvas):
+    """Lanes and a ruler; tells what the mouse and keys ask for.
+
+    Attributes
+    ----------
+    mouse, keys
+        What is done here.
+    item, gains, playhead, over
+        What paints.
+    gain
+        What is done to gain curves.
+    seen
+        Which part of the time is shown.
+    sample_rate_hz
+        A free drag goes by whole samples of this rate.
+    """
+
+    key_place = "timeline"
+
+    looked = Signal(object)
+    #: Lanes are to be scrolled by so many notches.
+    scroll_wanted = Signal(float)
+    menu_wanted = Signal(object, object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("lanes")
+        self.setAccessibleName("Timeline")
+        self.setMouseTracking(True)
+        self.setMinimumSize(120, 60)
+        self.item = LanesItem()
+        self.addItem(self.item)
+        self.gains, self.playhead, self.over = GainItem(), PlayheadItem(), OverItem()
+        self.addItem(self.gains)
+        self.addItem(self.playhead)
+        self.addItem(self.over)
+        self.sample_rate_hz = facts_of("").sample_rate_hz
+        self._design, self._view = Design(limb=""), View()
+        self._lanes: tuple[Lane, ...] = ()
+        self._waveforms: Mapping[int, Floats] = {}
+        self._awaited: frozenset[int] = frozenset()
+        self._lengths = ClipLengths(self._design)
+        self._overlaps = Overlaps()
+        self._held_tops: Mapping[int, float] = {}
+        self.snaps = True
+        self.gain = GainPoints(lambda: self.content, self)
+        self.seen = SeenTime(lambda: self.content, self)
+        self.content = self._made()
+        self.mouse = LaneMouse(lambda: self.content, self.gain, self)
+        self.keys = LaneKeys(lambda: self.content, self.gain, self)
+        for part in (self.seen, self.gain, self.mouse, self.keys):
+            part.looked.connect(self.looked)
+        self.gain.chose.connect(self.lay_out)
+        self.mouse.shown.connect(self._show_over)
+        self._pointer = QPointF()
+        self.take_look()
+
+    @property
+    def ruler_px(self) -> float:
+        """Where lanes begin."""
+        return ruler_px(self.fontMetrics().height())
+
+    def show_state(self, design: Design, view: View, lanes: tuple[Lane, ...]) -> None:
+        """Show another design or view; lanes in coordinates of this widget."""
+        self._design, self._view, self._lanes = design, view, lanes
+        self.lay_out()
+
+    def show_playhead(self, view: View) -> None:
+        """Show a view in which the playhead alone has moved."""
+        self._view = view
+        self.content = self.content.with_playhead(view)
+        self.playhead.show_content(self.content, float(self.height()))
+
+    def show_waveforms(
+        self, waveforms: Mapping[int, Floats], awaited: frozenset[int] = frozenset()
+    ) -> None:
+        """What clips play, (n_times,) each, by their id; ``awaited``: of which it is late."""
+        self._waveforms, self._awaited = waveforms, awaited
+        self.lay_out()
+
+    def take_look(self) -> None:
+        super().take_look()
+        for item in (self.item, self.gains, self.over):
+            item.show_font(scaled(tabular(self.font()), _TEXT))
+
+    def set_snaps(self, snaps: bool) -> None:
+        """Whether edges snap."""
+        self.snaps = snaps
+        self.lay_out()
+
+    def claims(self, event: QKeyEvent) -> bool:
+        return self.keys.claims(event)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self.setFocus(Qt.FocusReason.MouseFocusReason)
+        self.seen.hold()
+        self._held_tops = {one.lane.track.id: one.top for one in self.content.strips}
+        self.mouse.press(event.position(), event.button(), event.modifiers(), self.sample_rate_hz)
+        event.accept()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        self._pointer = event.position()
+        if self.mouse.busy:
+            self.mouse.move(event.position(), event.modifiers())
+        else:
+            box = self.content.box_at(event.position())
+            self.item.show_hovered(None if box is None else box.clip.id)
+            self.viewport().setCursor(self.mouse.cursor_at(event.position()))
+        event.accept()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if event.button() in (Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton):
+            self.mouse.release()
+            self._let_go()
+        event.accept()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.mouse.double_click(event.position())
+            self._let_go()
+        event.accept()
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        place = QPointF(event.pos())
+        if event.reason() == QContextMenuEvent.Reason.Keyboard:
+            # The menu key means the clip that was selected last, or else the playhead.
+            place = self.content.place_of_keys
+        self.menu_wanted.emit(self.mapToGlobal(place).toPoint(), place)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        turns, held = event.angleDelta(), event.modifiers()
+        if turns.x() or held & (_CTRL | Qt.KeyboardModifier.ShiftModifier):
+            self.seen.turn(event)
+        else:
+            self.scroll_wanted.emit(turns.y() / NOTCH)
+        event.accept()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and self.mouse.cancel():
+            self._let_go()
+        elif not self.keys.press(event):
+            event.ignore()
+
+    def viewportEvent(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
+            QToolTip.showText(
+                event.globalPos(), hover_words(self.content, QPointF(event.pos())), self
+            )
+            return True
+        return super().viewportEvent(event)
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self.item.show_hovered(None)
+
+    def _let_go(self) -> None:
+        self.seen.let_go()
+        self._held_tops = {}
+        self.lay_out()
+
+    def _show_over(self, shown: Shown) -> None:
+        self.over.show_over(shown, self._pointer)
+
+    def lay_out(self) -> None:
+        self.content = self._made()
+        rect = QRectF(self.rect())
+        for item in (self.item, self.gains, self.over):
+            item.show_content(self.content, rect)
+        self.setAccessibleDescription(self.gain.words())
+        self.playhead.show_content(self.content, float(self.height()))
+
+    def _made(self) -> Content:
+        self._lengths = self._lengths.of(self._design)
+        shown_s = self.seen.range_s(self._view, self._lengths.whole_s)
+        width = max(self.width() - 2 * _SIDE_PX, 1.0)
+        return Content(
+            design=self._design,
+            view=self._view,
+            lanes=self._lanes,
+            scale=TimeScale(shown_s=shown_s, left_px=_SIDE_PX, width_px=width),
+            height_px=float(self.height()),
+            lengths=self._lengths,
+            waveforms=self._waveforms,
+            awaited=self._awaited,
+            sample_rate_hz=self.sample_rate_hz,
+            snaps=self.snaps,
+            ruler_px=self.ruler_px,
+            gain_shown=shown_gain_curves(self._view),
+            gain_tops=self._held_tops,
+            chosen_point=self.gain.chosen,
+            overlaps=self._overlaps,
+        )

@@ -1,0 +1,830 @@
+"""What clips play, as pictures that are kept."""
+
+from collections import OrderedDict
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass
+from math import ceil, floor
+from operator import is_
+from typing import Any
+
+import numpy as np
+import pyqtgraph
+from pyqtgraph.functions import arrayToQPath
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPixmap, QPolygonF
+
+from skinsource.base.arrays import Floats
+from skinsource_gui.fields.units import axis_unit
+from skinsource_gui.panels.timeline.content import MARGIN_PX, Box, Content, Lane, paint_overlaps
+from skinsource_gui.panels.timeline.gestures import Shown
+from skinsource_gui.plots.curves import course_of
+from skinsource_gui.plots.ranges import KeptColumns, Tick, linear_ticks, wave_of
+from skinsource_gui.plots.time_scale import Range, TimeScale
+from skinsource_gui.qt.frames import KeptPicture
+from skinsource_gui.qt.theme import Theme, current_theme, dots_in_px, is_on_paper, thin_pen
+
+_BUDGET_BYTES = 48 * 2**20
+_BYTES_PER_PIXEL = 4
+# Strokes of this mean length, of 2, make a block, whose edge needs no smoothing.
+_BLOCK = 0.8
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Played:
+    """What a clip plays.
+
+    Attributes
+    ----------
+    samples : (n_times,)
+    sample_rate_hz
+    """
+
+    samples: Floats
+    sample_rate_hz: float
+
+
+@dataclass(frozen=True, slots=True)
+class Look:
+    """How it is drawn.
+
+    Attributes
+    ----------
+    colour
+        Of the curve, as a number.
+    reach
+        Height of a sample of 1, as a share of half the picture; negative: upside down.
+    part
+        Which part of the whole is shown, from 0 to 1.
+    ratio
+        Dots in a px.
+    """
+
+    colour: int
+    reach: float
+    part: tuple[float, float] = (0.0, 1.0)
+    ratio: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class _Key:
+    # The samples stand beside the picture, so that their number is not given to others.
+    samples: int
+    rate_hz: float
+    width: float
+    height: float
+    look: Look
+
+
+class ClipPictures:
+    """Curves of clips, painted once for each size and look; the oldest go first.
+
+    Attributes
+    ----------
+    mark
+        The frame of the one clip that is shown elsewhere.
+    columns
+        Where the samples of the clip that was painted last fall.
+    painted, waves
+        How many pictures were painted, and how many of them show the wave between samples: an edit
+        that changes no clip paints none.
+    """
+
+    def __init__(self, budget_bytes: int = _BUDGET_BYTES) -> None:
+        self._kept: OrderedDict[_Key, tuple[Floats, QPixmap]] = OrderedDict()
+        self._budget, self._bytes = budget_bytes, 0
+        self.painted = self.waves = 0
+        self.mark, self.columns = KeptPicture(), KeptColumns()
+
+    def paint(self, painter: QPainter, played: Played, area: QRectF, look: Look) -> None:
+        """Paint what a clip plays; on paper as lines."""
+        if is_on_paper():
+            painter.save()
+            painter.translate(area.topLeft())
+            self._draw(painter, played, area.size(), look)
+            painter.restore()
+            return
+        painter.drawPixmap(area.topLeft(), self.picture(played, area.size(), look))
+
+    def picture(self, played: Played, size: QSizeF, look: Look) -> QPixmap:
+        """Picture of what a clip plays, so large, px."""
+        samples = played.samples
+        key = _Key(id(samples), played.sample_rate_hz, size.width(), size.height(), look)
+        found = self._kept.get(key)
+        if found is not None and found[0] is samples:
+            self._kept.move_to_end(key)
+            return found[1]
+        made = QPixmap((size * look.ratio).toSize().expandedTo(QSizeF(1, 1).toSize()))
+        made.setDevicePixelRatio(look.ratio)
+        made.fill(Qt.GlobalColor.transparent)
+        on_picture = QPainter(made)
+        self._draw(on_picture, played, size, look)
+        on_picture.end()
+        self.painted += 1
+        self._keep(key, samples, made)
+        return made
+
+    def forget(self) -> None:
+        """Keep nothing."""
+        self._kept.clear()
+        self._bytes = 0
+
+    def _keep(self, key: _Key, samples: Floats, made: QPixmap) -> None:
+        old = self._kept.pop(key, None)
+        self._bytes += _size(made) - (0 if old is None else _size(old[1]))
+        self._kept[key] = (samples, made)
+        while self._bytes > self._budget and len(self._kept) > 1:
+            _, (_, gone) = self._kept.popitem(last=False)
+            self._bytes -= _size(gone)
+
+    def _draw(self, painter: QPainter, played: Played, size: QSizeF, look: Look) -> None:
+        samples, width, height = played.samples, size.width(), size.height()
+        if not samples.size:
+            return
+        time_s = np.arange(samples.size) / played.sample_rate_hz
+        first_s, end_s = (share * samples.size / played.sample_rate_hz for share in look.part)
+        across = max(round(width * look.ratio), 1)
+        wave = wave_of(time_s, samples[np.newaxis])
+        found = self.columns.of(time_s, (first_s, end_s), across)
+        seen = course_of(found, samples[np.newaxis], wave, width, look.ratio)
+        heights = look.reach * seen.line.y[0]
+        if seen.wave:
+            self.waves += 1
+            # Between samples it may be higher than the lane is for them.
+            heights = heights / max(float(np.abs(heights).max()), 1.0)
+        strokes = np.abs(heights[1::2] - heights[::2]) if seen.line.strokes else 0.0
+        block = not is_on_paper() and np.mean(strokes) > _BLOCK * abs(look.reach)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, not block)
+        painter.setPen(thin_pen(QColor.fromRgba(look.colour)))
+        x = (seen.line.x - first_s) / (end_s - first_s) * width
+        y = height / 2 - np.clip(heights, -1, 1) * (height / 2 - 1)
+        if x.size == 1:
+            painter.drawLine(QPointF(x[0], height / 2), QPointF(x[0], y[0]))
+        else:
+            painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
+
+
+def _size(picture: QPixmap) -> int:
+    return picture.width() * picture.height() * _BYTES_PER_PIXEL
+
+
+# How a clip looks.
+
+_ROUNDING_PX = 3.0
+_WORDS_FROM_PX = 40.0
+_BODY_ALPHA, _PALE_BODY_ALPHA, _SELECTED_ALPHA = 46, 18, 84
+_PALE = 0.45
+_HANDLE_PX = 5.0
+
+
+def words_of(box: Box) -> str:
+    """What stands on a clip: its label, or what it plays."""
+    clip = box.clip
+    return clip.label or clip.waveform.title
+
+
+def paint_clip(
+    painter: QPainter,
+    box: Box,
+    samples: Floats | None,
+    sample_rate_hz: float,
+    pictures: ClipPictures,
+    theme: Theme,
+    *,
+    loudest: float,
+    selected: bool,
+    shown_elsewhere: bool,
+    unplayable: bool,
+    awaited: bool,
+    handles: bool,
+    view: QRectF,
+) -> None:
+    """Paint a clip.
+
+    Parameters
+    ----------
+    samples, sample_rate_hz : (n_times,)
+        What it plays, or None while it is not known.
+    loudest
+        The largest gain of its track, which takes the full height.
+    selected, shown_elsewhere, unplayable, awaited, handles
+        Whether it is selected; whether the inspector shows it; whether its track cannot be played
+        because of it; whether what it plays is late; whether its ends show that they can be
+        dragged.
+    view
+        What can be seen: no more is painted.
+    """
+    pale = box.clip.muted or bool(box.lane.silent)
+    colour = QColor(theme.dim) if pale else theme.input_colour(box.lane.track.colour)
+    shown = box.rect.intersected(view.adjusted(-2, 0, 2, 0))
+    if shown.isEmpty():
+        # Of its lane no more is in sight than the edge.
+        return
+    _paint_body(painter, box.rect, shown, colour, selected=selected, pale=pale)
+    if samples is not None and shown.width() >= 1:
+        painter.setOpacity(_PALE if pale else 1.0)
+        played = Played(samples, sample_rate_hz)
+        _paint_samples(painter, box, shown, played, pictures, colour, loudest)
+        painter.setOpacity(1.0)
+    if any(box.fades_px):
+        _paint_fades(painter, box, QColor(theme.text))
+    # Over the lines of fades: the name is read first.
+    if shown.width() >= _WORDS_FROM_PX:
+        words = words_of(box)
+        _write(painter, f"{words} · updating…" if awaited else words, shown, theme, pale=pale)
+    _paint_frame(painter, box.rect, shown, theme, colour, selected=selected)
+    if unplayable:
+        _paint_frame(painter, box.rect, shown, theme, QColor(theme.error), selected=False)
+    if shown_elsewhere and not selected:
+        mark_clip(painter, box.rect, shown, pictures.mark, QColor(theme.accent))
+    if handles:
+        _paint_handles(painter, box, QColor(theme.text))
+
+
+def _paint_body(
+    painter: QPainter, rect: QRectF, shown: QRectF, colour: QColor, *, selected: bool, pale: bool
+) -> None:
+    body = QColor(colour)
+    alpha = _PALE_BODY_ALPHA if pale else _BODY_ALPHA
+    body.setAlpha(_SELECTED_ALPHA if selected else alpha)
+    painter.fillRect(shown, body)
+    # What starts here is marked: clips that follow each other are told apart.
+    if rect.left() >= shown.left():
+        painter.fillRect(QRectF(rect.left(), rect.top(), 2, rect.height()), colour)
+
+
+def _paint_samples(
+    painter: QPainter,
+    box: Box,
+    shown: QRectF,
+    played: Played,
+    pictures: ClipPictures,
+    colour: QColor,
+    loudest: float,
+) -> None:
+    rect = box.rect
+    whole = shown.width() >= rect.width() - 1
+    part = (
+        (0.0, 1.0)
+        if whole
+        else (
+            (shown.left() - rect.left()) / rect.width(),
+            (shown.right() - rect.left()) / rect.width(),
+        )
+    )
+    left, width = (rect.left(), rect.width()) if whole else (shown.left(), shown.width())
+    peak = max(abs(box.clip.gain) * _peak(played.samples), 1e-12)
+    reach = box.clip.gain / max(loudest, peak)
+    pictures.paint(
+        painter,
+        played,
+        QRectF(left, rect.top() + 1, max(round(width), 1), max(round(rect.height()) - 2, 1)),
+        Look(colour.rgba(), reach, part, dots_in_px(painter)),
+    )
+
+
+def _peak(samples: Floats) -> float:
+    return float(max(samples.max(initial=0.0), -samples.min(initial=0.0)))
+
+
+def _write(painter: QPainter, words: str, shown: QRectF, theme: Theme, *, pale: bool) -> None:
+    metrics = QFontMetricsF(painter.font())
+    line_px = metrics.height()
+    room = QRectF(shown.left() + 5, shown.top() + 1, shown.width() - 10, line_px)
+    text = metrics.elidedText(words, Qt.TextElideMode.ElideRight, room.width())
+    ground = QColor(theme.base)
+    ground.setAlpha(190)
+    painter.fillRect(
+        QRectF(room.left() - 2, room.top(), metrics.horizontalAdvance(text) + 4, line_px), ground
+    )
+    painter.setPen(QColor(theme.dim if pale else theme.text))
+    painter.drawText(room, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, text)
+
+
+def _paint_frame(
+    painter: QPainter, rect: QRectF, shown: QRectF, theme: Theme, colour: QColor, *, selected: bool
+) -> None:
+    if selected:
+        painter.setPen(QPen(QColor(theme.accent), 2))
+    else:
+        edge = QColor(colour)
+        edge.setAlpha(130)
+        painter.setPen(QPen(edge, 1))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    left = max(rect.left(), shown.left() - 2)
+    right = min(rect.right(), shown.right() + 2)
+    frame = QRectF(left, rect.top(), right - left, rect.height())
+    painter.drawRoundedRect(frame.adjusted(0.5, 0.5, -0.5, -0.5), _ROUNDING_PX, _ROUNDING_PX)
+
+
+def mark_clip(
+    painter: QPainter, rect: QRectF, shown: QRectF, mark: KeptPicture, colour: QColor
+) -> None:
+    """Frame a clip with dots, which take Qt longer than the clip: painted once for each size."""
+    # Where pixels of the screen begin, so that the picture is what would be painted here.
+    on_screen = painter.deviceTransform()
+    first = on_screen.map(QPointF(shown.left() - 1, rect.top() - 1))
+    from_screen, _ = on_screen.inverted()
+    corner = from_screen.map(QPointF(floor(first.x()), floor(first.y())))
+    end = shown.bottomRight() - corner + QPointF(1, 1)
+    frame = rect.adjusted(1, 1, -1, -1).translated(-corner)
+
+    def paint_dots(painter: QPainter) -> None:
+        painter.setPen(QPen(colour, 2, Qt.PenStyle.DotLine))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawRoundedRect(frame, _ROUNDING_PX, _ROUNDING_PX)
+
+    painter.translate(corner)
+    room = QRectF(0, 0, ceil(end.x()), ceil(end.y()))
+    # The same place among the pixels, but for rounding.
+    edges = frame.left(), frame.top(), frame.right(), frame.bottom()
+    place = tuple(round(edge, 4) for edge in edges)
+    mark.paint(painter, room, (colour.rgba(), place), paint_dots)
+    painter.translate(-corner)
+
+
+def _paint_fades(painter: QPainter, box: Box, colour: QColor) -> None:
+    rect, (in_px, out_px) = box.rect, box.fades_px
+    painter.setPen(QPen(colour, 1, Qt.PenStyle.DashLine))
+    if in_px > 0:
+        painter.drawLine(rect.bottomLeft(), rect.topLeft() + QPointF(in_px, 0))
+    if out_px > 0:
+        painter.drawLine(rect.bottomRight(), rect.topRight() - QPointF(out_px, 0))
+
+
+def _paint_handles(painter: QPainter, box: Box, colour: QColor) -> None:
+    rect, (in_px, out_px) = box.rect, box.fades_px
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(colour)
+    fades = (
+        (rect.topLeft() + QPointF(in_px, 0), 1),
+        (rect.topRight() - QPointF(out_px, 0), -1),
+    )
+    for corner, aside in fades:
+        ends = (
+            corner,
+            corner + QPointF(aside * 2 * _HANDLE_PX, 0),
+            corner + QPointF(0, 2 * _HANDLE_PX),
+        )
+        painter.drawPolygon(QPolygonF(ends))
+    middle = rect.center().y()
+    for x in (rect.left() + 2, rect.right() - 4):
+        painter.drawRect(QRectF(x, middle - _HANDLE_PX, 2, 2 * _HANDLE_PX))
+
+
+# What the picture of the lanes depends on: where two contents look alike, nothing is painted.
+
+
+def frame_of(content: Content) -> Hashable:
+    """What all lanes and the ruler depend on; not what is in the lanes."""
+    design = content.design
+    places = tuple((lane.track.id, lane.top_px, lane.height_px) for lane in content.lanes)
+    return content.scale, content.ruler_px, design.loop_s, design.markers, places
+
+
+def same_ground(one: Lane, other: Lane) -> bool:
+    """Whether a lane looks alike but for its clips."""
+    return (one.selected, one.silent, one.problem) == (other.selected, other.silent, other.problem)
+
+
+def same_chosen(before: Content, after: Content) -> bool:
+    """Whether the same clips are selected, and shown elsewhere, in all lanes."""
+    return (before.selected, before.chosen) == (after.selected, after.chosen)
+
+
+def same_clips(before: Content, then: Lane, after: Content, now: Lane) -> bool:
+    """Whether clips look alike on the same ground: the very same ones, with the same samples.
+
+    Which of them are selected, or shown elsewhere, is another question.
+    """
+    mine, theirs = now.track, then.track
+    if before.awaited != after.awaited:
+        return False
+    if mine is not theirs and not (
+        mine.colour == theirs.colour
+        and len(mine.clips) == len(theirs.clips)
+        and all(map(is_, mine.clips, theirs.clips))
+    ):
+        return False
+    then_played, now_played = before.waveforms, after.waveforms
+    return then_played is now_played or all(
+        then_played.get(clip.id) is now_played.get(clip.id) for clip in mine.clips
+    )
+
+
+def same_choice(before: Content, after: Content, lane: Lane) -> bool:
+    """Whether the same clips of a lane are selected, and shown elsewhere."""
+    ids = frozenset(clip.id for clip in lane.track.clips)
+    return all(
+        ids.intersection(old) == ids.intersection(new)
+        for old, new in ((before.selected, after.selected), (before.chosen, after.chosen))
+    )
+
+
+# The ruler over the lanes.
+
+_TICK_PX = 64.0
+_GAP_PX = 6.0
+_LOOP_ALPHA = 60
+
+
+def ticks_of(scale: TimeScale) -> tuple[str, tuple[Tick, ...]]:
+    """Unit of the ruler, and its ticks."""
+    unit, factor = axis_unit(scale.shown_s[1])
+    return unit, linear_ticks(*scale.shown_s, max(scale.width_px / _TICK_PX, 2), factor)
+
+
+def grid_lines(scale: TimeScale, room: QRectF) -> list[QLineF]:
+    """Upright lines below the ticks."""
+    return [
+        QLineF(x, room.top(), x, room.bottom())
+        for x in (scale.x(tick.value) for tick in ticks_of(scale)[1])
+        if room.left() <= x <= room.right()
+    ]
+
+
+def paint_ruler(painter: QPainter, content: Content, room: QRectF, theme: Theme) -> None:
+    """Paint ticks, loop region and markers."""
+    painter.fillRect(room, QColor(theme.window))
+    if content.design.loop_s is not None:
+        _paint_loop(painter, content, content.design.loop_s, room, theme)
+    taken = []
+    for marker in content.design.markers:
+        x = content.scale.x(marker.time_s)
+        taken.append(_paint_marker(painter, x, marker.name, room, theme))
+    _paint_ticks(painter, content.scale, room, theme, taken)
+    painter.setPen(QPen(QColor(theme.border), 1))
+    painter.drawLine(QLineF(room.left(), room.bottom() - 0.5, room.right(), room.bottom() - 0.5))
+
+
+def _paint_ticks(
+    painter: QPainter, scale: TimeScale, room: QRectF, theme: Theme, taken: Sequence[QRectF]
+) -> None:
+    """Paint ticks, and their numbers where no marker's name stands."""
+    metrics = QFontMetricsF(painter.font())
+    unit, ticks = ticks_of(scale)
+    painter.setPen(QColor(theme.dim))
+    unit_left = room.right() - metrics.horizontalAdvance(unit) - _GAP_PX
+    painter.drawText(QPointF(unit_left, room.top() + metrics.ascent() + 1), unit)
+    free_from = room.left()
+    for tick in ticks:
+        x = scale.x(tick.value)
+        if not room.left() - 1 <= x <= room.right():
+            continue
+        painter.drawLine(QLineF(x, room.bottom() - 5, x, room.bottom()))
+        width = metrics.horizontalAdvance(tick.label)
+        left = max(x - width / 2, room.left() + 2)
+        number = QRectF(left, room.top(), width, metrics.height())
+        free = not any(name.intersects(number) for name in taken)
+        if free and left >= free_from and left + width < unit_left - _GAP_PX:
+            painter.drawText(QPointF(left, room.top() + metrics.ascent() + 1), tick.label)
+            free_from = left + width + _GAP_PX
+
+
+def _paint_loop(
+    painter: QPainter, content: Content, loop_s: Range, room: QRectF, theme: Theme
+) -> None:
+    start, end = (content.scale.x(one) for one in loop_s)
+    band = QRectF(start, room.bottom() - 9, end - start, 9).intersected(room)
+    tint = QColor(theme.accent)
+    tint.setAlpha(_LOOP_ALPHA)
+    painter.fillRect(band, tint)
+    painter.setPen(QPen(QColor(theme.accent), 2))
+    for x in (start, end):
+        if room.left() <= x <= room.right():
+            painter.drawLine(QLineF(x, room.bottom() - 10, x, room.bottom()))
+
+
+def _paint_marker(painter: QPainter, x: float, name: str, room: QRectF, theme: Theme) -> QRectF:
+    """Paint a flag and a name; where they are."""
+    if not room.left() - 200 <= x <= room.right():
+        return QRectF()
+    metrics = QFontMetricsF(painter.font())
+    colour = QColor(theme.warning)
+    painter.setPen(QPen(colour, 1))
+    painter.drawLine(QLineF(x, room.top(), x, room.bottom()))
+    painter.setBrush(colour)
+    painter.drawPolygon(
+        QPolygonF(
+            (QPointF(x, room.top()), QPointF(x + 7, room.top() + 4), QPointF(x, room.top() + 8))
+        )
+    )
+    shown = metrics.elidedText(name, Qt.TextElideMode.ElideRight, 110)
+    ground = QRectF(x + 8, room.top(), metrics.horizontalAdvance(shown) + 4, metrics.height())
+    painter.fillRect(ground, QColor(theme.window))
+    painter.drawText(ground, Qt.AlignmentFlag.AlignCenter, shown)
+    return ground.adjusted(-10, 0, 2, 0)
+
+
+# The lanes as one item of pyqtgraph's scene: many clips, one paint.
+
+# Clips lie deeper in their lanes than this.  What is painted anew is one px larger than asked for:
+# so far inside it does not reach the next lane.
+# The last line of the grid stands there; words end before it.
+_SIDE_PX = 14.0
+# Between words and the lines that stop around them.
+_AROUND_PX = 3.0
+_INSIDE_PX = MARGIN_PX - 1.0
+
+
+class LanesItem(pyqtgraph.GraphicsObject):
+    """Paints lanes, clips and ruler; knows nothing of the mouse.
+
+    It is kept as a picture, over which the playhead moves and gestures show what they do.  Only
+    lanes that look different now are painted into it again.
+
+    Attributes
+    ----------
+    pictures
+        What clips play, painted once.
+    painted, painted_lanes
+        How often it was painted, and how many lanes in all.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setCacheMode(self.CacheMode.DeviceCoordinateCache)
+        # Told what is to be painted, it paints no more.
+        self.setFlag(self.GraphicsItemFlag.ItemUsesExtendedStyleOption)
+        self.pictures = ClipPictures()
+        self.painted = self.painted_lanes = 0
+        self._content: Content | None = None
+        self._hovered: int | None = None
+        self._font = QFont()
+        self._rect = QRectF(0, 0, 1, 1)
+
+    def show_content(self, content: Content, rect: QRectF) -> None:
+        """Paint something else, in this rectangle."""
+        before, self._content = self._content, content
+        if rect != self._rect:
+            self.prepareGeometryChange()
+            self._rect = rect
+            self.update()
+        elif before is None or frame_of(before) != frame_of(content):
+            self.update()
+        else:
+            self._update_lanes(before, content)
+
+    def show_hovered(self, clip: int | None) -> None:
+        """The clip under the pointer shows what can be dragged."""
+        if clip != self._hovered:
+            for one in (self._hovered, clip):
+                self._update_lane_of(one)
+            self._hovered = clip
+
+    def show_font(self, font: QFont) -> None:
+        """Take over a font."""
+        self._font = font
+        self.pictures.forget()
+        self.update()
+
+    def boundingRect(self) -> QRectF:
+        return self._rect
+
+    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+        content = self._content
+        if content is None:
+            return
+        self.painted += 1
+        painter.setFont(self._font)
+        rect, exposed = self._rect, option.exposedRect
+        lanes = QRectF(
+            rect.left(), content.ruler_px, rect.width(), rect.height() - content.ruler_px
+        )
+        painter.save()
+        painter.setClipRect(lanes)
+        shown = [lane for lane in content.lanes if self._strip(lane).intersects(exposed)]
+        for lane in shown:
+            self._paint_ground(painter, lane)
+        painter.setPen(QPen(QColor(current_theme().grid), 1))
+        painter.drawLines(grid_lines(content.scale, lanes))
+        self._paint_after_end(painter, content, lanes)
+        for lane in shown:
+            self._paint_why_silent(painter, lane)
+            self._paint_clips(painter, content, lane, lanes)
+            found = content.overlaps.of(lane.track)
+            paint_overlaps(painter, lane, found, content.scale, current_theme())
+        self.painted_lanes += len(shown)
+        painter.restore()
+        ruler = QRectF(rect.left(), 0, rect.width(), content.ruler_px)
+        if ruler.intersects(exposed):
+            paint_ruler(painter, content, ruler, current_theme())
+
+    def _update_lane_of(self, clip: int | None) -> None:
+        for lane in () if self._content is None or clip is None else self._content.lanes:
+            if any(one.id == clip for one in lane.track.clips):
+                self.update(self._strip(lane).adjusted(0, _INSIDE_PX, 0, -_INSIDE_PX))
+
+    def _update_lanes(self, before: Content, after: Content) -> None:
+        """Have painted the lanes that look different now."""
+        chosen_alike = same_chosen(before, after)
+        for then, now in zip(before.lanes, after.lanes, strict=True):
+            if not same_ground(then, now):
+                self.update(self._strip(now))
+            elif not same_clips(before, then, after, now) or not (
+                chosen_alike or same_choice(before, after, now)
+            ):
+                self.update(self._strip(now).adjusted(0, _INSIDE_PX, 0, -_INSIDE_PX))
+
+    @property
+    def _ground(self) -> QColor:
+        """Of the lanes."""
+        return QColor(current_theme().base)
+
+    @property
+    def _tint(self) -> QColor:
+        """What lies over the ground of lanes that are selected."""
+        tint = QColor(current_theme().accent)
+        tint.setAlpha(18)
+        return tint
+
+    def _strip(self, lane: Lane) -> QRectF:
+        return QRectF(self._rect.left(), lane.top_px, self._rect.width(), lane.height_px)
+
+    def _paint_ground(self, painter: QPainter, lane: Lane) -> None:
+        strip = self._strip(lane)
+        if lane.selected:
+            painter.fillRect(strip, self._tint)
+        painter.setPen(QPen(QColor(current_theme().border), 1))
+        painter.drawLine(
+            QLineF(strip.left(), strip.bottom() - 0.5, strip.right(), strip.bottom() - 0.5)
+        )
+
+    def _paint_why_silent(self, painter: QPainter, lane: Lane) -> None:
+        """Say it over the grid, whose lines stop around the words."""
+        if not lane.silent:
+            return
+        flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
+        room = self._strip(lane).adjusted(0, 0, -_SIDE_PX, -3)
+        words = QRectF(painter.boundingRect(room, flags, lane.silent))
+        painter.fillRect(words.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._ground)
+        if lane.selected:
+            painter.fillRect(words.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._tint)
+        theme = current_theme()
+        painter.setPen(QColor(theme.error if lane.problem else theme.dim))
+        painter.drawText(room, flags, lane.silent)
+
+    def _paint_after_end(self, painter: QPainter, content: Content, lanes: QRectF) -> None:
+        if content.design.loop_s is None:
+            return
+        start, end = (content.scale.x(one) for one in content.design.loop_s)
+        shade = QColor(current_theme().dim)
+        shade.setAlpha(22)
+        for left, right in ((lanes.left(), start), (end, lanes.right())):
+            if right > left:
+                painter.fillRect(QRectF(left, lanes.top(), right - left, lanes.height()), shade)
+
+    def _paint_clips(self, painter: QPainter, content: Content, lane: Lane, lanes: QRectF) -> None:
+        loudest = max((abs(one.gain) for one in lane.track.clips), default=0.0)
+        unplayable = content.unplayable_on(lane)
+        for box in content.boxes_on(lane):
+            paint_clip(
+                painter,
+                box,
+                content.waveforms.get(box.clip.id),
+                content.sample_rate_hz,
+                self.pictures,
+                current_theme(),
+                loudest=loudest,
+                selected=box.clip.id in content.selected,
+                shown_elsewhere=box.clip.id in content.chosen,
+                unplayable=box.clip.id in unplayable,
+                awaited=box.clip.id in content.awaited,
+                handles=box.clip.id == self._hovered and box.rect.width() > 40,
+                view=lanes,
+            )
+
+
+# What a gesture shows over the lanes.
+
+_WORDS_GAP_PX = 8.0
+
+
+class OverItem(pyqtgraph.GraphicsObject):
+    """A guide, a marquee and words, an item of its own: the lanes below are not painted with it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setZValue(2)
+        self._shown, self._pointer = Shown(), QPointF()
+        self._content: Content | None = None
+        self._rect = QRectF(0, 0, 1, 1)
+        self._font = QFont()
+
+    @property
+    def shown(self) -> Shown:
+        """What is shown."""
+        return self._shown
+
+    def show_content(self, content: Content, rect: QRectF) -> None:
+        """Lie over these lanes, in this rectangle."""
+        if rect != self._rect:
+            self.prepareGeometryChange()
+            self._rect = rect
+        moved = self._content is not None and self._content.scale != content.scale
+        self._content = content
+        if moved and self._shown.guide_s is not None:
+            self.update()
+
+    def show_over(self, shown: Shown, pointer: QPointF) -> None:
+        """Show this, with words beside the pointer."""
+        if (shown, pointer) != (self._shown, self._pointer):
+            self._update_places()
+            self._shown, self._pointer = shown, pointer
+            self._update_places()
+
+    def show_font(self, font: QFont) -> None:
+        """Take over a font."""
+        self._font = font
+        self.update()
+
+    def boundingRect(self) -> QRectF:
+        return self._rect
+
+    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+        painter.setFont(self._font)
+        guide = self._guide()
+        if guide is not None:
+            painter.setPen(QPen(QColor(current_theme().warning), 2))
+            painter.drawLine(guide)
+        if self._shown.covered is not None:
+            tint = QColor(current_theme().accent)
+            painter.setPen(QPen(tint, 1))
+            tint.setAlpha(30)
+            painter.setBrush(tint)
+            painter.drawRect(self._shown.covered)
+        if self._shown.words:
+            room = self._room_for_words()
+            painter.setPen(QPen(QColor(current_theme().border), 1))
+            painter.setBrush(QColor(current_theme().raised))
+            painter.drawRect(room)
+            painter.setPen(QColor(current_theme().text))
+            painter.drawText(room, Qt.AlignmentFlag.AlignCenter, self._shown.words)
+
+    def _update_places(self) -> None:
+        """Have painted anew where something is shown."""
+        guide = self._guide()
+        if guide is not None:
+            self.update(QRectF(guide.p1(), guide.p2()).adjusted(-2, -2, 2, 2))
+        if self._shown.covered is not None:
+            self.update(self._shown.covered.adjusted(-2, -2, 2, 2))
+        if self._shown.words:
+            self.update(self._room_for_words().adjusted(-2, -2, 2, 2))
+
+    def _guide(self) -> QLineF | None:
+        if self._shown.guide_s is None or self._content is None:
+            return None
+        x = self._content.scale.x(self._shown.guide_s)
+        return QLineF(x, self._content.ruler_px, x, self._rect.bottom())
+
+    def _room_for_words(self) -> QRectF:
+        metrics = QFontMetricsF(self._font)
+        ruler_px = 0.0 if self._content is None else self._content.ruler_px
+        width = metrics.horizontalAdvance(self._shown.words) + 8
+        left = min(self._pointer.x() + _WORDS_GAP_PX, self._rect.right() - width - 2)
+        top = max(self._pointer.y() - metrics.height() - _WORDS_GAP_PX, ruler_px + 2)
+        return QRectF(left, top, width, metrics.height() + 2)
+
+
+# The playhead over the lanes.
+
+_HALF_PX, _PLAYHEAD_ITEM_HANDLE_PX = 5.0, 8.0
+
+
+class PlayheadItem(pyqtgraph.GraphicsObject):
+    """A line with a handle, an item of its own: the lanes below are not painted when it moves.
+
+    Attributes
+    ----------
+    moved
+        How often it was put somewhere else.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.moved = 0
+        self._height = 1.0
+        self.setZValue(1)
+
+    def show_content(self, content: Content, height_px: float) -> None:
+        """Stand where the content says, from the ruler down to a height."""
+        height = max(height_px - content.ruler_px + _PLAYHEAD_ITEM_HANDLE_PX, 1.0)
+        if height != self._height:
+            self.prepareGeometryChange()
+            self._height = height
+        at = QPointF(
+            content.scale.x(content.view.playhead_s), content.ruler_px - _PLAYHEAD_ITEM_HANDLE_PX
+        )
+        if at != self.pos():
+            self.moved += 1
+            self.setPos(at)
+
+    def boundingRect(self) -> QRectF:
+        return QRectF(-_HALF_PX - 1, -3, 2 * _HALF_PX + 2, self._height + 3)
+
+    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+        colour = QColor(current_theme().error)
+        painter.setPen(QPen(colour, 1))
+        painter.drawLine(QLineF(0, 0, 0, self._height))
+        painter.setBrush(colour)
+        corners = (QPointF(-_HALF_PX, -2), QPointF(_HALF_PX, -2), QPointF(0, 6))
+        painter.drawPolygon(QPolygonF(corners))

@@ -1,0 +1,602 @@
+"""What the strip of windows shows."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from math import ceil
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QFocusEvent,
+    QFontMetrics,
+    QHelpEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+)
+from PySide6.QtWidgets import QToolTip, QWidget
+
+from skinsource.base.arrays import Floats
+from skinsource.design.design import Design, audible_inputs
+from skinsource.limbs.extent import Extent
+from skinsource.signals.analysis.windows import Windows
+from skinsource_gui.fields.units import axis_unit
+from skinsource_gui.plots.colour_maps import colour_table
+from skinsource_gui.plots.small_map import (
+    USUAL_LOOK,
+    LevelLook,
+    Scale,
+    SmallMap,
+    paint_scale_row,
+    paint_small_bar,
+    paint_small_map,
+    scale_of_levels,
+    scale_row_px,
+    with_matched,
+)
+from skinsource_gui.qt.frames import paint_focus_frame
+from skinsource_gui.qt.theme import Theme, current_theme, tabular
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class WindowedContent:
+    """Maps of windows, and how far each of them reaches.
+
+    Attributes
+    ----------
+    design
+        Whose inputs are marked.
+    small
+        Outline, places and pixels that all maps share.
+    windows, sample_rate_hz
+        Where the windows lie.
+    levels_db : (n_windows, n_outputs)
+        Level of each output in each window.
+    field_levels_db : (n_windows, rows, columns)
+        The interpolated maps.
+    extents
+        Of each window; None where it is silent.
+    noisy, in_noise
+        Outputs of each window that are mostly noise, and whether all of it is: noise has no extent.
+    synthetic
+        Whether the responses are computed, not measured.
+    traces_late_s
+        How much later than here the traces show what is shown; 0 where they do not.
+    matched
+        By how much levels are louder or softer than they were stored, or "".
+    look
+        Colours and range that were chosen on the skin map.
+    """
+
+    design: Design
+    small: SmallMap
+    windows: Windows
+    sample_rate_hz: float
+    levels_db: Floats
+    field_levels_db: Floats
+    extents: tuple[Extent | None, ...]
+    synthetic: bool
+    noisy: tuple[tuple[int, ...], ...] = ()
+    in_noise: tuple[bool, ...] = ()
+    traces_late_s: float = 0.0
+    matched: str = ""
+    look: LevelLook = USUAL_LOOK
+
+    @property
+    def time_phrases(self) -> tuple[str, ...]:
+        """What the times of the windows are, the longest first."""
+        if not self.traces_late_s:
+            return "Times of the stimulus, as in the traces", "Times of the stimulus"
+        late = f"{self.traces_late_s * 1e3:.0f} ms"
+        return (
+            f"Times of the stimulus; the traces show it about {late} later",
+            f"Stimulus time; traces {late} later",
+            f"Traces: +{late}",
+        )
+
+    @property
+    def begin_phrases(self) -> tuple[str, ...]:
+        """What is said where windows have only their begins above them, the longest first."""
+        length = length_words(self.windows.window_samples / self.sample_rate_hz)
+        unit, _ = axis_unit(self.bounds_s[-1][1])
+        plain = (
+            f"Windows of {length}, begins in {unit}",
+            f"{length} each, begins in {unit}",
+            f"{length} each",
+        )
+        whole = f"Windows of {length}; above each when it begins, in {unit} of the stimulus"
+        if not self.traces_late_s:
+            return whole, *plain, unit
+        late = f"{self.traces_late_s * 1e3:.0f} ms"
+        return (
+            f"{whole}; the traces show it about {late} later",
+            f"{plain[0]}; traces {late} later",
+            *(f"{one}; traces +{late}" for one in plain[1:]),
+            *plain,
+            unit,
+        )
+
+    @property
+    def told_extents(self) -> tuple[Extent | None, ...]:
+        """Extents of the windows that are more than noise."""
+        if not any(self.in_noise):
+            return self.extents
+        pairs = zip(self.extents, self.in_noise, strict=True)
+        return tuple(None if in_noise else one for one, in_noise in pairs)
+
+    def extent_words(self, window: int) -> str:
+        """The measures of a window, for a tooltip."""
+        if self.in_noise and self.in_noise[window]:
+            return "Mostly noise of the measurement: its extent means nothing"
+        return _extent_words(self.extents[window], self.origin)
+
+    @property
+    def origin(self) -> str:
+        """From where distances are."""
+        places = {one.location for one in audible_inputs(self.design.inputs)}
+        return "the nearest input" if len(places) > 1 else "the input"
+
+    @property
+    def scale(self) -> Scale:
+        """What the colours of all maps mean."""
+        return with_matched(scale_of_levels(self.levels_db, self.look), self.matched)
+
+    @property
+    def bounds_s(self) -> list[tuple[float, float]]:
+        """Begin and end of each window, s from the begin of the stimulus."""
+        return self.windows.bounds_s(self.sample_rate_hz)
+
+    def map_of(self, window: int) -> SmallMap:
+        """The map of one window."""
+        return replace(
+            self.small,
+            levels_db=self.levels_db[window],
+            field_levels_db=self.field_levels_db[window],
+            noisy=self.noisy[window] if self.noisy else (),
+        )
+
+    def window_at(self, time_s: float) -> int | None:
+        """The window in which an instant of the stimulus lies."""
+        for window, (begin_s, end_s) in enumerate(self.bounds_s):
+            if begin_s <= time_s < end_s:
+                return window
+        return None
+
+
+def window_words(bounds_s: tuple[float, float], until_s: float) -> str:
+    """``"0–120 ms"``; in s where the last window ends a second and more after 0."""
+    begin, end = (time_number(one, until_s) for one in bounds_s)
+    return f"{begin}–{end} {axis_unit(until_s)[0]}"
+
+
+def time_number(time_s: float, until_s: float) -> str:
+    """A time to the millisecond, in the unit of times up to another one."""
+    return f"{time_s:.3f}".rstrip("0").rstrip(".") if _in_s(until_s) else f"{1e3 * time_s:.0f}"
+
+
+def _in_s(until_s: float) -> bool:
+    return axis_unit(until_s)[0] == "s"
+
+
+def length_words(length_s: float) -> str:
+    """How long a window is."""
+    if _in_s(length_s):
+        return f"{length_s:.4g} s"
+    length_ms = 1e3 * length_s
+    return f"{length_ms:.0f} ms" if length_ms >= 100.0 else f"{length_ms:.3g} ms"
+
+
+def _extent_words(extent: Extent | None, origin: str) -> str:
+    if extent is None:
+        return "Silent: nothing has an extent"
+    return (
+        f"Mean distance from {origin} {extent.mean_distance_mm:.1f} mm\n"
+        f"90 % of the energy within {extent.d90_mm:.1f} mm\n"
+        f"Outputs less than 12 dB below the loudest {100 * extent.share_above_12_db:.0f} %, "
+        f"20 dB {100 * extent.share_above_20_db:.0f} %\n"
+        f"Participation {extent.participation:.1f} outputs"
+    )
+
+
+# What stands above the maps of windows: when each is, in as many words as there is room for.
+
+
+@dataclass(frozen=True, slots=True)
+class WindowTitles:
+    """Words above maps.
+
+    Attributes
+    ----------
+    words
+        For each window; empty where there is no room for them.
+    by_begin
+        Whether they are only when windows begin: how long they are is said elsewhere.
+    """
+
+    words: tuple[str, ...]
+    by_begin: bool
+
+
+def window_titles(
+    bounds_s: Sequence[tuple[float, float]],
+    cells: Sequence[QRectF],
+    width_of: Callable[[str], float],
+) -> WindowTitles:
+    """Begin and end of each window; or where that is too wide their begins, or every n-th begin.
+
+    Parameters
+    ----------
+    bounds_s
+        Begin and end of each, s.
+    cells
+        Where the maps are, row by row.
+    width_of
+        Width of words, px.
+    """
+    until_s = max((end for _, end in bounds_s), default=0.0)
+    whole = tuple(window_words(one, until_s) for one in bounds_s)
+    least = min((cell.width() for cell in cells), default=0.0)
+    if all(width_of(words) <= least for words in whole):
+        return WindowTitles(whole, by_begin=False)
+    begins = tuple(time_number(begin, until_s) for begin, _ in bounds_s)
+    widest = max(map(width_of, begins)) + width_of(" ")
+    every = next(n for n in range(1, len(cells) + 1) if widest <= n * least or n == len(cells))
+    columns = sum(cell.top() == cells[0].top() for cell in cells)
+    named = (words if k % columns % every == 0 else "" for k, words in enumerate(begins))
+    return WindowTitles(tuple(named), by_begin=True)
+
+
+def head_words(
+    content: WindowedContent,
+    cells: Sequence[QRectF],
+    width_of: Callable[[str], float],
+    room: float,
+) -> str:
+    """What the times above all maps are, in as many words as fit into ``room``; "" if none do."""
+    titles = window_titles(content.bounds_s, cells, width_of)
+    phrases = content.begin_phrases if titles.by_begin else content.time_phrases
+    return next((one for one in phrases if width_of(one) <= room), "")
+
+
+# Where maps, scale and plot of the strip lie.
+
+_MOST_MAP_PX = 190.0
+# Of the plot with its words: as many lines as are liked, and those in which three numbers beside it
+# can be told apart.
+_PLOT_LINES, _LEAST_PLOT_LINES = 6.5, 4.6
+# Height of a map over its width: hand and arm.
+_HIGH = 2.3
+_LEAST_MAP_PX = 70.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StripLayout:
+    """Areas of the strip, px.
+
+    Attributes
+    ----------
+    head
+        Words above.
+    cells
+        Of the windows: a line of words, and the map below.
+    scale
+        The colours, with a line of numbers and one of words below.
+    plot
+        The extent, with room for numbers on its left and words above.
+    """
+
+    head: QRectF
+    cells: tuple[QRectF, ...]
+    scale: QRectF
+    plot: QRectF
+
+
+def least_height(line: float) -> float:
+    """Height in which maps in one row, scale and plot can be read, with lines of that height."""
+    words = 1.4 * line + line + 3 * _edge(line)
+    return words + _LEAST_MAP_PX + scale_row_px(line) + _LEAST_PLOT_LINES * line
+
+
+def strip_layout(room: QRectF, n_windows: int, line: float) -> StripLayout:
+    """Lay ``n_windows`` maps out in ``room``, in as many rows as give the largest maps.
+
+    In less than `least_height` all of it is as high as that, and reaches below the room.
+    """
+    edge = _edge(line)
+    high = max(room.height(), least_height(line))
+    inner = QRectF(room.left(), room.top(), room.width(), high).adjusted(edge, 0.0, -edge, -edge)
+    head = QRectF(inner.left(), inner.top(), inner.width(), 1.4 * line)
+    plot_height = min(_PLOT_LINES * line, max(0.3 * inner.height(), _LEAST_PLOT_LINES * line))
+    foot = QRectF(inner.left(), inner.bottom() - plot_height, inner.width(), plot_height)
+    scale_height = scale_row_px(line)
+    scale = QRectF(inner.left(), foot.top() - scale_height - edge, inner.width(), scale_height)
+    maps = QRectF(inner.left(), head.bottom(), inner.width(), scale.top() - edge - head.bottom())
+    plot = foot.adjusted(3.2 * line, 1.2 * line, -edge, -1.2 * line)
+    return StripLayout(head=head, cells=_cells(maps, n_windows, line), scale=scale, plot=plot)
+
+
+def _edge(line: float) -> float:
+    return 0.4 * line
+
+
+def _cells(room: QRectF, n: int, line: float) -> tuple[QRectF, ...]:
+    if n == 0:
+        return ()
+    rows = max(range(1, n + 1), key=lambda rows: _map_width(room, n, rows, line))
+    columns = ceil(n / rows)
+    width = min(room.width() / columns, max(_MOST_MAP_PX, 5.5 * line))
+    height = room.height() / rows
+    left = room.left() + (room.width() - width * columns) / 2.0
+    return tuple(
+        QRectF(left + width * (k % columns), room.top() + height * (k // columns), width, height)
+        for k in range(n)
+    )
+
+
+def _map_width(room: QRectF, n: int, rows: int, line: float) -> float:
+    """Width of a map, where there are so many rows; fewer rows where it makes no difference."""
+    columns = ceil(n / rows)
+    width = min(room.width() / columns, (room.height() / rows - line) / _HIGH)
+    return min(width, _MOST_MAP_PX) - 1e-6 * rows if width > 0.0 else -float(rows)
+
+
+# Draws the strip of windows: maps in one scale, the scale, and the extent over the windows.
+
+_DOT_PX = 2.5
+# Marks of inputs at fingertips stand beyond the map.
+_RING_PX = 4.0
+_CENTRE = Qt.AlignmentFlag.AlignCenter
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+#: Names of the curves of the extent, the longest first, and which colour of outputs each has.
+CURVES = (
+    (("mean distance", "mean", "mean"), 0),
+    (("90 % of the energy within", "90 % within", "90 %"), 1),
+)
+_BELOW = ("mm from {}, window by window", "mm from {}", "mm")
+
+
+def paint_strip(
+    painter: QPainter,
+    content: WindowedContent,
+    layout: StripLayout,
+    theme: Theme,
+    chosen: int | None = None,
+) -> None:
+    """Draw ``content``; the painter's font is that of all words.
+
+    Parameters
+    ----------
+    painter, layout, theme
+        On what, where, in which colours.
+    content
+        What is shown.
+    chosen
+        The window that is framed; None: none is.
+    """
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    line = float(painter.fontMetrics().height())
+    scale = content.scale
+    table = colour_table(scale.colours)
+    width_of = painter.fontMetrics().horizontalAdvance
+    titles = window_titles(content.bounds_s, layout.cells, width_of).words
+    for window, (cell, words) in enumerate(zip(layout.cells, titles, strict=True)):
+        painter.setPen(QColor(theme.text))
+        # One that is named for some may be wider than its map.
+        middle = QRectF(cell.left(), cell.top(), cell.width(), line)
+        painter.drawText(middle, _CENTRE | Qt.TextFlag.TextDontClip, words)
+        area = cell.adjusted(2.0, line + _RING_PX, -2.0, -2.0)
+        paint_small_map(
+            painter, area, content.map_of(window), content.design, theme, scale.range_db, table
+        )
+        if window == len(titles) - 1:  # one for all: they are alike
+            limb = content.design.limb
+            paint_small_bar(painter, area, content.map_of(window), limb, theme)
+        if window == chosen:
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(QPen(QColor(theme.accent), 1.5))
+            painter.drawRoundedRect(cell.adjusted(1.0, 0.5, -1.0, -1.0), 3.0, 3.0)
+    paint_scale_row(painter, layout.scale, scale, theme)
+    _paint_extent(painter, layout.plot, content, theme)
+
+
+def _paint_extent(painter: QPainter, area: QRectF, content: WindowedContent, theme: Theme) -> None:
+    """Mean distance and the distance of 90 % of the energy, a dot for each window."""
+    known = [one for one in content.told_extents if one is not None]
+    top = _rounded_up(max((max(one.mean_distance_mm, one.d90_mm) for one in known), default=1.0))
+    line = painter.fontMetrics().height()
+    _paint_axis(painter, area, top, content.origin, theme)
+    n = max(len(content.extents), 1)
+    for _, rank in CURVES:
+        colour = theme.output_colour(rank)
+        painter.setPen(QPen(colour, 1.5))
+        painter.setBrush(colour)
+        before: QPointF | None = None
+        for window, one in enumerate(content.told_extents):
+            if one is None:
+                before = None
+                continue
+            value = one.mean_distance_mm if rank == 0 else one.d90_mm
+            x = area.left() + (window + 0.5) / n * area.width()
+            at = QPointF(x, area.bottom() - value / top * area.height())
+            if before is not None:
+                painter.drawLine(before, at)
+            painter.drawEllipse(at, _DOT_PX, _DOT_PX)
+            before = at
+    x, metrics = area.left(), painter.fontMetrics()
+    for name, rank in curve_names(area.width(), metrics.horizontalAdvance, line):
+        painter.setPen(theme.output_colour(rank))
+        room = metrics.horizontalAdvance(name) + line
+        painter.drawText(QRectF(x, area.top() - 1.2 * line, room, line), Qt.AlignmentFlag(0), name)
+        x += room
+
+
+def curve_names(
+    room: float, width_of: Callable[[str], float], gap: float
+) -> tuple[tuple[str, int], ...]:
+    """Names of the curves and their colours: the longest names that fit, or the shortest."""
+    for names in zip(*(names for names, _ in CURVES), strict=True):
+        if sum(width_of(name) + gap for name in names) - gap <= room:
+            break
+    return tuple(zip(names, (rank for _, rank in CURVES), strict=True))
+
+
+def _paint_axis(painter: QPainter, area: QRectF, top: float, origin: str, theme: Theme) -> None:
+    line = painter.fontMetrics().height()
+    for part in (0.0, 0.5, 1.0):
+        y = area.bottom() - part * area.height()
+        painter.setPen(QPen(QColor(theme.grid), 1))
+        painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y))
+        painter.setPen(QColor(theme.text))
+        beside = QRectF(area.left() - 3.2 * line, y - line / 2.0, 2.9 * line, line)
+        painter.drawText(beside, _RIGHT, f"{part * top:g}")
+    painter.setPen(QColor(theme.dim))
+    below = QRectF(area.left(), area.bottom() + 0.15 * line, area.width(), line)
+    width_of = painter.fontMetrics().horizontalAdvance
+    said = [words.format(origin) for words in _BELOW]
+    fitting = (words for words in said if width_of(words) <= below.width())
+    painter.drawText(below, _CENTRE, next(fitting, said[-1]))
+
+
+def _rounded_up(value: float) -> float:
+    """The next 20 mm."""
+    return max(ceil(value / 20.0) * 20.0, 20.0)
+
+
+# The strip of windows as a widget: shown, pointed at, stepped through.
+
+_SYNTHETIC = "SYNTHETIC"
+_STEPS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
+
+
+class StripView(QWidget):
+    """Shows windows, and tells which one is wanted."""
+
+    #: Begin of a window that was chosen, s.
+    time_chosen = Signal(float)
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.content: WindowedContent | None = None
+        self.message, self.outdated = "", False
+        self.chosen: int | None = None
+        self.setObjectName("window_strip")
+        self.setAccessibleName("Windows")
+        self.setAccessibleDescription("Left and right go from window to window")
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    def sizeHint(self) -> QSize:
+        return QSize(520, 460)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(220, ceil(least_height(self.fontMetrics().height())))
+
+    @property
+    def places(self) -> StripLayout:
+        """Where everything is."""
+        n = 0 if self.content is None else self.content.windows.count
+        return strip_layout(QRectF(self.rect()), n, self.fontMetrics().height())
+
+    def show_content(self, content: WindowedContent | None, message: str = "") -> None:
+        """Show windows, or say why there are none."""
+        self.content, self.message = content, message
+        self.update()
+
+    def show_time(self, time_s: float) -> None:
+        """Frame the window in which the playhead is."""
+        chosen = None if self.content is None else self.content.window_at(time_s)
+        if chosen != self.chosen:
+            self.chosen = chosen
+            self.update()
+
+    def show_outdated(self, outdated: bool) -> None:
+        """Say whether what is shown belongs to an older design."""
+        self.outdated = outdated
+        self.update()
+
+    def window_under(self, point: QPointF) -> int | None:
+        """The window under a point."""
+        cells = enumerate(self.places.cells)
+        return next((window for window, cell in cells if cell.contains(point)), None)
+
+    @property
+    def head_words(self) -> str:
+        """What stands above on the left: what its times are, in as many words as fit, if any."""
+        if self.content is None or self.message:
+            return ""
+        if self.outdated:
+            return "Computing…"
+        metrics, places = QFontMetrics(tabular(self.font())), self.places
+        room = places.head.width() - metrics.height()
+        if self.content.synthetic:
+            room -= metrics.horizontalAdvance(_SYNTHETIC)
+        return head_words(self.content, places.cells, metrics.horizontalAdvance, room)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter, theme = QPainter(self), current_theme()
+        painter.setFont(tabular(self.font()))
+        painter.fillRect(self.rect(), QColor(theme.base))
+        if self.content is None or self.message:
+            painter.setPen(QColor(theme.dim))
+            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+            painter.drawText(QRectF(self.rect()).adjusted(8, 8, -8, -8), flags, self.message)
+            painter.end()
+            return
+        places = self.places
+        painter.setPen(QColor(theme.warning if self.content.synthetic else theme.dim))
+        words = _SYNTHETIC if self.content.synthetic else ""
+        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        painter.drawText(places.head, right, words)
+        painter.setPen(QColor(theme.dim))
+        painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, self.head_words)
+        if self.outdated:
+            painter.setOpacity(0.5)
+        paint_strip(painter, self.content, places, theme, self.chosen)
+        painter.setOpacity(1.0)
+        if self.hasFocus():
+            paint_focus_frame(painter, QRectF(self.rect()), theme)
+        painter.end()
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            words = self.words_at(QPointF(event.pos()))
+            QToolTip.showText(event.globalPos(), words, self)
+            return True
+        return super().event(event)
+
+    def words_at(self, point: QPointF) -> str:
+        """Times and extent of the window under a point."""
+        window = self.window_under(point)
+        if window is None or self.content is None or self.message:
+            return ""
+        about = self.content.extent_words(window)
+        bounds_s = self.content.bounds_s
+        return f"{window_words(bounds_s[window], bounds_s[-1][1])}\n{about}"
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        window = self.window_under(event.position())
+        if event.button() == Qt.MouseButton.LeftButton and window is not None:
+            self._choose(window)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        step = _STEPS.get(Qt.Key(event.key()))
+        if step is None or self.content is None or event.modifiers():
+            super().keyPressEvent(event)
+            return
+        n = self.content.windows.count
+        if n:
+            start = (-1 if step > 0 else n) if self.chosen is None else self.chosen
+            self._choose(min(max(start + step, 0), n - 1))
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self.update()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self.update()
+
+    def _choose(self, window: int) -> None:
+        if self.content is not None and not self.message:
+            self.time_chosen.emit(self.content.bounds_s[window][0])

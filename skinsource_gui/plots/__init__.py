@@ -1,0 +1,1 @@
+"""Plots, maps, figures and the pictures of them."""

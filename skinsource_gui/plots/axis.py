@@ -1,0 +1,520 @@
+"""pyqtgraph's axis with our ticks, words and grid."""
+
+from collections.abc import Callable, Sequence
+from typing import Any, Literal, TypeVar
+
+import pyqtgraph
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPainterPath, QPen
+from PySide6.QtWidgets import QGraphicsRectItem
+
+from skinsource_gui.plots.curves import (
+    CurvePoints,
+    HeaderLine,
+    Message,
+    PlotLayout,
+    RowNumber,
+    SignalCurve,
+    fitting,
+)
+from skinsource_gui.plots.ranges import Range, Tick, XWindow
+from skinsource_gui.qt.theme import UNIT_PX, current_theme
+from skinsource_gui.qt.wheel import NOTCH, PAN_PER_NOTCH, ZOOM_PER_NOTCH
+
+_GAP_PX = 4.0
+_CENTRED = Qt.AlignmentFlag.AlignCenter
+_AT_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+
+#: Ticks between two positions of a view that are so many pixels apart.
+TickRule = Callable[[float, float, float], Sequence[Tick]]
+
+
+class Axis(pyqtgraph.AxisItem):
+    """An axis on the left of one view, or below one or several of equal width.
+
+    It draws the grid of these views, behind them, and their frames if it is on the left.  All of
+    it is kept as a picture until range, ticks, words or size change.
+
+    Attributes
+    ----------
+    titles
+        What is written below the labels, longest first; the first that fits.
+    band
+        Positions whose outside is shaded, or ``None``.
+    """
+
+    def __init__(self, orientation: Literal["left", "bottom"], rule: TickRule) -> None:
+        super().__init__(orientation)
+        self.enableAutoSIPrefix(False)
+        self.setCacheMode(self.CacheMode.DeviceCoordinateCache)
+        self.titles: tuple[str, ...] = ()
+        self.band: Range | None = None
+        self._rule = rule
+        self._font = QFont()
+        self._views: tuple[pyqtgraph.ViewBox, ...] = ()
+        # Behind curves; the shaded part of the axis below lies under the other axis's grid.
+        self.setZValue(-1000 if orientation == "left" else -1001)
+
+    def set_views(self, *views: pyqtgraph.ViewBox) -> None:
+        """Follow the range of the first view, and draw the grid of all."""
+        if self._views[:1] != views[:1]:
+            if self._views:
+                self.unlinkFromView()
+            self.linkToView(views[0])
+        self._views = views
+        self.refresh()
+
+    def show_font(self, font: QFont) -> None:
+        """Take over a font, and the colours in use."""
+        self._font = font
+        self.refresh()
+
+    def say(self, titles: tuple[str, ...], band: Range | None = None) -> None:
+        """Write the longest of ``titles`` that fits, and shade all but ``band``."""
+        if (titles, band) != (self.titles, self.band):
+            self.titles, self.band = titles, band
+            self.refresh()
+
+    def refresh(self) -> None:
+        """Draw anew."""
+        self.prepareGeometryChange()
+        self.update()
+
+    def ticks(self) -> list[tuple[float, str]]:
+        """Places of the ticks in coordinates of this item, px, and their labels."""
+        if not self._views:
+            return []
+        across = self.orientation == "bottom"
+        rect = self._view_rect(self._views[0])
+        start, length = (rect.left(), rect.width()) if across else (rect.bottom(), -rect.height())
+        low, high = self.range
+        if length == 0 or not low < high:
+            return []
+        return [
+            (start + length * (tick.value - low) / (high - low), tick.label)
+            for tick in self._rule(low, high, abs(length))
+        ]
+
+    def shaded(self) -> list[QRectF]:
+        """What lies outside the band, in coordinates of this item, px."""
+        low, high = self.range
+        if self.band is None or not low < high:
+            return []
+        parts = []
+        for rect in map(self._view_rect, self._views):
+            start, end = (
+                rect.left() + rect.width() * min(max((value - low) / (high - low), 0.0), 1.0)
+                for value in self.band
+            )
+            for left, right in ((rect.left(), start), (end, rect.right())):
+                parts.append(QRectF(left, rect.top(), right - left, rect.height()))
+        return [part for part in parts if part.width() > 0]
+
+    def boundingRect(self) -> QRectF:
+        bounds = self.rect()
+        for view in self._views:
+            bounds = bounds.united(self._view_rect(view))
+        # Frames lie half a pixel outside, and half of a label at an end.
+        above = QFontMetricsF(self._font).height() / 2 if self.orientation == "left" else 1
+        return bounds.adjusted(-1, -above, 1, above)
+
+    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+        # No QPicture in between, which would forget that digits are to have one width.
+        painter.setFont(self._font)
+        specs = self.generateDrawSpecs(painter)
+        if specs is not None:
+            self.drawPicture(painter, *specs)
+
+    def generateDrawSpecs(self, painter: QPainter) -> Any:
+        metrics = QFontMetricsF(self._font)
+        ticks = self.ticks()
+        below = self.orientation == "bottom"
+        pen = QPen(QColor(current_theme().grid), 1)
+        lines, labels = [], []
+        for rect in map(self._view_rect, self._views):
+            for at, _ in ticks:
+                if below:
+                    ends = QPointF(at, rect.top()), QPointF(at, rect.bottom())
+                else:
+                    ends = QPointF(rect.left(), at), QPointF(rect.right(), at)
+                lines.append((pen, *ends))
+        place = self._below if below else self._beside
+        free_from = 0.0
+        for at, text in ticks:
+            room = place(at, metrics.horizontalAdvance(text) + 2, metrics.height())
+            if text and not (below and room.left() < free_from):
+                labels.append((room, _CENTRED if below else _AT_RIGHT, text))
+                free_from = room.right() + _GAP_PX
+        return None, lines, labels
+
+    def drawPicture(self, painter: QPainter, axis: Any, lines: Any, labels: Any) -> None:
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        for outside in self.shaded():
+            painter.fillRect(outside, QColor(current_theme().window))
+        for pen, start, end in lines:
+            painter.setPen(pen)
+            painter.drawLine(start, end)
+        if self.orientation == "left":
+            painter.setPen(QPen(QColor(current_theme().border), 1))
+            for rect in map(self._view_rect, self._views):
+                painter.drawRect(rect)
+        painter.setPen(QColor(current_theme().dim))
+        for room, flags, text in labels:
+            painter.drawText(room, flags, text)
+        self._write_title(painter)
+
+    def _view_rect(self, view: pyqtgraph.ViewBox) -> QRectF:
+        return self.mapRectFromItem(view, view.rect())
+
+    def _below(self, at: float, width: float, line: float) -> QRectF:
+        left = at - width / 2
+        start = self._view_rect(self._views[0]).left()
+        if left < start <= at:
+            # Beside the lowest number of the axis on the left, not below it.
+            left = start
+        return QRectF(min(max(left, 0.0), self.rect().width() - width), 2, width, line)
+
+    def _beside(self, at: float, width: float, line: float) -> QRectF:
+        return QRectF(0, at - line / 2, self.rect().width() - _GAP_PX, line)
+
+    def _write_title(self, painter: QPainter) -> None:
+        if not self.titles or not self._views:
+            return
+        metrics, room = QFontMetricsF(self._font), self.rect()
+        title = fitting(self.titles, metrics, room.width() - UNIT_PX)
+        width = metrics.horizontalAdvance(title) + 2
+        middle = self._view_rect(self._views[0]).center().x()
+        left = min(max(middle - width / 2, _GAP_PX), room.width() - width - _GAP_PX)
+        painter.setPen(QColor(current_theme().text))
+        line = metrics.height()
+        painter.drawText(QRectF(left, 2 + line, width, line), _CENTRED, title)
+
+
+# pyqtgraph's view box with the gestures of our plots.
+
+_SHIFT = Qt.KeyboardModifier.ShiftModifier
+
+
+class PlotViewBox(pyqtgraph.ViewBox):
+    """A view that asks for another range instead of taking it.
+
+    Several views and panels show the same range, so it is decided in one place.  Wheel: zoom at
+    the pointer; Shift+wheel, wheel to the side, middle button, Shift+left button: pan; left
+    button: zoom to what is covered.  Positions are those of the x axis.
+    """
+
+    #: Position that stays, and how many times narrower.
+    zoom_wanted = Signal(float, float)
+    #: By how much the range is to move.
+    pan_wanted = Signal(float)
+    #: Position where the button went down, position of the pointer, whether it went up again.
+    covered = Signal(float, float, bool)
+
+    def __init__(self) -> None:
+        super().__init__(enableMenu=False, defaultPadding=0.0)
+        # Ranges are decided once for each update.
+        self.disableAutoRange()
+        self.setYRange(0.0, 1.0, padding=0)
+
+    def position(self, scene_at: QPointF) -> float:
+        """Position at a point of the scene."""
+        return float(self.mapSceneToView(scene_at).x())
+
+    def shape(self) -> QPainterPath:
+        # Lines on the lower and the right edge lie half beyond it.
+        path = QPainterPath()
+        path.addRect(QRectF(self.rect()).adjusted(0, 0, 1, 1))
+        return path
+
+    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+        """Paint nothing: the axis beside draws the frame."""
+
+    def wheelEvent(self, event: Any, axis: int | None = None) -> None:
+        turns = event.delta() / NOTCH
+        aside = event.orientation() == Qt.Orientation.Horizontal
+        if aside or event.modifiers() & _SHIFT:
+            low, high = self.viewRange()[0]
+            self.pan_wanted.emit(-turns * PAN_PER_NOTCH * (high - low))
+        else:
+            self.zoom_wanted.emit(self.position(event.scenePos()), ZOOM_PER_NOTCH**turns)
+        event.accept()
+
+    def mouseDragEvent(self, event: Any, axis: int | None = None) -> None:
+        now = self.position(event.scenePos())
+        button = event.button()
+        pans = event.modifiers() & _SHIFT or button == Qt.MouseButton.MiddleButton
+        if button == Qt.MouseButton.RightButton:
+            event.ignore()
+            return
+        event.accept()
+        if pans:
+            self.pan_wanted.emit(self.position(event.lastScenePos()) - now)
+        else:
+            down = self.position(event.buttonDownScenePos(button))
+            self.covered.emit(down, now, event.isFinish())
+
+
+# One row of a plot: a view with curves and crosshair, the axis on its left, its number.
+
+_DOT_PX = 5.0
+
+
+class PlotRow:
+    """A view box of the height 0 to 1, and what belongs to it.
+
+    Attributes
+    ----------
+    view, axis, number
+        Items of the scene.
+    curves
+        Items of the view; the first ``n_curves`` are in use.
+    n_curves
+        How many curves are drawn.
+    line, dots
+        The crosshair: where it reads, and what on each curve.
+    """
+
+    def __init__(self, scene: pyqtgraph.GraphicsScene) -> None:
+        self.view = PlotViewBox()
+        self.axis = Axis("left", self._ticks)
+        self.number = RowNumber()
+        for item in (self.view, self.axis, self.number):
+            scene.addItem(item)
+        self.axis.set_views(self.view)
+        self.curves: list[SignalCurve] = []
+        self.n_curves = 0
+        self.line = pyqtgraph.InfiniteLine(angle=90, movable=False)
+        self.dots = pyqtgraph.ScatterPlotItem(size=_DOT_PX + 1, antialias=True)
+        for rank, item in enumerate((self.line, self.dots)):
+            item.setZValue(10 + rank)
+            item.hide()
+            self.view.addItem(item, ignoreBounds=True)
+        self._y_ticks: tuple[Tick, ...] = ()
+        self._shown: Range | None = None
+
+    def place(self, layout: PlotLayout, rank: int) -> None:
+        """Move everything to where ``layout`` has row ``rank``."""
+        room = layout.row(rank)
+        self.view.setGeometry(room)
+        self.axis.setWidth(room.left())
+        self.axis.setGeometry(QRectF(0, room.top(), room.left(), room.height()))
+        number = QRectF(room.right(), room.top(), layout.width - room.right(), room.height())
+        self.number.setGeometry(number)
+        if layout.y_ticks != self._y_ticks:
+            self._y_ticks = layout.y_ticks
+            self.axis.refresh()
+
+    def set_visible(self, visible: bool) -> None:
+        """Whether this row is in use."""
+        for item in (self.view, self.axis, self.number):
+            item.setVisible(visible)
+
+    def show_font(self, font: QFont) -> None:
+        """Take over a font, and the colours in use."""
+        theme = current_theme()
+        self.axis.show_font(font)
+        self.line.setPen(QPen(QColor(theme.dim), 0))
+        self.dots.setPen(pyqtgraph.mkPen(QColor(theme.base), width=1))
+
+    def show_range(self, shown: Range) -> None:
+        """Show this part of the x axis."""
+        if shown != self._shown:
+            self._shown = shown
+            self.view.setXRange(*shown, padding=0)
+
+    def show_points(self, points: Sequence[CurvePoints]) -> None:
+        """Draw one curve for each of ``points``."""
+        while len(self.curves) < len(points):
+            curve = SignalCurve()
+            self.curves.append(curve)
+            self.view.addItem(curve, ignoreBounds=True)
+        for curve, of_curve in zip(self.curves, points, strict=False):
+            curve.show_points(of_curve)
+        if self.n_curves != len(points):
+            self.n_curves = len(points)
+            for rank, curve in enumerate(self.curves):
+                curve.setVisible(rank < self.n_curves)
+
+    def show_pens(self, pens: Sequence[QPen], *, stale: bool) -> None:
+        """Give each curve its pen; pale where it is stale."""
+        for curve, pen in zip(self.curves, pens, strict=False):
+            curve.set_look(pen, stale=stale)
+
+    def show_crosshair(
+        self, position: float | None, heights: Sequence[float], colours: Sequence[QColor]
+    ) -> None:
+        """Read the curves at ``position``, or nowhere."""
+        seen = position is not None
+        self.line.setVisible(seen)
+        self.dots.setVisible(seen)
+        if position is not None:
+            self.line.setPos(QPointF(position, 0.0))
+            self.dots.setData(x=[position] * len(heights), y=heights, brush=colours)
+
+    def _ticks(self, low: float, high: float, length_px: float) -> tuple[Tick, ...]:
+        return self._y_ticks
+
+
+# Everything in the scene of a plot: rows over one x axis, words, and the band of a drag.
+
+_NOTHING_HERE = "Nothing to see in this part. Press 0 to show everything."
+_BAND_ALPHA = 48
+
+_Part = TypeVar("_Part")
+
+
+class Stack:
+    """Equally high rows over one x axis, or a message.
+
+    Attributes
+    ----------
+    rows
+        Those in use, from the top.
+    header, x_axis
+        Above and below them.
+    message, hint
+        What is said in place of curves, and over them.
+    band
+        What a drag covers.
+    """
+
+    def __init__(
+        self,
+        scene: pyqtgraph.GraphicsScene,
+        font: QFont,
+        watch: Sequence[Callable[[PlotViewBox], None]],
+    ) -> None:
+        self._scene, self._watch = scene, watch
+        self._font = font
+        self._message_font = font
+        self._window: XWindow | None = None
+        self._n_axes = 0
+        self._pool: list[PlotRow] = []
+        self.rows: list[PlotRow] = []
+        self.header = HeaderLine()
+        self.x_axis = Axis("bottom", self._x_ticks)
+        self.message, self.hint = Message(), Message()
+        self.band = QGraphicsRectItem()
+        self.band.setZValue(5)
+        for item in (self.header, self.x_axis, self.message, self.hint, self.band):
+            scene.addItem(item)
+        self.say("")
+
+    def show_fonts(self, font: QFont, message_font: QFont) -> None:
+        """Take over fonts around the curves and in place of them, and the colours in use."""
+        theme = current_theme()
+        self._font, self._message_font = font, message_font
+        self.header.show_font(font)
+        self.x_axis.show_font(font)
+        for row in self._pool:
+            row.show_font(font)
+        self.message.say(self.message.text, QColor(theme.dim), message_font)
+        self.hint.say(self.hint.text, QColor(theme.dim), font)
+        accent = QColor(theme.accent)
+        self.band.setPen(QPen(accent, 0))
+        accent.setAlpha(_BAND_ALPHA)
+        self.band.setBrush(accent)
+
+    def say(self, message: str) -> None:
+        """Empty the picture and say ``message`` in its middle."""
+        for row in self._pool:
+            row.show_points(())
+            row.show_crosshair(None, (), ())
+        self._use(0)
+        self.header.hide()
+        self.x_axis.hide()
+        self.band.hide()
+        self.hint.say("", QColor(), self._font)
+        self.message.say(message, QColor(current_theme().dim), self._message_font)
+
+    def place(self, layout: PlotLayout, window: XWindow) -> None:
+        """Show ``layout`` around ``window``, in place of a message."""
+        new_window, self._window = window != self._window, window
+        if self.message.text:
+            self.message.say("", QColor(), self._message_font)
+        self._use(layout.n_rows)
+        self.header.setGeometry(QRectF(layout.left, 0, layout.right - layout.left, layout.top - 1))
+        self.header.say(layout.header)
+        for rank, row in enumerate(self.rows):
+            row.place(layout, rank)
+            row.show_range(window.shown)
+        below = layout.height - layout.bottom
+        self.x_axis.setHeight(below)
+        self.x_axis.setGeometry(QRectF(0, layout.bottom, layout.width, below))
+        self.x_axis.say(window.axis.titles, window.band)
+        if new_window:
+            self.x_axis.refresh()
+        self.hint.setGeometry(layout.area)
+        hint = "" if window.holds_data else _NOTHING_HERE
+        self.hint.say(hint, QColor(current_theme().dim), self._font)
+
+    def place_message(self, room: QRectF) -> None:
+        """Say messages inside ``room``."""
+        self.message.setGeometry(room.adjusted(2 * UNIT_PX, UNIT_PX, -2 * UNIT_PX, -UNIT_PX))
+
+    def show_points(self, points: tuple[CurvePoints, ...]) -> None:
+        """Draw curves: all of them in the one row, or one in each."""
+        for row, of_row in zip(self.rows, self._by_row(points), strict=True):
+            row.show_points(of_row)
+
+    def show_colours(self, numbers: Sequence[int], *, stale: bool, n_axes: int = 0) -> None:
+        """Give curves the pens of their ranks, and rows of a stack their ``numbers``, if any.
+
+        Where each row has curves along ``n_axes``, they have the colours of axes.
+        """
+        self._n_axes = n_axes
+        # One pixel of the screen: any wider line takes a hundred times as long.
+        pens = [current_theme().output_pen(rank, 0.0) for rank in range(self._n_curves())]
+        if n_axes:
+            pens = [QPen(colour, 0.0) for colour in self._colours(len(pens))]
+        for row, of_row in zip(self.rows, self._by_row(pens), strict=True):
+            row.show_pens(of_row, stale=stale)
+        for rank, row in enumerate(self.rows):
+            text = str(numbers[rank] or "") if numbers else ""
+            row.number.say(text, current_theme().output_colour(rank), self._font)
+
+    def show_crosshair(self, position: float | None, heights: Sequence[float]) -> None:
+        """Read each curve at ``position``, or nothing."""
+        of_rows = zip(self._by_row(heights), self._by_row(self._colours(len(heights))), strict=True)
+        for row, (of_row, of_dots) in zip(self.rows, of_rows, strict=True):
+            row.show_crosshair(position, of_row, of_dots)
+
+    def show_band(self, area: QRectF | None) -> None:
+        """Show what a drag covers, or nothing."""
+        self.band.setVisible(area is not None)
+        if area is not None:
+            self.band.setRect(area)
+
+    def _by_row(self, parts: Sequence[_Part]) -> list[Sequence[_Part]]:
+        if len(self.rows) == 1:
+            return [parts]
+        each = max(len(parts) // max(len(self.rows), 1), 1)
+        return [parts[rank * each : (rank + 1) * each] for rank in range(len(self.rows))]
+
+    def _colours(self, n_curves: int) -> list[QColor]:
+        if not self._n_axes:
+            return [current_theme().output_colour(rank) for rank in range(n_curves)]
+        return [current_theme().axis_colour(rank % self._n_axes) for rank in range(n_curves)]
+
+    def _n_curves(self) -> int:
+        return sum(row.n_curves for row in self.rows)
+
+    def _use(self, count: int) -> None:
+        if count == len(self.rows):
+            return
+        while len(self._pool) < count:
+            row = PlotRow(self._scene)
+            row.show_font(self._font)
+            for follow in self._watch:
+                follow(row.view)
+            self._pool.append(row)
+        for rank, row in enumerate(self._pool):
+            row.set_visible(rank < count)
+        self.rows = self._pool[:count]
+        self.header.setVisible(count > 0)
+        self.x_axis.setVisible(count > 0)
+        if self.rows:
+            self.x_axis.set_views(*(row.view for row in self.rows))
+
+    def _x_ticks(self, low: float, high: float, width_px: float) -> tuple[Tick, ...]:
+        return () if self._window is None else self._window.axis.ticks(low, high, width_px)

@@ -1,0 +1,791 @@
+"""What a plot of signals shows."""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from math import ceil
+from typing import Any
+
+import numpy as np
+import pyqtgraph
+from pyqtgraph.functions import arrayToQPath, arrayToQPolygonF
+from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontMetricsF,
+    QPainter,
+    QPainterPath,
+    QPen,
+    QPolygonF,
+    QTransform,
+)
+
+from skinsource.base.arrays import Floats
+from skinsource.limbs.locations import PlaceWords, output_words
+from skinsource.signals.resampling import Extremes
+from skinsource_gui.plots.ranges import (
+    Columns,
+    KeptColumns,
+    Kind,
+    Points,
+    Range,
+    Tick,
+    ValueScale,
+    ValueUnit,
+    Wave,
+    XWindow,
+    in_rows,
+    linear_ticks,
+    readable_ticks,
+    significant,
+    value_unit,
+    without_notches,
+)
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, is_on_paper
+
+#: What levels are, where nothing else is said.
+LEVEL_WORDS = "dB re 1 m/s²"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CurveName:
+    """Number and place of an output: ``29``, ``"II nail rad."``, ``"Digit II, ..."``.
+
+    What is no output has the number 0: its short name alone tells it from the others.
+    """
+
+    number: int
+    short: str
+    full: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Curves:
+    """Curves over one x axis: one of each name, or one of each name along each axis.
+
+    Attributes
+    ----------
+    x : (n_points,)
+        Rising, SI.
+    y : (n_curves, n_points)
+        m/s², levels in dB, or parts of the peak of each.
+    names : (n_names,)
+        Whose they are; the rank of one is its colour.
+    axes
+        Along which axes of the sensors each name has a curve, one after the other, whose ranks are
+        their colours; none: each has one, of the axes that are chosen.
+    kind
+        What ``y`` is.
+    span
+        Lowest and highest value that shall be seen; None: all are.
+    level_words
+        What levels are, where ``y`` holds them.
+    scaling
+        What their height means, beside its unit, longest first.
+    columns : (n_curves,)
+        Their names in a table; none: output and unit.
+    about
+        Gives lines that tell a table of them what they are.
+    heading
+        The same for a picture, in parts.
+    peaks : (n_names,)
+        What the curves of each were divided by, m/s², where they are relative to its peak; none
+        elsewhere.
+    matched
+        By how much they are shown louder or softer to match a snapshot, or "".
+    wave
+        What runs through the points; None: nothing is known between them.
+    """
+
+    x: Floats
+    y: Floats
+    names: tuple[CurveName, ...]
+    axes: tuple[str, ...] = ()
+    kind: Kind = "amplitude"
+    span: Range | None = None
+    level_words: str = LEVEL_WORDS
+    scaling: tuple[str, ...] = ()
+    columns: tuple[str, ...] = ()
+    about: Callable[[], tuple[str, ...]] = tuple
+    heading: tuple[str, ...] = ()
+    peaks: tuple[float, ...] = ()
+    matched: str = ""
+    wave: Wave | None = None
+
+    def __post_init__(self) -> None:
+        n_curves = len(self.names) * self.each
+        if self.y.shape != (n_curves, self.x.size) or self.x.size == 0:
+            raise ValueError(
+                f"y has shape {self.y.shape}, expected ({n_curves}, {self.x.size}) with at least "
+                "one point"
+            )
+
+    @property
+    def reach(self) -> Range:
+        """Lowest and highest value of all curves, and of the wave where it is known."""
+        low, high = float(self.y.min()), float(self.y.max())
+        finite = np.isfinite(low) and np.isfinite(high)
+        found = None if self.wave is None or not finite else self.wave.extremes(0, self.x.size)
+        if found is None:
+            return low, high
+        wave_low, wave_high = found.range
+        return min(low, wave_low), max(high, wave_high)
+
+    @property
+    def x_range(self) -> Range:
+        """Where they begin and end."""
+        return (float(self.x[0]), float(self.x[-1]))
+
+    @property
+    def peak_words(self) -> tuple[str, ...]:
+        """Peak of each name in one unit, as digits; none where curves keep their height."""
+        factor = self.peak_unit.factor
+        return tuple(significant(peak * factor) for peak in self.peaks)
+
+    @property
+    def peak_unit(self) -> ValueUnit:
+        """Unit of the peaks: that in which the largest reads well."""
+        return value_unit("amplitude", 0.0, max(self.peaks, default=0.0))
+
+    @property
+    def each(self) -> int:
+        """How many curves each name has."""
+        return max(len(self.axes), 1)
+
+    def n_drawn(self, n_rows: int, *, stacked: bool) -> int:
+        """How many there is room for: those of as many names as there are rows, or all in one."""
+        return (n_rows if stacked else len(self.names)) * self.each
+
+    def nearest(self, x: float) -> int:
+        """Index of the point nearest to ``x``."""
+        right = int(np.clip(np.searchsorted(self.x, x), 1, max(self.x.size - 1, 1)))
+        if right >= self.x.size:
+            return 0
+        return right - 1 if x - self.x[right - 1] <= self.x[right] - x else right
+
+
+def output_names(outputs: tuple[int, ...], limb: str) -> tuple[CurveName, ...]:
+    """Names of the curves of ``outputs`` of a limb."""
+    places = [output_words(output, limb) for output in outputs]
+    return tuple(
+        CurveName(number=place.number, short=_beside(place), full=place.name) for place in places
+    )
+
+
+def _beside(place: PlaceWords) -> str:
+    """What stands beside the number; nothing where a lab gave its output no name."""
+    return "" if place.short_name == f"output {place.number}" else place.short_name
+
+
+# Curves as points of a view.
+
+# Upright strokes that are longer than this on average make a block.
+_BLOCK_PX = 4.0
+# From so many pixels of the screen, or dots of a printer, for each point on the wave is drawn; from
+# so many px on each point is marked.
+_WAVE_PX, _DOTS_PX = 2.0, 8.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class CurvePoints:
+    """What is drawn of a curve.
+
+    Attributes
+    ----------
+    x : (n_points,)
+        Positions of the x axis.
+    y : (n_points,)
+        Heights in the row, 0 to 1.
+    smooth
+        Whether its edges are smoothed; in a block nobody would see it, and it takes twice as long.
+    dots
+        Positions and heights that are marked, (n_dots,) each; None: none are.
+    """
+
+    x: Floats
+    y: Floats
+    smooth: bool
+    dots: tuple[Floats, Floats] | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Seen:
+    """What is seen of curves, in their own unit.
+
+    Attributes
+    ----------
+    line
+        Points that are joined; positions of the x axis.
+    wave
+        Whether they show the wave through the points of the curves, not those alone.
+    dots
+        The points of the curves, where they are so far apart that each is marked.
+    """
+
+    line: Points
+    wave: bool = False
+    dots: Points | None = None
+
+    @property
+    def extremes(self) -> Range | None:
+        """Lowest and highest value; None where nothing is seen."""
+        y = self.line.y
+        return (float(y.min()), float(y.max())) if y.size else None
+
+    def beyond(self, values: Range) -> Range | None:
+        """Lowest and highest value of a wave that leaves a range; a wave passes its points."""
+        found = self.extremes if self.wave else None
+        return found if found and (found[0] < values[0] or found[1] > values[1]) else None
+
+
+def seen_of(
+    curves: Curves,
+    window: XWindow,
+    n_drawn: int,
+    row: QRectF,
+    ratio: float,
+    columns: KeptColumns,
+) -> Seen:
+    """What is seen of the first curves in a row of the plot.
+
+    Where the wave through them is known, it is drawn where there are two pixels and more for each
+    point, and how far it reaches where there are fewer: straight lines would cut its peaks.
+
+    Parameters
+    ----------
+    curves, window, n_drawn
+        What is seen; more curves than there are rows in a stack are left out.
+    row, ratio
+        Where a row is, px, and device pixels in a pixel.
+    columns
+        Those of the plot.
+    """
+    x, y = window.axis.positions(curves.x), curves.y[:n_drawn]
+    if window.axis.log:
+        x, y = x[curves.x > 0], y[:, curves.x > 0]
+    wave = None if curves.wave is None else _placed(curves.wave, window, n_drawn)
+    found = columns.of(x, window.shown, int(row.width() * ratio))
+    return course_of(found, y, wave, row.width(), ratio)
+
+
+def _placed(wave: Wave, window: XWindow, n_drawn: int) -> Wave:
+    """The wave of the first curves, at positions of the axis."""
+
+    def points(first: int, end: int) -> tuple[Floats, Floats]:
+        x, y = wave.points(first, end)
+        return window.axis.positions(x), y[:n_drawn]
+
+    def extremes(first: int, end: int) -> Extremes | None:
+        found = wave.extremes(first, end)
+        return None if found is None else found.of_first(n_drawn)
+
+    return Wave(points=points, extremes=extremes)
+
+
+def course_of(found: Columns, y: Floats, wave: Wave | None, width_px: float, ratio: float) -> Seen:
+    """What is seen of curves ``y``, (n_curves, n_points), where their columns are known.
+
+    Parameters
+    ----------
+    wave
+        Runs through the points, in the unit of their axis; None: it is not known.
+    width_px, ratio
+        Over how many px they go, and dots in a px.
+    """
+    if wave is None:
+        return Seen(line=found.points(y))
+    part = found.part.start, found.part.stop
+    apart_px = width_px / max(part[1] - part[0], 1)
+    if found.starts is not None or apart_px * ratio < _WAVE_PX:
+        extremes = wave.extremes(*part)
+        if extremes is None:
+            return Seen(line=found.points(y))
+        return Seen(line=found.reached(y, extremes), wave=True)
+    instants, waves = wave.points(*part)
+    dots = found.points(y) if apart_px >= _DOTS_PX else None
+    return Seen(line=Points(x=instants, y=waves), wave=True, dots=dots)
+
+
+def curve_points(
+    seen: Seen, scale: ValueScale, rows: list[QRectF], ratio: float
+) -> tuple[CurvePoints, ...]:
+    """What is drawn of each curve: in the one row there is, or in one each.
+
+    Parameters
+    ----------
+    seen, scale
+        What is seen.
+    rows
+        Where the row of each curve that is drawn is, px.
+    ratio
+        Device pixels in a pixel.
+    """
+    points = seen.line
+    heights = scale.heights(points.y)
+    blocks = np.zeros(len(rows), dtype=bool)
+    if points.strokes:
+        heights = without_notches(heights)
+        row_px = np.array([row.height() for row in rows])
+        strokes = np.abs(heights[:, 1::2] - heights[:, ::2]).mean(axis=1) * row_px
+        blocks = strokes > _BLOCK_PX
+        bottom = np.array([row.bottom() for row in rows])[blocks, np.newaxis]
+        row_px = row_px[blocks, np.newaxis]
+        heights[blocks] = (bottom - in_rows(bottom - row_px * heights[blocks], ratio)) / row_px
+    dots = None if seen.dots is None else scale.heights(seen.dots.y)
+    return tuple(
+        CurvePoints(
+            x=points.x,
+            y=line,
+            smooth=not block,
+            dots=None if dots is None or seen.dots is None else (seen.dots.x, dots[rank]),
+        )
+        for rank, (line, block) in enumerate(zip(heights, blocks.tolist(), strict=True))
+    )
+
+
+# One signal in a plot.
+
+_STALE_OPACITY = 0.5
+_DOT_PX = 2.0
+_PAPER_LINE_PX = 1.0
+
+
+class SignalCurve(pyqtgraph.GraphicsObject):
+    """A curve of points that were already thinned out to what can be seen.
+
+    It is as large as its view and takes part in no range, so that new data measure nothing, and
+    leaves the mouse to the view.  (pyqtgraph's own curve measures, asks and tells at each change:
+    of a dozen curves, half a millisecond.)
+
+    Attributes
+    ----------
+    points
+        What is drawn, or None.
+    pen
+        Colour and strokes.
+    dots
+        Points of it that are marked, or None.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.points: CurvePoints | None = None
+        self.pen = QPen()
+        self.dots: QPolygonF | None = None
+        self._line: QPolygonF | None = None
+        self._path: QPainterPath | None = None
+
+    def show_points(self, points: CurvePoints) -> None:
+        """Draw ``points``."""
+        self.points = points
+        self.dots = None if points.dots is None else arrayToQPolygonF(*points.dots)
+        if points.smooth:
+            # A tenth quicker than a path.
+            self._line, self._path = arrayToQPolygonF(points.x, points.y), None
+        else:
+            # As a path: Qt leaves gaps in a polyline of upright strokes.
+            self._line = None
+            self._path = arrayToQPath(points.x, points.y, finiteCheck=False)
+        self.update()
+
+    def set_look(self, pen: QPen, *, stale: bool) -> None:
+        """Colour and strokes of the curve; whether it is pale."""
+        self.pen = pen
+        self.setOpacity(_STALE_OPACITY if stale else 1.0)
+        self.update()
+
+    def boundingRect(self) -> QRectF:
+        view = self.getViewBox()
+        return QRectF() if view is None else view.viewRect()
+
+    def shape(self) -> QPainterPath:
+        return QPainterPath()
+
+    def viewTransformChanged(self) -> None:
+        # The bounds are those of the view.
+        self.prepareGeometryChange()
+
+    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+        painter.setPen(self.pen)
+        if is_on_paper():
+            with self._in_scene(painter) as to_scene:
+                self._paint_wide(painter, to_scene)
+        else:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, self._line is not None)
+            if self._line is not None:
+                painter.drawPolyline(self._line)
+            elif self._path is not None:
+                painter.drawPath(self._path)
+        if self.dots is not None:
+            with self._in_scene(painter) as to_scene:
+                self._paint_dots(painter, to_scene.map(self.dots))
+
+    @contextmanager
+    def _in_scene(self, painter: QPainter) -> Iterator[QTransform]:
+        """Paint where 1 is a pixel both ways: in the stretched view, dots would be strokes."""
+        to_scene = self.sceneTransform()
+        painter.save()
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setWorldTransform(to_scene.inverted()[0] * painter.worldTransform())
+        yield to_scene
+        painter.restore()
+
+    def _paint_wide(self, painter: QPainter, to_scene: QTransform) -> None:
+        pen = QPen(self.pen)
+        pen.setWidthF(_PAPER_LINE_PX)
+        painter.setPen(pen)
+        if self._line is not None:
+            painter.drawPolyline(to_scene.map(self._line))
+        elif self._path is not None:
+            painter.drawPath(to_scene.map(self._path))
+
+    def _paint_dots(self, painter: QPainter, dots: QPolygonF) -> None:
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(self.pen.color())
+        for dot in dots.toList():
+            painter.drawEllipse(dot, _DOT_PX, _DOT_PX)
+
+
+# Where everything around the curves goes, and what it says.
+
+# The left margin grows at once, and shrinks only by more than this.
+_MARGIN_SLACK_PX = 12.0
+_LEAST_MARGIN_PX = 28.0
+# Distances of ticks, in lines of text: preferred, and in rows that would have none otherwise.
+_AIRY, _DENSE = 1.8, 1.0
+_SYNTHETIC = "SYNTHETIC"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Words:
+    """Words around the curves.
+
+    Attributes
+    ----------
+    synthetic
+        Whether the curves are of a limb that was not measured.
+    notes
+        What should be known, longest first.
+    stale
+        Whether the curves belong to an older design.
+    """
+
+    synthetic: bool = False
+    notes: tuple[str, ...] = ()
+    stale: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Content:
+    """Everything the layout depends on.
+
+    Attributes
+    ----------
+    width, height
+        Of the widget, px.
+    n_rows, scale
+        How many rows there are, and where values lie in each.
+    stacked
+        Whether each curve has a row of its own.
+    unit, level
+        How values are written; what levels are, or empty where values are none.
+    matched
+        By how much they are louder or softer than they were stored, or "".
+    n_curves, scaling
+        How many curves there are, drawn or not; what their height means, longest first.
+    words
+        Words around the curves.
+    """
+
+    width: float
+    height: float
+    n_rows: int
+    scale: ValueScale
+    stacked: bool
+    unit: ValueUnit
+    level: str
+    matched: str
+    n_curves: int
+    scaling: tuple[str, ...]
+    words: Words
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Header:
+    """The line above a plot.
+
+    Attributes
+    ----------
+    unit, scaling
+        Above the y axis: the unit, and what heights mean; of these words, longest first, those
+        that leave room for a note.
+    notes
+        Beside them, longest first; the first that fits is written.
+    mark, badge
+        In the upper right corner: passing and lasting.
+    """
+
+    unit: str = ""
+    scaling: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    mark: str = ""
+    badge: str = ""
+
+    @property
+    def whole(self) -> str:
+        """All that could be said, for where there is no room to say it."""
+        return "\n".join(texts[0] for texts in (self.scaling, self.notes) if texts)
+
+    def said(self, metrics: QFontMetricsF, room_px: float) -> tuple[str, str]:
+        """Unit with as many words as fit into ``room_px``, and the note beside it."""
+        gap = 2 * UNIT_PX
+        # A note is a warning, and goes before the longer words.
+        scaling = self.scaling[-1:] if self.notes else self.scaling
+        least = min((metrics.horizontalAdvance(note) + gap for note in self.notes), default=0.0)
+        units = (*(f"{self.unit} · {words}" for words in scaling), self.unit)
+        unit = fitting(units, metrics, room_px - least) or self.unit
+        start = metrics.horizontalAdvance(unit) + gap
+        return unit, fitting(self.notes, metrics, room_px - start)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlotLayout:
+    """Places in pixels of the widget.
+
+    Attributes
+    ----------
+    width, height
+        Of the widget.
+    left, top, right, bottom
+        Edges of the curves' area.
+    n_rows
+        Equally high rows in it.
+    y_ticks
+        Heights in a row (0 to 1) and their labels, the same for each row.
+    header
+        What is said above.
+    """
+
+    width: float
+    height: float
+    left: float
+    top: float
+    right: float
+    bottom: float
+    n_rows: int
+    y_ticks: tuple[Tick, ...] = ()
+    header: Header = Header()
+
+    @property
+    def area(self) -> QRectF:
+        """Where the curves are."""
+        return QRectF(self.left, self.top, self.right - self.left, self.bottom - self.top)
+
+    def row(self, rank: int) -> QRectF:
+        """Where row ``rank``, counted from the top, is."""
+        height = (self.bottom - self.top) / self.n_rows
+        return QRectF(self.left, self.top + rank * height, self.right - self.left, height)
+
+
+def laid_out(content: Content, metrics: QFontMetricsF, old_left_px: float) -> PlotLayout:
+    """Layout for ``content``; the left margin stays ``old_left_px`` if that is about right."""
+    line, words = metrics.height(), content.words
+    top = ceil(line) + 4
+    bottom = max(content.height - 2 * ceil(line) - 5, top + 1)
+    ticks = _y_ticks(content, (bottom - top) / content.n_rows, line)
+    left = _left_margin(ticks, metrics, old_left_px)
+    margin = ceil(metrics.horizontalAdvance("72") + UNIT_PX if content.stacked else 1.5 * UNIT_PX)
+    unread = content.n_rows > 1 and not any(tick.label for tick in ticks)
+    hidden = content.n_curves - content.n_rows if content.stacked else 0
+    passing = ("updating…" if words.stale else "", f"+{hidden} more" if hidden else "")
+    return PlotLayout(
+        width=content.width,
+        height=content.height,
+        left=left,
+        top=float(top),
+        right=max(content.width - margin, left + 1),
+        bottom=float(bottom),
+        n_rows=content.n_rows,
+        y_ticks=ticks,
+        header=Header(
+            unit=_unit_words(content, unread=unread),
+            scaling=content.scaling,
+            notes=words.notes,
+            mark=" · ".join(word for word in passing if word),
+            badge=_SYNTHETIC if words.synthetic else "",
+        ),
+    )
+
+
+def least_size(metrics: QFontMetricsF) -> QSize:
+    """Room in which two ticks of each axis can be read."""
+    line, number = ceil(metrics.height()), metrics.horizontalAdvance("\u2212100.0")
+    around = line + 4 + 2 * line + 5
+    return QSize(ceil(4 * number), around + ceil(2 * _AIRY * line))
+
+
+def fitting(texts: tuple[str, ...], metrics: QFontMetricsF, room_px: float) -> str:
+    """First of ``texts`` that fits, or nothing."""
+    return next((text for text in texts if metrics.horizontalAdvance(text) <= room_px), "")
+
+
+def _y_ticks(content: Content, row_px: float, line_px: float) -> tuple[Tick, ...]:
+    low, high = content.scale.values
+    if content.n_rows == 1:
+        most, closest = row_px / (_AIRY * line_px), row_px / (_DENSE * line_px)
+        ticks = readable_ticks(low, high, most, closest, content.unit.factor)
+        return _in_row(content.scale, ticks)
+    airy = linear_ticks(low, high, row_px / (_AIRY * line_px), content.unit.factor)
+    dense = linear_ticks(low, high, row_px / (_DENSE * line_px), content.unit.factor)
+    for ticks in (airy, dense):
+        # Labels of neighbouring rows must not touch.
+        fit = tuple(
+            tick
+            for tick in ticks
+            if min(tick.value - low, high - tick.value) / (high - low) * row_px >= 0.4 * line_px
+        )
+        if len(fit) > 1:
+            return _in_row(content.scale, fit)
+    return _in_row(content.scale, (Tick(value=0.0, label=""),) if low < 0 < high else ())
+
+
+def _in_row(scale: ValueScale, ticks: tuple[Tick, ...]) -> tuple[Tick, ...]:
+    return tuple(Tick(value=scale.height(tick.value), label=tick.label) for tick in ticks)
+
+
+def _left_margin(ticks: tuple[Tick, ...], metrics: QFontMetricsF, old_px: float) -> float:
+    widest = max((metrics.horizontalAdvance(tick.label) for tick in ticks), default=0.0)
+    wanted = max(float(ceil(widest + UNIT_PX)), _LEAST_MARGIN_PX)
+    return old_px if wanted <= old_px <= wanted + _MARGIN_SLACK_PX else wanted
+
+
+def _unit_words(content: Content, *, unread: bool) -> str:
+    parts = content.level or content.unit.symbol, content.matched
+    symbol = ", ".join(filter(None, parts))
+    if not unread:
+        return symbol
+    # Too thin for ticks: the range is said in words.
+    low, high = (value * content.unit.factor for value in content.scale.values)
+    span = f"±{high:.4g}" if low == -high else f"{low:.4g} to {high:.4g}"
+    return f"{symbol}, each row {span}".replace("-", "\u2212")
+
+
+# Words in a plot: the line above it, the number of a row, a message in the middle.
+
+_CENTRED = Qt.AlignmentFlag.AlignCenter
+_AT_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+_AT_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_SMALLEST_FONT_PX = 7
+
+
+class HeaderLine(pyqtgraph.GraphicsWidget):
+    """Unit and notes on the left, marks on the right.
+
+    Attributes
+    ----------
+    header
+        What it says.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setCacheMode(self.CacheMode.DeviceCoordinateCache)
+        self.header = Header()
+        self._font = QFont()
+
+    def show_font(self, font: QFont) -> None:
+        """Take over a font."""
+        self._font = font
+        self.update()
+
+    def say(self, header: Header) -> None:
+        """Show ``header``."""
+        if header != self.header:
+            self.header = header
+            self.update()
+
+    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+        header, theme, line = self.header, current_theme(), self.rect()
+        painter.setFont(self._font)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        metrics = QFontMetricsF(self._font)
+        right = line.right()
+        if header.badge:
+            badge_px = metrics.horizontalAdvance(header.badge) + UNIT_PX
+            badge = QRectF(right - badge_px, line.top() + 1.5, badge_px - 1, line.height() - 3)
+            painter.setPen(QPen(QColor(theme.warning), 1))
+            painter.drawRoundedRect(badge, 3, 3)
+            painter.drawText(badge, _CENTRED, header.badge)
+            right = badge.left() - UNIT_PX
+        painter.setPen(QColor(theme.dim))
+        if header.mark:
+            painter.drawText(QRectF(0, 0, right, line.height()), _AT_RIGHT, header.mark)
+            right -= metrics.horizontalAdvance(header.mark) + UNIT_PX
+        painter.setPen(QColor(theme.text))
+        unit, note = header.said(metrics, right)
+        painter.drawText(QRectF(0, 0, right, line.height()), _AT_LEFT, unit)
+        start = metrics.horizontalAdvance(unit) + 2 * UNIT_PX
+        painter.setPen(QColor(theme.warning))
+        painter.drawText(QRectF(start, 0, max(right - start, 1), line.height()), _AT_LEFT, note)
+
+
+class RowNumber(pyqtgraph.GraphicsWidget):
+    """The number of an output beside its row, in the colour of its curve.
+
+    Attributes
+    ----------
+    text
+        The number.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setCacheMode(self.CacheMode.DeviceCoordinateCache)
+        self.text = ""
+        self._colour = QColor()
+        self._font = QFont()
+
+    def say(self, text: str, colour: QColor, font: QFont) -> None:
+        """Show ``text``."""
+        if (text, colour, font) != (self.text, self._colour, self._font):
+            self.text, self._colour, self._font = text, colour, font
+            self.update()
+
+    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+        font, height = QFont(self._font), self.rect().height()
+        if height < QFontMetricsF(font).height():
+            font.setPixelSize(max(_SMALLEST_FONT_PX, int(height * 0.85)))
+        font.setBold(True)
+        painter.setFont(font)
+        painter.setPen(self._colour)
+        painter.drawText(self.rect(), _CENTRED, self.text)
+
+
+class Message(pyqtgraph.GraphicsWidget):
+    """Words in the middle of an empty picture.
+
+    Attributes
+    ----------
+    text
+        The words.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
+        self.setZValue(10)
+        self.text = ""
+        self._colour = QColor()
+        self._font = QFont()
+
+    def say(self, text: str, colour: QColor, font: QFont) -> None:
+        """Show ``text``."""
+        self.text, self._colour, self._font = text, colour, font
+        self.setVisible(bool(text))
+        self.update()
+
+    def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
+        painter.setFont(self._font)
+        painter.setPen(self._colour)
+        painter.drawText(self.rect(), _CENTRED | Qt.TextFlag.TextWordWrap, self.text)

@@ -1,0 +1,592 @@
+"""A small spectrum of a signal, with the measured band."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from pyqtgraph.functions import arrayToQPath
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPaintEvent, QPen
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from skinsource.base.arrays import Floats
+from skinsource.base.published import SAMPLE_RATE_HZ, Band
+from skinsource.design.clips import Clip, Fragment
+from skinsource.design.effects.effect import Effect
+from skinsource.design.effects.playing import played
+from skinsource.design.waveform import Waveform
+from skinsource_gui.fields.units import axis_unit
+from skinsource_gui.plots.curves import course_of
+from skinsource_gui.plots.pictures import Pictured
+from skinsource_gui.plots.ranges import KeptColumns, wave_of
+from skinsource_gui.qt.buttons import paint_swatch
+from skinsource_gui.qt.frames import KeptPicture
+from skinsource_gui.qt.theme import (
+    UNIT_PX,
+    current_theme,
+    dots_in_px,
+    is_on_paper,
+    letter_scale,
+    tabular,
+    thin_pen,
+)
+from skinsource_gui.qt.tooltips import show_tooltip
+
+LOWEST_HZ, FLOOR_DB = 10.0, -80.0
+_TICKS_HZ = (10, 25, 50, 100, 200, 600, 2000, 6000, 20_000)
+_TICKS_DB = (0, -40, -80)
+_LEFT_PX, _BOTTOM_PX, _EDGE_PX = 40, 18, 6
+_BAND_ALPHA = 24
+
+
+class SpectrumPreview(QWidget):
+    """The largest line of each pixel, in dB below the largest of all, from 10 Hz to half the rate.
+
+    The band in which the limb was measured is shaded.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._lines: tuple[Floats, Floats] | None = None
+        self._highest_hz = SAMPLE_RATE_HZ / 2.0
+        self._band_hz: Band | None = None
+        self.setObjectName("spectrum_preview")
+        self.setAccessibleName("Spectrum")
+        self.setFont(tabular(self.font()))
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+
+    def show_samples(
+        self,
+        samples: Floats | None,
+        sample_rate_hz: float = SAMPLE_RATE_HZ,
+        band_hz: Band | None = None,
+    ) -> None:
+        """Draw the spectrum of ``samples``, (n_times,), and the band; nothing without any."""
+        self._band_hz = band_hz
+        self._highest_hz = sample_rate_hz / 2.0
+        self._lines = None if samples is None else _lines(samples, sample_rate_hz)
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        plot = QRectF(self.rect()).adjusted(_LEFT_PX, _EDGE_PX, -_EDGE_PX, -_BOTTOM_PX)
+        if self._band_hz is not None:
+            band = QColor(current_theme().accent)
+            band.setAlpha(_BAND_ALPHA)
+            left, right = (
+                self._x(plot, min(max(hz, LOWEST_HZ), self._highest_hz)) for hz in self._band_hz
+            )
+            painter.fillRect(QRectF(left, plot.top(), right - left, plot.height()), band)
+        self._paint_ticks(painter, plot)
+        if self._lines is not None:
+            self._paint_lines(painter, plot, *self._lines)
+
+    def _x(self, plot: QRectF, hz: float) -> float:
+        whole = np.log(self._highest_hz / LOWEST_HZ)
+        return plot.left() + plot.width() * float(np.log(hz / LOWEST_HZ) / whole)
+
+    def _y(self, plot: QRectF, db: float) -> float:
+        return plot.top() + plot.height() * db / FLOOR_DB
+
+    def _paint_ticks(self, painter: QPainter, plot: QRectF) -> None:
+        grid, words = QPen(QColor(current_theme().grid), 1), QPen(QColor(current_theme().dim))
+        metrics = self.fontMetrics()
+        for db in _TICKS_DB:
+            y = self._y(plot, db)
+            painter.setPen(grid)
+            painter.drawLine(QLineF(plot.left(), y, plot.right(), y))
+            painter.setPen(words)
+            text = f"{db}".replace("-", "−") if db else "0 dB"
+            room = QRectF(0, y - 8, plot.left() - 4, 16)
+            # The lowest and the highest stay inside.
+            room.moveTop(min(max(room.top(), 0.0), plot.bottom() - 14))
+            painter.drawText(
+                room, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, text
+            )
+        free = plot.left() - 8.0
+        seen = [hz for hz in _TICKS_HZ if hz < self._highest_hz]
+        last = seen[-1] if seen else 0
+        for hz in seen:
+            x = self._x(plot, hz)
+            painter.setPen(grid)
+            painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
+            text = f"{hz} Hz" if hz == last else f"{hz}"
+            width = metrics.horizontalAdvance(text)
+            start = min(x - width / 2, self.width() - width - 1)
+            if start > free:
+                painter.setPen(words)
+                painter.drawText(QPointF(start, self.height() - 5), text)
+                free = start + width + 4
+
+    def _paint_lines(self, painter: QPainter, plot: QRectF, hz: Floats, db: Floats) -> None:
+        inside = (hz >= LOWEST_HZ) & (hz <= self._highest_hz)
+        if not inside.any():
+            return
+        whole = np.log(self._highest_hz / LOWEST_HZ)
+        column = (plot.width() * np.log(hz[inside] / LOWEST_HZ) / whole).astype(np.intp)
+        firsts = np.flatnonzero(np.diff(column, prepend=-1))
+        x = plot.left() + column[firsts].astype(np.float64)
+        highest = np.maximum.reduceat(db[inside], firsts)
+        y = plot.top() + plot.height() * np.clip(highest, FLOOR_DB, 0.0) / FLOOR_DB
+        painter.setPen(thin_pen(QColor(current_theme().text)))
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
+
+
+def _lines(samples: Floats, sample_rate_hz: float) -> tuple[Floats, Floats]:
+    """Frequencies and their levels, in dB below the largest."""
+    # Short signals are padded: a line for each pixel.
+    length = max(samples.size, 4096)
+    magnitude = np.abs(np.fft.rfft(samples, length))
+    largest = max(float(magnitude.max(initial=0.0)), np.finfo(np.float64).tiny)
+    level_db = 20.0 * np.log10(np.maximum(magnitude / largest, 1e-12))
+    return np.asarray(np.fft.rfftfreq(length, 1.0 / sample_rate_hz), np.float64), level_db
+
+
+# A small picture of what an input plays.
+
+_AXIS_PX, _CURVE_PX = 18, 46
+_MARGIN_PX = 4
+# Between ticks, in letters of the usual size.
+_TICK_SPACING_PX = 52
+# Strokes of this mean length, of 2, make a block, whose edge needs no smoothing.
+_BLOCK = 0.8
+# A single sample needs some time around it to be seen as one.
+_SHORTEST_S = 0.005
+_PALE = 0.35
+
+
+def tick_step(span: float, most: int) -> float:
+    """The smallest of 1, 2, 5, 10, … that divides ``span`` into at most ``most`` parts."""
+    least = span / max(most, 1)
+    decade = 10.0 ** math.floor(math.log10(least))
+    return next(decade * factor for factor in (1, 2, 5, 10, 20) if decade * factor >= least)
+
+
+class WaveformPreview(QWidget):
+    """Samples over their time, optionally with an axis in milliseconds, or seconds.
+
+    The height is 1, or the peak where that is more.
+    """
+
+    def __init__(self, parent: QWidget | None = None, *, axis: bool = False) -> None:
+        super().__init__(parent)
+        self._has_axis = axis
+        self._samples: Floats | None = None
+        self._sample_rate_hz = self._height = 1.0
+        self._words = ""
+        self._colour: int | None = None
+        self._flipped, self._problem = False, ""
+        self._pale = False
+        self._axis, self._columns = KeptPicture(), KeptColumns()
+        self.setObjectName("waveform_preview")
+        self.setAccessibleName("Waveform")
+        self.setFont(tabular(self.font()))
+        # With an axis all of it is painted: nothing behind needs to be.
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent, axis)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(0, _CURVE_PX + self._axis_px if self._has_axis else 0)
+
+    @property
+    def _axis_px(self) -> int:
+        return round(_AXIS_PX * letter_scale(self.font()))
+
+    @property
+    def words(self) -> str:
+        """What stands in place of a curve, or ""."""
+        return self._words
+
+    @property
+    def duration_s(self) -> float | None:
+        """Length of what is drawn, or None."""
+        return None if self._samples is None else self._samples.size / self._sample_rate_hz
+
+    def show_samples(self, samples: Floats, sample_rate_hz: float) -> None:
+        """Draw ``samples``, (n_times,)."""
+        old = self._samples
+        same = old is samples or (old is not None and np.array_equal(old, samples))
+        self._samples = samples
+        if same and not self._words and self._sample_rate_hz == sample_rate_hz:
+            return
+        self._sample_rate_hz, self._words = sample_rate_hz, ""
+        self._height = max(float(np.abs(samples).max(initial=0.0)), 1.0)
+        show_tooltip(self, "")
+        self.update()
+
+    def show_words(self, words: str) -> None:
+        """Draw no curve, and say why."""
+        self._samples, self._words = None, words
+        self.setToolTip(words)
+        self.update()
+
+    def set_look(self, colour: int, *, flipped: bool = False, problem: str = "") -> None:
+        """Colour of the curve, by `Input.colour`; whether a negative amplitude turns it over.
+
+        With a ``problem``, the curve has the colour of errors.
+        """
+        if (colour, flipped, problem) != (self._colour, self._flipped, self._problem):
+            self._colour, self._flipped, self._problem = colour, flipped, problem
+            self.setAccessibleDescription(problem)
+            self.update()
+
+    def set_pale(self, pale: bool) -> None:
+        """Whether the curve is out of date."""
+        if pale != self._pale:
+            self._pale = pale
+            self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        drawn = not self._words and self._samples is not None and self._samples.size > 0
+        ground = self.palette().window().color()
+        if self._has_axis and not drawn:
+            painter.fillRect(self.rect(), ground)
+        if self._words:
+            painter.setPen(QColor(current_theme().dim))
+            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+            painter.drawText(self.rect(), flags, self._words_that_fit(flags))
+            return
+        if not drawn or self._samples is None:
+            return
+        plot = QRectF(self.rect()).adjusted(_MARGIN_PX, 2, -_MARGIN_PX, -2)
+        if self._has_axis:
+            plot.setBottom(plot.bottom() - self._axis_px)
+            span_s = self._span_s(self._samples)
+            shown = (current_theme(), span_s)
+            self._axis.paint(
+                painter,
+                QRectF(self.rect()),
+                shown,
+                partial(self._paint_axis, plot=plot, span_s=span_s),
+                ground,
+            )
+        painter.setPen(QPen(QColor(current_theme().border), 1))
+        painter.drawLine(QLineF(plot.left(), plot.center().y(), plot.right(), plot.center().y()))
+        self._paint_curve(painter, plot, self._samples)
+
+    def _words_that_fit(self, flags: int) -> str:
+        # The whole is in the tooltip, and where it concerns the whole window, at its top.
+        shown, words = self._words, self._words.split(" ")
+        room, metrics = self.rect(), self.fontMetrics()
+        while words and metrics.boundingRect(room, flags, shown).height() > room.height():
+            words.pop()
+            shown = " ".join(words) + " …"
+        return shown
+
+    def _span_s(self, samples: Floats) -> float:
+        return max(samples.size / self._sample_rate_hz, _SHORTEST_S)
+
+    def _drawn_colour(self) -> QColor:
+        theme, number = current_theme(), self._colour
+        if self._problem:
+            return QColor(theme.error)
+        return QColor(theme.text) if number is None else theme.input_colour(number)
+
+    def _paint_curve(self, painter: QPainter, plot: QRectF, drawn: Floats) -> None:
+        if self._pale:
+            painter.setOpacity(_PALE)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(self._drawn_colour(), 1))
+        sign = -1 if self._flipped else 1
+        shown_px = plot.width() * drawn.size / self._sample_rate_hz / self._span_s(drawn)
+        ratio = dots_in_px(painter)
+        time_s, end_s = (
+            np.arange(drawn.size) / self._sample_rate_hz,
+            drawn.size / self._sample_rate_hz,
+        )
+        wave, across = wave_of(time_s, drawn[np.newaxis]), max(int(shown_px * ratio), 1)
+        found = self._columns.of(time_s, (0.0, end_s), across)
+        points = course_of(found, drawn[np.newaxis], wave, shown_px, ratio).line
+        samples = points.y[0]
+        # Between samples it may be higher than they are.
+        highest = max(self._height, float(np.abs(samples).max()))
+        middle, reach = plot.center().y(), sign * plot.height() / 2 / highest
+        if points.strokes and not is_on_paper():
+            block = bool(np.mean(np.abs(samples[1::2] - samples[::2])) > _BLOCK)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, not block)
+        x = plot.left() + shown_px * points.x / end_s
+        y = middle - reach * samples
+        if samples.size == 1:
+            top = QPointF(x[0] + 1, y[0])
+            painter.drawLine(QPointF(x[0] + 1, middle), top)
+            painter.setBrush(self._drawn_colour())
+            painter.drawEllipse(top + QPointF(0, 2 if y[0] < middle else -2), 2, 2)
+            return
+        # A path, because Qt leaves gaps in a polyline of upright strokes.
+        painter.setPen(thin_pen(self._drawn_colour()))
+        painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
+
+    def _paint_axis(self, painter: QPainter, plot: QRectF, span_s: float) -> None:
+        unit, per_s = axis_unit(span_s)
+        span = span_s * per_s
+        spacing_px = _TICK_SPACING_PX * letter_scale(self.font())
+        step = tick_step(span, int(plot.width() / spacing_px))
+        unit_px = self.fontMetrics().horizontalAdvance(f" {unit}") + 2
+        for k in range(int(span / step * (1 + 1e-9)) + 1):
+            x = plot.left() + k * step / span * plot.width()
+            painter.setPen(QPen(QColor(current_theme().grid), 1))
+            painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
+            label = f"{k * step:g}"
+            width = self.fontMetrics().horizontalAdvance(label)
+            left = min(max(x - width / 2, plot.left()), plot.right() - width)
+            if left + width > plot.right() - unit_px:
+                # The last tick makes room for the unit of all.
+                continue
+            painter.setPen(QColor(current_theme().dim))
+            painter.drawText(QPointF(left, self.height() - 5), label)
+        painter.setPen(QColor(current_theme().dim))
+        painter.drawText(QPointF(plot.right() - unit_px + 2, self.height() - 5), f" {unit}")
+
+
+# Clips of several tracks on a small ruler.
+
+_HEAD_PX, _CLIP_STRIP_AXIS_PX = 34, 20
+_SWATCH_PX = 24.0
+_LANE_PX = (16.0, 40.0)
+_CLIP_STRIP_TICK_SPACING_PX = 64
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class ShownClip:
+    """A clip on the ruler.
+
+    Attributes
+    ----------
+    start_s, duration_s
+        When it plays.
+    samples : (n_times,)
+        What it plays; 1 is the full height of its lane.
+    """
+
+    start_s: float
+    duration_s: float
+    samples: Floats
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Lane:
+    """A track: its place, number of its colour, and clips."""
+
+    place: int
+    colour: int
+    clips: tuple[ShownClip, ...]
+
+
+class ShownClips:
+    """Draws clips; what is alike is drawn once, however often it comes: some motions repeat much.
+
+    Parameters
+    ----------
+    sample_rate_hz
+        Of what is shown.
+    """
+
+    def __init__(self, sample_rate_hz: float) -> None:
+        self._rate_hz = sample_rate_hz
+        self._drawn: dict[tuple[Waveform, tuple[Effect, ...], float], Floats] = {}
+
+    def of(self, clip: Clip, factor: float) -> ShownClip:
+        """A clip, its samples times its gain and ``factor``; those that pass 1 are not cut off."""
+        key = (clip.waveform, clip.effects, clip.gain * factor)
+        samples = self._drawn.get(key)
+        if samples is None:
+            plain = played(clip.waveform, clip.effects, self._rate_hz)
+            reach = max(float(np.abs(plain).max(initial=0.0)), 1.0)
+            samples = self._drawn[key] = plain * (clip.gain * factor / reach)
+        return ShownClip(start_s=clip.onset_s, duration_s=clip.duration_s, samples=samples)
+
+
+def strip_lanes(fragment: Fragment, sample_rate_hz: float) -> tuple[Lane, ...]:
+    """The tracks of a fragment, the strongest clip at full height.
+
+    Raises
+    ------
+    InvalidInputError
+        It holds something that cannot be played at this rate.
+    """
+    largest = max(
+        (abs(lane.amplitude * clip.gain) for lane in fragment.lanes for clip in lane.clips),
+        default=1.0,
+    )
+    factor, shown = 1.0 / (largest or 1.0), ShownClips(sample_rate_hz)
+    return tuple(
+        Lane(
+            place=lane.location,
+            colour=number,
+            clips=tuple(shown.of(clip, lane.amplitude * factor) for clip in lane.clips),
+        )
+        for number, lane in enumerate(fragment.lanes)
+    )
+
+
+class ClipStrip(QWidget):
+    """A lane for each track above an axis of time; or words where there is nothing to show."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._lanes: tuple[Lane, ...] = ()
+        self._words = ""
+        self._picture = KeptPicture()
+        # Outlines of what is painted, by samples and size.
+        self._outlines: dict[tuple[int, float, float], QPainterPath] = {}
+        self.setObjectName("clip_strip")
+        self.setAccessibleName("Clips")
+        self.setFont(tabular(self.font()))
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+
+    @property
+    def lanes(self) -> tuple[Lane, ...]:
+        """What is shown."""
+        return self._lanes
+
+    @property
+    def words(self) -> str:
+        """What stands in place of lanes, or ""."""
+        return self._words
+
+    def show_lanes(self, lanes: tuple[Lane, ...]) -> None:
+        """Show these tracks."""
+        self._lanes, self._words = lanes, ""
+        self.updateGeometry()
+        self.update()
+
+    def show_words(self, words: str) -> None:
+        """Show no track, and say why."""
+        self._lanes, self._words = (), words
+        self.update()
+
+    def minimumSizeHint(self) -> QSize:
+        lanes = max(len(self._lanes), 2)
+        return QSize(300, round(lanes * _LANE_PX[0]) + _CLIP_STRIP_AXIS_PX + 4)
+
+    def sizeHint(self) -> QSize:
+        lanes = max(len(self._lanes), 3)
+        return QSize(520, round(lanes * _LANE_PX[1]) + _CLIP_STRIP_AXIS_PX + 4)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        if self._words:
+            painter.setPen(QColor(current_theme().warning))
+            flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+            painter.drawText(self.rect(), flags, self._words)
+            return
+        if self._lanes:
+            shown = (current_theme(), self._lanes, self.font().toString())
+            whole = QRectF(self.rect())
+            self._picture.paint(
+                painter, whole, shown, self._paint_all, self.palette().window().color()
+            )
+
+    def _paint_all(self, painter: QPainter) -> None:
+        start_s = min(clip.start_s for lane in self._lanes for clip in lane.clips)
+        end_s = max(clip.start_s + clip.duration_s for lane in self._lanes for clip in lane.clips)
+        span_s = max(end_s - start_s, 1e-3)
+        plot = QRectF(self.rect()).adjusted(_HEAD_PX, 2, -UNIT_PX, -_CLIP_STRIP_AXIS_PX)
+        height = min(plot.height() / len(self._lanes), _LANE_PX[1])
+        plot.setHeight(height * len(self._lanes))
+        self._paint_axis(painter, plot, start_s, span_s)
+        x_of = partial(_x_at, plot, start_s, span_s)
+        for row, lane in enumerate(self._lanes):
+            area = QRectF(plot.left(), plot.top() + row * height, plot.width(), height)
+            colour = current_theme().input_colour(lane.colour)
+            self._paint_head(painter, area, lane, colour)
+            painter.setPen(QPen(QColor(current_theme().border), 1))
+            painter.drawLine(QLineF(area.left(), area.bottom(), area.right(), area.bottom()))
+            for clip in lane.clips:
+                self._paint_clip(painter, area, colour, clip, x_of)
+        self._outlines.clear()
+
+    def _paint_head(self, painter: QPainter, area: QRectF, lane: Lane, colour: QColor) -> None:
+        high = min(area.height() - 2.0, _SWATCH_PX)
+        place = QRectF(0.0, area.center().y() - high / 2, _SWATCH_PX, high)
+        paint_swatch(painter, place, lane.place, colour, QColor(current_theme().text), silent=False)
+
+    def _paint_clip(
+        self,
+        painter: QPainter,
+        area: QRectF,
+        colour: QColor,
+        clip: ShownClip,
+        x_of: Callable[[float], float],
+    ) -> None:
+        left, right = x_of(clip.start_s), x_of(clip.start_s + clip.duration_s)
+        box = QRectF(left, area.top() + 2, max(right - left, 2.0), area.height() - 4)
+        ground = QColor(colour)
+        ground.setAlphaF(0.22)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(colour, 1))
+        painter.setBrush(ground)
+        painter.drawRoundedRect(box, 3, 3)
+        painter.setBrush(colour)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.drawPath(self._outline(clip.samples, box))
+
+    def _outline(self, samples: Floats, box: QRectF) -> QPainterPath:
+        size = QRectF(0.0, 0.0, round(box.width(), 3), round(box.height(), 3))
+        key = (id(samples), size.width(), size.height())
+        if key not in self._outlines:
+            self._outlines[key] = _outline(samples, size)
+        return self._outlines[key].translated(box.topLeft())
+
+    def _paint_axis(self, painter: QPainter, plot: QRectF, start_s: float, span_s: float) -> None:
+        unit, per_s = axis_unit(start_s + span_s)
+        step = tick_step(span_s * per_s, int(plot.width() / _CLIP_STRIP_TICK_SPACING_PX))
+        first = int(np.ceil(start_s * per_s / step - 1e-9))
+        last = int(np.floor((start_s + span_s) * per_s / step + 1e-9))
+        unit_px = self.fontMetrics().horizontalAdvance(f" {unit}") + 2
+        baseline = plot.bottom() + _CLIP_STRIP_AXIS_PX - 5
+        for k in range(first, last + 1):
+            x = _x_at(plot, start_s, span_s, k * step / per_s)
+            painter.setPen(QPen(QColor(current_theme().grid), 1))
+            painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
+            label = f"{k * step:g}"
+            width = self.fontMetrics().horizontalAdvance(label)
+            where = min(max(x - width / 2, plot.left()), plot.right() - width)
+            # The last tick makes room for the unit of all.
+            if where + width <= plot.right() - unit_px:
+                painter.setPen(QColor(current_theme().dim))
+                painter.drawText(QPointF(where, baseline), label)
+        painter.setPen(QColor(current_theme().dim))
+        painter.drawText(QPointF(plot.right() - unit_px + 2, baseline), f" {unit}")
+
+
+def _x_at(plot: QRectF, start_s: float, span_s: float, time_s: float) -> float:
+    return plot.left() + (time_s - start_s) / span_s * plot.width()
+
+
+def _outline(samples: Floats, box: QRectF) -> QPainterPath:
+    """What lies between the highest and the lowest sample of each pixel."""
+    columns = max(int(box.width()), 1)
+    edges = np.linspace(0, samples.size, min(columns, max(samples.size, 1)) + 1).astype(int)
+    if samples.size == 0:
+        return QPainterPath()
+    starts = edges[:-1]
+    high = np.maximum(np.maximum.reduceat(samples, starts), 0.0)
+    low = np.minimum(np.minimum.reduceat(samples, starts), 0.0)
+    x = box.left() + box.width() * (np.arange(starts.size) + 0.5) / starts.size
+    reach = box.height() / 2 - 1
+    middle = box.center().y()
+    path = QPainterPath(QPointF(x[0] - 0.5, middle))
+    for across, value in zip(x, high, strict=True):
+        path.lineTo(across, middle - reach * value - 0.3)
+    for across, value in zip(x[::-1], low[::-1], strict=True):
+        path.lineTo(across, middle - reach * value + 0.3)
+    path.closeSubpath()
+    return path
+
+
+# What points at an input in one panel is seen in the others.
+
+
+class PointsAtInputs(Pictured):
+    """Tells which input is pointed at here, and shows which one is elsewhere."""
+
+    #: Id of the input that is pointed at here, or None.
+    input_pointed_at = Signal(object)
+
+    def show_pointed_input(self, input_id: int | None) -> None:
+        """Mark the input that is pointed at in another panel; None: none is."""

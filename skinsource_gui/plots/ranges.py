@@ -1,0 +1,694 @@
+"""Ranges of axes: held while data change, zoomed and panned by the user."""
+
+from collections.abc import Callable
+from copy import copy
+from dataclasses import dataclass
+from functools import lru_cache, partial
+from math import ceil, floor, isfinite, log10
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skinsource.base.arrays import Floats
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.signals.resampling import Extremes, extremes_between, finer
+
+Range = tuple[float, float]
+#: ``"amplitude"``: linear, includes zero; ``"level"``: dB, 80 dB from top to bottom;
+#: ``"relative"``: parts of peaks, without a unit.
+Kind = Literal["amplitude", "level", "relative"]
+
+LEVEL_SPAN_DB = 80.0
+_LEVEL_STEP_DB = 5.0
+# A level range is left only for data that lie this far below its top (60 % are -4.4 dB).
+_LEVEL_SLACK_DB = 10.0
+# Tops of amplitude ranges: coarse enough that growing data seldom move the ticks.
+_TOPS = (1.0, 1.25, 1.6, 2.0, 2.5, 3.2, 4.0, 5.0, 6.4, 8.0, 10.0)
+_SHRINK_BELOW = 0.6
+# Curves that are relative to their peaks reach 1, and waves between samples a little more.
+_RELATIVE_TOP = 1.1
+_HEADROOM = 1.02
+
+
+class HeldRange:
+    """Range of a value axis that follows its data without flicker.
+
+    It grows at once, and shrinks only when the data need less than 60 % of it.
+    """
+
+    def __init__(self) -> None:
+        self._kind: Kind | None = None
+        self._range: Range = (0.0, 1.0)
+
+    def follow(self, low: float, high: float, kind: Kind) -> Range:
+        """Range for data from ``low`` to ``high``.
+
+        Amplitudes: ``(0, top)`` for data that are never negative, else ``(-top, top)``.
+        Levels: ``(top - 80, top)``.  Silence leaves the range as it was.
+        """
+        wanted = _wanted(low, high, kind)
+        if kind != self._kind or not self._still_fits(low, high, wanted):
+            self._range = wanted
+        self._kind = kind
+        return self._range
+
+    def copied(self) -> "HeldRange":
+        """One that has followed the same data."""
+        return copy(self)
+
+    def let_go(self) -> None:
+        """Decide the next range by its data alone."""
+        self._kind, self._range = None, (0.0, 1.0)
+
+    def _still_fits(self, low: float, high: float, wanted: Range) -> bool:
+        held_low, held_high = self._range
+        if self._kind == "level":
+            if high <= FLOOR_DB:
+                return True
+            return wanted[1] <= held_high <= wanted[1] + _LEVEL_SLACK_DB
+        if low == high == 0:
+            return True
+        if (held_low < 0) != (wanted[0] < 0):
+            return False
+        return max(high, -low) <= held_high and wanted[1] >= _SHRINK_BELOW * held_high
+
+
+def _wanted(low: float, high: float, kind: Kind) -> Range:
+    if kind == "level":
+        return _level_range(high)
+    if kind == "relative" and max(high, -low) <= _RELATIVE_TOP:
+        return (-_RELATIVE_TOP if low < 0 else 0.0, _RELATIVE_TOP)
+    return _amplitude_range(low, high)
+
+
+def _amplitude_range(low: float, high: float) -> Range:
+    peak = max(high, -low)
+    top = _round_up(peak * _HEADROOM) if peak > 0 else 1.0
+    return (-top if low < 0 else 0.0, top)
+
+
+def _level_range(high: float) -> Range:
+    if high <= FLOOR_DB:
+        return (-LEVEL_SPAN_DB, 0.0)
+    top = ceil(high / _LEVEL_STEP_DB) * _LEVEL_STEP_DB
+    return (top - LEVEL_SPAN_DB, top)
+
+
+def _round_up(value: float) -> float:
+    decade = 10.0 ** floor(log10(value))
+    # A value at the edge of the numbers has no decade that can be multiplied.
+    if not isfinite(10.0 * decade) or decade == 0:
+        return value
+    return next((top * decade for top in _TOPS if top * decade >= value), 10.0 * decade)
+
+
+def zoomed(shown: Range, anchor: float, factor: float) -> Range:
+    """``shown`` made ``factor`` times narrower, with ``anchor`` staying where it is."""
+    low, high = shown
+    return (anchor - (anchor - low) / factor, anchor + (high - anchor) / factor)
+
+
+def within(wanted: Range, extent: Range, shortest: float) -> Range | None:
+    """``wanted`` moved and cut so that it lies in ``extent``; ``None`` where that is all of it.
+
+    It becomes no shorter than ``shortest``.
+    """
+    low, high = wanted
+    length = max(high - low, shortest)
+    middle = (low + high) / 2
+    if length >= (extent[1] - extent[0]) * (1 - 1e-9):
+        return None
+    low = min(max(middle - length / 2, extent[0]), extent[1] - length)
+    return (low, low + length)
+
+
+# Round numbers along an axis, and how numbers are written.
+
+_MINUS = "\u2212"
+_THIN_SPACE = "\u202f"
+_STEPS = (1.0, 2.0, 5.0, 10.0)
+_MAX_TICKS = 40
+# Axes are painted far more often than they change.
+_MOST_KEPT = 256
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Tick:
+    """A grid line at ``value``, with a label or (``""``) without."""
+
+    value: float
+    label: str
+
+
+@lru_cache(_MOST_KEPT)
+def linear_ticks(low: float, high: float, most: float, factor: float = 1.0) -> tuple[Tick, ...]:
+    """At most about ``most`` ticks on round numbers; labels show values times ``factor``."""
+    low, high = low * factor, high * factor
+    length = high - low
+    if not (isfinite(length) and length > 0) or most < 1:
+        return ()
+    step = _round_step(length / min(most, _MAX_TICKS))
+    decimals = max(0, -floor(log10(step) + 1e-9))
+    first, last = ceil(low / step - 1e-6), floor(high / step + 1e-6)
+    return tuple(
+        Tick(value=k * step / factor, label=number_text(k * step, decimals))
+        for k in range(first, last + 1)
+    )
+
+
+def readable_ticks(
+    low: float, high: float, airy: float, dense: float, factor: float = 1.0
+) -> tuple[Tick, ...]:
+    """Two ticks at least: one alone says nothing of what a height or a width means.
+
+    Where there are not two among at most about ``airy`` round numbers they stand closer, up to
+    ``dense`` of them; where even these leave but one, both ends are labelled.
+    """
+    for most in (airy, dense):
+        ticks = linear_ticks(low, high, most, factor)
+        if len(ticks) > 1:
+            return ticks
+    length = (high - low) * factor
+    if not (isfinite(length) and length > 0):
+        return ()
+    decimals = max(0, 2 - floor(log10(length) + 1e-9))
+    while decimals and all(_is_round(value * factor, decimals - 1) for value in (low, high)):
+        decimals -= 1
+    return tuple(
+        Tick(value=value, label=number_text(value * factor, decimals)) for value in (low, high)
+    )
+
+
+@lru_cache(_MOST_KEPT)
+def log_ticks(low: float, high: float, most: float) -> tuple[Tick, ...]:
+    """Grid lines at 1 to 9 times each power of ten, with labels where they find room."""
+    decades = log10(high / low)
+    every = (1, 2, 5) if most >= 3 * decades else (1,)
+    ticks = [
+        Tick(value=digit * 10.0**power, label=number_text(digit * 10.0**power, max(0, -power)))
+        for power in range(floor(log10(low)), ceil(log10(high)) + 1)
+        for digit in range(1, 10)
+        if low * (1 - 1e-9) <= digit * 10.0**power <= high * (1 + 1e-9)
+    ]
+    labelled = [tick for tick in ticks if _first_digit(tick.value) in every]
+    if len(labelled) < 3:
+        return linear_ticks(low, high, most)
+    return tuple(tick if tick in labelled else Tick(value=tick.value, label="") for tick in ticks)
+
+
+def number_text(value: float, decimals: int) -> str:
+    """``value`` with a true minus sign and thin spaces between thousands, like "1 200".
+
+    Very large and very small ones have an exponent.
+    """
+    if value != 0 and (decimals > 6 or abs(value) >= 1e7):
+        text = f"{value:.1e}"
+    else:
+        text = f"{value:,.{min(decimals, 6)}f}"
+    if not any(digit in text for digit in "123456789"):
+        text = text.removeprefix("-")
+    return text.replace("-", _MINUS).replace(",", _THIN_SPACE)
+
+
+def _is_round(value: float, decimals: int) -> bool:
+    return abs(value - round(value, decimals)) < 1e-9 * max(abs(value), 1e-300)
+
+
+def _round_step(least: float) -> float:
+    decade = 10.0 ** floor(log10(least))
+    return next(step * decade for step in _STEPS if step * decade >= least * (1 - 1e-9))
+
+
+def _first_digit(value: float) -> int:
+    return round(value / 10.0 ** floor(log10(value) + 1e-9))
+
+
+def significant(value: float, digits: int = 3) -> str:
+    """``value`` with so many significant digits: "0.0312", "12.3", "1 230"."""
+    if value == 0.0 or not isfinite(value):
+        return number_text(value, 0)
+    return number_text(value, max(digits - 1 - floor(log10(abs(value))), 0))
+
+
+# The wave through the samples of curves.
+
+#: Of so many samples that are seen at once, how far the wave reaches is found while they are drawn;
+#: of more, each takes but a part of a pixel, and they are joined on the screen as in pictures.
+MOST_WHILE_DRAWN = 2**16
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Wave:
+    """What is known of curves between their points, which are counted from 0.
+
+    Attributes
+    ----------
+    points
+        Gives ``x`` and ``y`` of the wave from one point to before another, those points among
+        them.
+    extremes
+        Gives how far it reaches from each point to the next, of those from one to before another;
+        None: of so many it is not known.
+    """
+
+    points: Callable[[int, int], tuple[Floats, Floats]]
+    extremes: Callable[[int, int], Extremes | None]
+
+
+def wave_of(time_s: Floats, signals: Floats) -> Wave:
+    """The wave of signals, (n_curves, n_times), as it is drawn."""
+    return Wave(points=partial(finer, time_s, signals), extremes=partial(_extremes, signals))
+
+
+def _extremes(signals: Floats, first: int, end: int) -> Extremes | None:
+    if end - first > MOST_WHILE_DRAWN:
+        return None
+    return extremes_between(signals, first, end)
+
+
+# What the axes of a plot say: units, titles, and which part is measured.
+
+_READING_DIGITS = 4
+# Room for a label on the x axis and the gap beside it.
+_TICK_PX = 60.0
+# The same where there would not be two labels otherwise.
+_CLOSE_TICK_PX = 36.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class XAxis:
+    """The axis all curves share.
+
+    Attributes
+    ----------
+    titles
+        What the axis says, longest first; the first that fits is written.
+    unit, factor, decimals
+        Unit of ticks and readings; what values (SI) are multiplied with; decimals of readings.
+    extent
+        Whole range, in SI; ``None``: that of the data.
+    log
+        Logarithmic; needs an ``extent`` above zero.
+    band
+        What lies outside of it is shaded; ``None``: nothing is.
+    column
+        Name of its column in a table.
+    """
+
+    titles: tuple[str, ...]
+    unit: str
+    factor: float = 1.0
+    decimals: int = 1
+    extent: Range | None = None
+    log: bool = False
+    band: Range | None = None
+    column: str = "x"
+
+    def position(self, value: float) -> float:
+        """Where ``value`` lies, in the units in which the axis is straight."""
+        return log10(value) if self.log else value
+
+    def value(self, position: float) -> float:
+        """Value at ``position``."""
+        return 10.0**position if self.log else position
+
+    def positions(self, values: Floats) -> Floats:
+        """Where ``values`` lie; values that a logarithmic axis cannot show become NaN."""
+        if not self.log:
+            return values
+        return np.log10(values, out=np.full(values.shape, np.nan), where=values > 0)
+
+    def ticks(self, low: float, high: float, width_px: float) -> tuple[Tick, ...]:
+        """Ticks between two positions that are ``width_px`` apart; their values are positions."""
+        most = max(width_px / _TICK_PX, 2)
+        if not self.log:
+            return readable_ticks(low, high, most, width_px / _CLOSE_TICK_PX, self.factor)
+        return tuple(
+            Tick(value=self.position(tick.value), label=tick.label)
+            for tick in log_ticks(self.value(low), self.value(high), most)
+        )
+
+    def reading(self, value: float) -> str:
+        """``value`` with its unit."""
+        return f"{number_text(value * self.factor, self.decimals)} {self.unit}"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ValueUnit:
+    """How values are written: multiplied by ``factor``, followed by ``symbol``."""
+
+    factor: float
+    symbol: str
+    decimals: int
+
+    def reading(self, value: float) -> str:
+        """``value`` without its unit, always with the same number of decimals."""
+        return number_text(value * self.factor, self.decimals)
+
+
+def value_unit(kind: Kind, low: float, high: float) -> ValueUnit:
+    """Unit in which a range of m/s², of levels or of parts of a peak reads well."""
+    if kind == "level":
+        return ValueUnit(factor=1.0, symbol="dB", decimals=1)
+    if kind == "relative":
+        return ValueUnit(factor=1.0, symbol="of its peak", decimals=3)
+    top = max(high, -low)
+    factor, symbol = next(
+        (
+            (factor, symbol)
+            for least, factor, symbol in (
+                (1e5, 1e-3, "km/s²"),
+                (1e-2, 1.0, "m/s²"),
+                (1e-5, 1e3, "mm/s²"),
+                (1e-8, 1e6, "µm/s²"),
+            )
+            if least <= top * (1 + 1e-9)
+        ),
+        (1e9, "nm/s²"),
+    )
+    whole_digits = floor(log10(top * factor) + 1e-9) + 1 if top > 0 else 1
+    return ValueUnit(
+        factor=factor, symbol=symbol, decimals=min(max(_READING_DIGITS - whole_digits, 0), 6)
+    )
+
+
+# Heights of values in a row of a plot.
+
+#: More rows than these would be too thin to read.
+MOST_ROWS = 12
+#: Room above and below the curve of a row that has neighbours, as a part of its height.
+EDGE = 0.05
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ValueScale:
+    """Where values lie in a row: 0 at its bottom, 1 at its top.
+
+    The rows' view boxes show just that, whatever the values: from 1e-300 to 1e300 m/s² nothing
+    overflows on the way to pixels, and new ranges change labels only.
+
+    Attributes
+    ----------
+    values
+        Range of values of the row.
+    edge
+        Room above and below them.
+    """
+
+    values: Range
+    edge: float = 0.0
+
+    def heights(self, values: Floats) -> Floats:
+        """Heights of ``values``; what lies outside stays at the row's edge."""
+        low, high = self.values
+        part = np.clip((values - low) / (high - low), 0.0, 1.0)
+        return self.edge + (1 - 2 * self.edge) * part
+
+    def height(self, value: float) -> float:
+        """Height of one value."""
+        return float(self.heights(np.asarray(value)))
+
+
+def row_count(n_curves: int, *, stacked: bool) -> int:
+    """Rows that ``n_curves`` are drawn in."""
+    return min(n_curves, MOST_ROWS) if stacked else 1
+
+
+# Which part of the x axis is visible.
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class XWindow:
+    """Visible part of an x axis.
+
+    Attributes
+    ----------
+    axis
+        The axis.
+    extent, shown
+        All of it, and the visible part, as positions (see `XAxis.position`).
+    """
+
+    axis: XAxis
+    extent: Range
+    shown: Range
+
+    @property
+    def holds_data(self) -> bool:
+        """Whether some of it is visible."""
+        return self.shown[0] < self.extent[1] and self.extent[0] < self.shown[1]
+
+    @property
+    def band(self) -> Range | None:
+        """Positions of the ends of the axis's band."""
+        band = self.axis.band
+        return None if band is None else (self.axis.position(band[0]), self.axis.position(band[1]))
+
+    def part(self, position: float) -> float:
+        """Where ``position`` lies: 0 at the left edge of the visible part, 1 at the right."""
+        low, high = self.shown
+        return (position - low) / (high - low)
+
+    def position(self, part: float) -> float:
+        """Position at a part of the visible width."""
+        low, high = self.shown
+        return low + part * (high - low)
+
+    def values(self, shown: Range) -> Range:
+        """A range of positions, in SI."""
+        return (self.axis.value(shown[0]), self.axis.value(shown[1]))
+
+
+def x_window(axis: XAxis, data: Range, zoom: Range | None) -> XWindow:
+    """Window on data from ``data[0]`` to ``data[1]``; ``zoom`` in SI, ``None``: everything."""
+    extent = _positions(axis, axis.extent if axis.extent is not None else data)
+    if zoom is None or (axis.log and zoom[1] <= axis.value(extent[0])):
+        return XWindow(axis=axis, extent=extent, shown=extent)
+    if axis.log:
+        zoom = (max(zoom[0], axis.value(extent[0])), zoom[1])
+    return XWindow(axis=axis, extent=extent, shown=_positions(axis, zoom))
+
+
+def _positions(axis: XAxis, values: Range) -> Range:
+    low, high = axis.position(values[0]), axis.position(values[1])
+    return (low, high) if high > low else (low, low + 1.0)
+
+
+# Fewer points that draw the same picture.
+
+#: Up to so many samples in a column of pixels, each is drawn.
+MOST_IN_COLUMN = 4
+# Samples of an axis up to which it is compared with the one before.
+_MOST_COMPARED = 2**15
+# A stroke that is shorter than this part of what its neighbours cover is a gap, not a notch.
+_GAP = 0.1
+# Of extremes, as a part of the peak.
+_ROUNDING = 1e-6
+# Zero lies on the edge of a row of pixels, or in its middle; a little beside them rounding does
+# not matter.
+_SHIFT = 0.02
+# From here, strokes and level lines are painted in the same row; from its middle they are not.
+_INSIDE = 0.25
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Points:
+    """What is drawn of curves.
+
+    Attributes
+    ----------
+    x : (n,)
+    y : (n_curves, n)
+    strokes
+        Whether points come in pairs, the ends of one upright stroke for each column of pixels.
+    """
+
+    x: Floats
+    y: Floats
+    strokes: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Columns:
+    """Where the samples of an axis fall among columns of pixels; the same for all curves over it.
+
+    Attributes
+    ----------
+    part
+        Which samples are looked at.
+    places : (n,)
+        Where the points are, one for each sample, or two for each column that holds any.
+    starts
+        The first sample of each such column, counted in the part; None where each is drawn.
+    """
+
+    part: slice
+    places: Floats
+    starts: NDArray[np.intp] | None = None
+
+    def points(self, y: Floats) -> Points:
+        """What is drawn of curves, (n_curves, n_points), over the axis."""
+        y = y[:, self.part]
+        if self.starts is None:
+            return Points(x=self.places, y=y)
+        low = np.minimum.reduceat(y, self.starts, axis=1)
+        high = np.maximum.reduceat(y, self.starts, axis=1)
+        return Points(x=self.places, y=_strokes(low, high), strokes=True)
+
+    def reached(self, y: Floats, extremes: Extremes) -> Points:
+        """What is drawn of the wave through curves, (n_curves, n_points), over the axis.
+
+        Where each sample is drawn, it is at most half a sample beside a crest that it takes over.
+
+        Parameters
+        ----------
+        extremes
+            Of the part.
+        """
+        if self.starts is not None:
+            return Points(
+                x=self.places, y=_strokes(*extremes.of_columns(self.starts)), strokes=True
+            )
+        return Points(x=self.places, y=_with_crests(y[:, self.part], extremes))
+
+
+def _with_crests(y: Floats, extremes: Extremes) -> Floats:
+    """Samples, of which those beside a crest between two of them are as high as it is."""
+    low, high = extremes.low[:, :-1] * extremes.sizes, extremes.high[:, :-1] * extremes.sizes
+    rounding = _ROUNDING * extremes.sizes
+    left, right, values = y[:, :-1], y[:, 1:], y.copy()
+    dips = low < np.minimum(left, right) - rounding
+    crests = high > np.maximum(left, right) + rounding
+    # The one that is nearer in height takes it.
+    for beyond, reached, further, of_two in (
+        (dips, low, right < left, np.minimum),
+        (crests, high, right > left, np.maximum),
+    ):
+        row, at = np.nonzero(beyond)
+        of_two.at(values, (row, at + further[row, at]), reached[row, at])
+    return values
+
+
+def _strokes(low: Floats, high: Floats) -> Floats:
+    """Strokes of columns, (n_curves, 2 n_columns): up one and down the next.
+
+    The way from stroke to stroke is short then, and so is painting.
+    """
+    ends = np.empty((*low.shape, 2))
+    ends[:, ::2, 0], ends[:, ::2, 1] = low[:, ::2], high[:, ::2]
+    ends[:, 1::2, 0], ends[:, 1::2, 1] = high[:, 1::2], low[:, 1::2]
+    return ends.reshape(len(low), -1)
+
+
+def columns_of(x: Floats, shown: Range, width_px: int) -> Columns:
+    """Columns of the visible part, and one sample more at each side so that lines run to the edge.
+
+    Parameters
+    ----------
+    x : (n_points,)
+        Rising.
+    shown
+        Visible part of ``x``.
+    width_px
+        How many columns of pixels show it.
+    """
+    first = max(int(np.searchsorted(x, shown[0])) - 1, 0)
+    last = min(int(np.searchsorted(x, shown[1], side="right")) + 1, x.size)
+    part, x = slice(first, last), x[first:last]
+    if x.size <= max(MOST_IN_COLUMN * width_px, 2):
+        return Columns(part=part, places=x)
+    low, column = shown[0], (shown[1] - shown[0]) / max(width_px, 1)
+    edges = low + column * np.arange(max(width_px, 1) + 1)
+    starts = np.searchsorted(x, edges)
+    starts = np.concatenate(([0], np.minimum(starts, x.size - 1)))
+    starts = starts[np.diff(starts, prepend=-1) > 0]
+    # A stroke in the middle of its column is sharp; a sample that is alone stays where it is.
+    alone = np.diff(starts, append=x.size) == 1
+    # (Where a sample lies on an edge, a division could round it into the column before.)
+    columns = np.searchsorted(edges, x[starts], side="right") - 1
+    middles = low + column * (columns + 0.5)
+    places = np.repeat(np.where(alone, x[starts], middles), 2)
+    return Columns(part=part, places=places, starts=starts)
+
+
+class KeptColumns:
+    """The columns that were asked for last: an edit that keeps the axis finds them as they were.
+
+    Attributes
+    ----------
+    made
+        How often they were found anew.
+    """
+
+    def __init__(self) -> None:
+        self.made = 0
+        self._axis: Floats = np.zeros(0)
+        self._seen: tuple[Range, int] | None = None
+        self._columns: Columns | None = None
+
+    def of(self, x: Floats, shown: Range, width_px: int) -> Columns:
+        """What `columns_of` finds."""
+        same = self._seen == (shown, width_px) and self._is_axis(x)
+        if self._columns is None or not same:
+            self._axis, self._seen = x, (shown, width_px)
+            self._columns = columns_of(x, shown, width_px)
+            self.made += 1
+        return self._columns
+
+    def _is_axis(self, x: Floats) -> bool:
+        # To compare many samples takes longer than to find their columns.
+        return x is self._axis or (x.size <= _MOST_COMPARED and np.array_equal(x, self._axis))
+
+
+def visible_points(x: Floats, y: Floats, shown: Range, width_px: int) -> Points:
+    """The visible part of curves ``y``, (n_curves, n_points), over ``x``, as `columns_of` finds it.
+
+    With more than `MOST_IN_COLUMN` samples for each column of pixels, it is the smallest and the
+    largest of each column.
+    """
+    return columns_of(x, shown, width_px).points(y)
+
+
+def in_rows(y_px: Floats, ratio: float) -> Floats:
+    """Heights moved into rows of pixels, of which ``ratio`` make 1 px.
+
+    Without smooth edges, a level line between two rows would change from one to the other.
+    """
+    return (np.floor(y_px * ratio + _SHIFT) + _INSIDE) / ratio
+
+
+def without_notches(strokes: Floats) -> Floats:
+    """Strokes, with notches of one or two columns in its edges filled.
+
+    Where a column holds less than a period of what oscillates it misses the crest, one column
+    more and another less: a comb that is not in the signal.  Crests that stand alone stay as
+    narrow as they are (a closing, not a widening), and so do gaps.
+
+    Parameters
+    ----------
+    strokes : (n_curves, 2 n_columns)
+        Both ends of the stroke of each column, in either order.
+    """
+    pairs = strokes.reshape(len(strokes), -1, 2)
+    first, second = pairs[..., 0], pairs[..., 1]
+    edges = np.concatenate((-np.minimum(first, second), np.maximum(first, second)))
+    closed = _closed(edges)
+    # Heights of strokes, whose lower ends are upside down.
+    n_curves = len(strokes)
+    closed_heights = closed[n_curves:] + closed[:n_curves]
+    notch = edges[n_curves:] + edges[:n_curves] >= _GAP * closed_heights
+    np.copyto(edges, closed, where=np.concatenate((notch, notch)))
+    low, high = -edges[:n_curves], edges[n_curves:]
+    rising = first <= second
+    ends = np.empty_like(pairs)
+    ends[..., 0], ends[..., 1] = np.where(rising, low, high), np.where(rising, high, low)
+    return ends.reshape(strokes.shape)
+
+
+def _closed(edges: Floats) -> Floats:
+    """Upper edges with valleys of up to two columns filled, (n_edges, n_columns)."""
+    wide = np.empty((len(edges), edges.shape[-1] + 4))
+    wide[:, 2:-2], wide[:, :2], wide[:, -2:] = edges, edges[:, :1], edges[:, -1:]
+    raised = np.maximum(np.maximum(wide[:, :-2], wide[:, 1:-1]), wide[:, 2:])
+    return np.minimum(np.minimum(raised[:, :-2], raised[:, 1:-1]), raised[:, 2:])

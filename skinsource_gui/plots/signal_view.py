@@ -1,0 +1,569 @@
+"""Pictures of a plot, for papers and slides: whole, with a legend, without a crosshair."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import replace
+from functools import partial
+from math import ceil
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QObject, QPoint, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
+from PySide6.QtWidgets import QApplication, QFileDialog, QMenu, QToolButton, QVBoxLayout, QWidget
+
+from skinsource.base.decibels import in_tables
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.job import never
+from skinsource.design.labels import limb_word, signal_words
+from skinsource.export.exported_design import (
+    describe_levels,
+    describe_played,
+    describe_projection,
+    output_file,
+)
+from skinsource.export.tables import CsvTable
+from skinsource_gui.plots.curves import Curves, Words
+from skinsource_gui.plots.legend import PEAK, LegendStrip, LegendText, along_axes
+from skinsource_gui.plots.pictures import (
+    PictureOptions,
+    ask_picture_options,
+    caption_px,
+    drawn_image,
+    save_drawing,
+    with_caption,
+)
+from skinsource_gui.plots.plot import Plot
+from skinsource_gui.plots.ranges import Kind, Range, XAxis
+from skinsource_gui.plots.toolbar import PlotToolbar
+from skinsource_gui.qt.keys import KEYS, key_text
+from skinsource_gui.qt.overlays import Lateness
+from skinsource_gui.qt.room import HeightInSight
+from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, current_theme, drawn_in, on_paper
+
+_SCALE = 2
+_SWATCH_PX, _GAP_PX = 16, 4
+
+
+def usual_size(plot: Plot) -> QSize:
+    """Of a picture of what ``plot`` shows, px: twice as large as on the screen, with its legend."""
+    copy = copy_of(plot, plot.size())
+    size = QSize(copy.width(), copy.height() + _head_px(copy)) * _SCALE
+    copy.deleteLater()
+    return size
+
+
+def draw_signals(
+    painter: QPainter, width: int, height: int, *, plot: Plot, theme: Theme = LIGHT
+) -> None:
+    """Draw what ``plot`` shows, ``width`` by ``height`` px; words grow with the picture."""
+    with drawn_in(theme):
+        _draw(painter, width, height, plot)
+
+
+def _draw(painter: QPainter, width: int, height: int, plot: Plot) -> None:
+    usual = usual_size(plot).toSizeF() * (1.0 / _SCALE)
+    scale = min(width / usual.width(), height / usual.height())
+    room = QSize(round(width / scale), round(height / scale))
+    # As wide as it will be, so that the head takes as many lines as it needs there.
+    measured = copy_of(plot, room)
+    head_px = _head_px(measured)
+    measured.deleteLater()
+    # A plot that is not shown is laid out for the size in which it was made.
+    left_px = max(room.height() - head_px, measured.minimumHeight())
+    copy = copy_of(plot, QSize(room.width(), left_px))
+    painter.save()
+    painter.fillRect(QRectF(0, 0, width, height), QColor(current_theme().base))
+    painter.scale(scale, scale)
+    _paint_head(painter, copy)
+    painter.translate(0, head_px)
+    whole = QRectF(copy.rect())
+    with on_paper():
+        copy.scene().render(painter, whole, whole)
+    painter.restore()
+    copy.deleteLater()
+
+
+def copy_of(plot: Plot, size: QSize) -> Plot:
+    """What ``plot`` shows, in the colours in use, in another size and on paper."""
+    # A plot of its own: the one on the screen keeps its colours, its crosshair and its picture.
+    copy = Plot(on_paper=True)
+    copy.resize(size)
+    copy.set_view(plot.x_window.axis, plot.zoom, stacked=plot.stacked, fitted=plot.fitted)
+    copy.set_words(replace(plot.words, stale=False))
+    copy.held = plot.held.copied()
+    if plot.curves is not None:
+        copy.show_curves(plot.curves)
+    for item in copy.scene().items():
+        # As lines and letters, not as pictures of them.
+        item.setCacheMode(item.CacheMode.NoCache)
+    return copy
+
+
+def _head_px(plot: Plot) -> int:
+    n_lines = len(_heading_lines(plot)) + len(_legend_lines(plot))
+    return ceil(n_lines * _line_px(plot)) + UNIT_PX // 2
+
+
+def _paint_head(painter: QPainter, plot: Plot) -> None:
+    line_px = _line_px(plot)
+    painter.setFont(plot.words_font)
+    painter.setPen(QColor(current_theme().text))
+    heading = _heading_lines(plot)
+    for row, words in enumerate(heading):
+        room = QRectF(UNIT_PX, row * line_px, plot.width(), line_px)
+        painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, words)
+    for row, line in enumerate(_legend_lines(plot), start=len(heading)):
+        middle = (row + 0.5) * line_px
+        for left, pen, text in line:
+            if pen is not None:
+                painter.setPen(pen)
+                painter.drawLine(left, int(middle), left + _SWATCH_PX, int(middle))
+                left += _SWATCH_PX + _GAP_PX
+            painter.setPen(QColor(current_theme().text))
+            room = QRectF(left, row * line_px, plot.width(), line_px)
+            painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, text)
+
+
+def _line_px(plot: Plot) -> float:
+    return QFontMetricsF(plot.words_font).height() + 2
+
+
+def _heading_lines(plot: Plot) -> list[str]:
+    """The heading in as many lines as its parts need; one that is too long is broken."""
+    metrics, room_px = QFontMetricsF(plot.words_font), plot.width() - 2 * UNIT_PX
+    lines: list[str] = []
+    for part in () if plot.curves is None else plot.curves.heading:
+        between = " · "
+        for word in [part] if metrics.horizontalAdvance(part) <= room_px else part.split(" "):
+            longer = f"{lines[-1]}{between}{word}" if lines else word
+            if lines and metrics.horizontalAdvance(longer) <= room_px:
+                lines[-1] = longer
+            else:
+                lines.append(word)
+            between = " "
+    return lines
+
+
+def _legend_lines(plot: Plot) -> list[list[tuple[int, QPen | None, str]]]:
+    """Left edge, pen and text of each entry, line by line."""
+    metrics = QFontMetricsF(plot.words_font)
+    lines: list[list[tuple[int, QPen | None, str]]] = [[]]
+    left = UNIT_PX
+    for pen, text in _entries(plot):
+        swatch_px = 0 if pen is None else _SWATCH_PX + _GAP_PX
+        width = ceil(swatch_px + metrics.horizontalAdvance(text) + 2 * UNIT_PX)
+        if lines[-1] and left + width > plot.width():
+            lines.append([])
+            left = UNIT_PX
+        lines[-1].append((left, pen, text))
+        left += width
+    return lines
+
+
+def _entries(plot: Plot) -> Iterator[tuple[QPen | None, str]]:
+    """Pens and texts: where axes have the pens, outputs are told by the numbers of their rows."""
+    curves = plot.curves
+    if curves is None:
+        return
+    for rank, axis in enumerate(curves.axes):
+        yield QPen(current_theme().axis_colour(rank), 2.0), axis
+    for rank, name in enumerate(curves.names):
+        text = f"{name.number}  {name.short}" if name.number else name.short
+        if curves.peaks:
+            text += f", peak {curves.peak_words[rank]} {curves.peak_unit.symbol}"
+        yield None if curves.axes else current_theme().output_pen(rank, 2.0), text
+
+
+# The numbers of a plot as a table.
+
+_UNITS: dict[Kind, str] = {
+    "amplitude": "m_per_s2",
+    "level": "db_re_1_m_per_s2",
+    "relative": "of_its_peak",
+}
+
+
+def save_table(path: Path, plot: Plot, title: str, lines: Sequence[str] = ()) -> None:
+    """Write the curves of ``plot``: all samples, in SI, whatever is zoomed to.
+
+    ``lines`` are what else is to be known of them; nothing is said twice.
+
+    Raises
+    ------
+    StorageError
+        The folder cannot be written, or the disk is full.
+    """
+    curves = plot.curves
+    if curves is None:
+        return
+    unit = _UNITS[curves.kind]
+    axis = plot.x_window.axis
+    about = ["SkinSource studio", title, axis.titles[0]]
+    about.extend(curves.about())
+    if curves.peaks:
+        pairs = zip(curves.names, curves.peaks, strict=True)
+        about.append(
+            f"peaks in m/s²: {', '.join(f'{one.number}: {peak!r}' for one, peak in pairs)}"
+        )
+    about.extend(line for line in lines if line not in about)
+    if plot.words.synthetic:
+        about.insert(1, "SYNTHETIC LIMB: computed responses, not measured ones")
+    own = curves.columns or tuple(
+        f"output_{name.number}{axis and f'_{axis}'}_{unit}"
+        for name in curves.names
+        for axis in curves.axes or ("",)
+    )
+    header = [axis.column, *own]
+    y = in_tables(curves.y) if curves.kind == "level" else curves.y
+    with output_file(path, never) as file:
+        CsvTable(file, about, header, never).add(np.vstack((curves.x, y)).T)
+
+
+# What a plot shows, taken elsewhere: a picture, or its numbers.
+
+_PICTURES = "PNG picture (*.png);;SVG drawing (*.svg);;PDF page (*.pdf)"
+_TABLES = "CSV (*.csv)"
+
+
+class SignalExports(QObject):
+    """Copies and saves what ``plot`` shows when it is asked to; ``title`` names it.
+
+    Attributes
+    ----------
+    folder
+        Where files are suggested.
+    caption, lines
+        Give what stands below a picture, and what else stands in the head of a table.
+    as_stored
+        While this lasts the plot shows no matched levels.
+    """
+
+    #: A file was written there, `Path`.
+    written = Signal(object)
+    #: A sentence that says why a file was not written.
+    failed = Signal(str)
+
+    def __init__(self, plot: Plot, title: str, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._plot, self._title, self._parent = plot, title, parent
+        self.folder = Path()
+        self.caption: Callable[[], str] = str
+        self.lines: Callable[[], Sequence[str]] = tuple
+        self.as_stored: Callable[[], AbstractContextManager[None]] = nullcontext
+        self._options: PictureOptions | None = None
+
+    def copy_picture(self) -> None:
+        """Put a picture on the clipboard."""
+        size, draw = usual_size(self._plot), partial(draw_signals, plot=self._plot)
+        words = self.caption()
+        height = size.height() + caption_px(words, size.width(), size.height())
+        with self.as_stored():
+            picture = drawn_image(with_caption(draw, words), size.width(), height)
+        QApplication.clipboard().setImage(picture)
+
+    def save_picture(self) -> None:
+        """Ask for size, colours and a file, and write a picture to it."""
+        size = usual_size(self._plot)
+        usual = PictureOptions(width_px=size.width(), height_px=size.height())
+        words = self.caption()
+        page = {"shape": (size.width(), size.height()), "below": partial(caption_px, words)}
+        options = ask_picture_options(self._parent, self._options or usual, **page)
+        if options is None:
+            return
+        path = self._ask("Save picture", f"{self._plot.objectName()}.png", _PICTURES)
+        if path is None:
+            return
+        # Who left the size as it was gets the plot as it will be then.
+        self._options = None if replace(options, colours=usual.colours) == usual else options
+        draw = with_caption(partial(draw_signals, plot=self._plot), words)
+        draw = partial(draw, theme=options.theme)
+        width, height = options.width_px, options.height_px
+        self._write(path, partial(save_drawing, path, draw, width, height, title=self._title))
+
+    def save_data(self) -> None:
+        """Ask for a file, and write the curves to it as a table."""
+        path = self._ask("Export data", f"{self._plot.objectName()}.csv", _TABLES)
+        if path is not None:
+            lines = self.lines()
+            self._write(path, partial(save_table, path, self._plot, self._title, lines))
+
+    def _ask(self, title: str, name: str, kinds: str) -> Path | None:
+        chosen, kind = QFileDialog.getSaveFileName(
+            self._parent, title, str(self.folder / name), kinds
+        )
+        if not chosen:
+            return None
+        path = Path(chosen)
+        if path.suffix:
+            return path
+        endings = (end for end in (".svg", ".pdf") if end[1:] in kind)
+        return path.with_name(path.name + next(endings, Path(name).suffix))
+
+    def _write(self, path: Path, write: Callable[[], None]) -> None:
+        try:
+            with self.as_stored():
+                write()
+        except SkinSourceError as error:
+            self.failed.emit(str(error))
+        else:
+            self.written.emit(path)
+
+
+# The menu of a plot.
+
+
+def open_menu(
+    parent: QWidget,
+    at: QPoint,
+    show_everything: Callable[[], None],
+    exports: SignalExports,
+    switches: Sequence[QToolButton] = (),
+    *,
+    fresh: bool = True,
+) -> QMenu:
+    """Open the menu at a place on the screen; it is deleted when it closes.
+
+    ``switches`` are those of the plot that stand here by their names.
+
+    Unless curves are ``fresh``, those of the present design, nothing can be taken elsewhere.
+    """
+    menu = QMenu(parent)
+    menu.setObjectName("plot-menu")
+    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    # Keys are the plot's; here they are only read.
+    menu.addAction(f"View all\t{key_text('plot', 'whole')}").triggered.connect(show_everything)
+    for switch in switches:
+        chosen = menu.addAction(switch.accessibleName())
+        chosen.setCheckable(True)
+        chosen.setChecked(switch.isChecked())
+        chosen.setToolTip(switch.toolTip())
+        chosen.triggered.connect(switch.click)
+    menu.setToolTipsVisible(True)
+    menu.addSeparator()
+    for words, take in (
+        ("Copy picture", exports.copy_picture),
+        ("Save picture as…", exports.save_picture),
+        ("Export data…", exports.save_data),
+    ):
+        action = menu.addAction(words)
+        action.setEnabled(fresh)
+        action.triggered.connect(take)
+    menu.popup(at)
+    return menu
+
+
+# Signals of the selected outputs: their plot, legend, switches and menu.
+
+_COMPUTING = "Computing…"
+#: So many lines of text high, a view has room for two rows of switches, or of a legend.
+_LINES_OF_TWO_ROWS = 12
+
+
+class SignalView(QWidget):
+    """Switches over a legend with readings over a plot with zoom, crosshair and menu.
+
+    It shows what it is told, and says what the user wants; panels decide.
+
+    Parameters
+    ----------
+    name, accessible_name
+        `objectName` of the plot; what it shows, for those who do not see it.
+    lateness
+        Whether what it shows is out of date, where somebody else knows.
+
+    Attributes
+    ----------
+    toolbar, legend, plot
+        Its parts.
+    exports
+        Takes what is shown to the clipboard and to files.
+    """
+
+    #: Part of the x axis the user wants to see, SI; None: everything.
+    zoom_requested = Signal(object)
+
+    def __init__(
+        self,
+        name: str,
+        accessible_name: str,
+        parent: QWidget | None = None,
+        lateness: Lateness | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.toolbar = PlotToolbar(self)
+        self.legend = LegendStrip(self)
+        self.plot = Plot(self)
+        self.plot.setObjectName(name)
+        self.plot.setAccessibleName(accessible_name)
+        self.plot.setAccessibleDescription(
+            "; ".join(KEYS["plot"].sentences("step", "zoom_in", "zoom_out", "whole"))
+        )
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.toolbar)
+        column.addWidget(self.legend)
+        column.addWidget(self.plot, 1)
+        self.exports = SignalExports(self.plot, accessible_name, self)
+        self._words = Words()
+        self._in_menu: list[QToolButton] = []
+        self._lateness = lateness or Lateness(self)
+        self._lateness.changed.connect(self._mark_stale)
+        self.plot.navigation.zoom_requested.connect(self.zoom_requested)
+        self.toolbar.everything_wanted.connect(self._show_everything)
+        self.plot.reading_changed.connect(self._read)
+        self.plot.menu_wanted.connect(self._open_menu)
+        self._in_sight = HeightInSight(self)
+        self._in_sight.changed.connect(self._share_height)
+
+    def add_switch_in_menu(
+        self, name: str, text: str, hint: str, toggled: Callable[[bool], None]
+    ) -> QToolButton:
+        """Return a new switch of the menu, which stands in the toolbar too while it is on."""
+        button = self.toolbar.add_switch(name, text, hint, toggled)
+        self.toolbar.show_passing(button, False)
+        self._in_menu.append(button)
+        return button
+
+    def set_view(
+        self, axis: XAxis, zoom: Range | None, *, stacked: bool, fitted: bool = False
+    ) -> None:
+        """X axis, its visible part in SI (``None``: all), and rows, as `Plot.set_view` has it."""
+        self.plot.set_view(axis, zoom, stacked=stacked, fitted=fitted)
+
+    def show_curves(self, curves: Curves, *, synthetic: bool, notes: tuple[str, ...] = ()) -> None:
+        """Draw ``curves``, and the longest of ``notes`` that fits.
+
+        They count as up to date until `set_stale` says otherwise.
+        """
+        self._lateness.set_stale(False)
+        self._say(Words(synthetic=synthetic, notes=notes))
+        self.plot.show_curves(curves)
+
+    def show_message(self, message: str) -> None:
+        """Empty the picture and say ``message`` in its middle."""
+        self.plot.show_message(message)
+
+    def wait_for_curves(self) -> None:
+        """Empty the picture until there are curves; why it is empty is said after a while."""
+        self.plot.show_message(_COMPUTING if self._lateness.late else "")
+
+    def set_stale(self, stale: bool) -> None:
+        """Say whether curves belong to an older design; told to the eye only after a while."""
+        self._lateness.set_stale(stale)
+
+    def _share_height(self) -> None:
+        line_px = self.fontMetrics().lineSpacing()
+        has_room = self._in_sight.px >= _LINES_OF_TWO_ROWS * line_px
+        for part in (self.toolbar, self.legend):
+            part.let_fold(has_room)
+
+    def _mark_stale(self, late: bool) -> None:
+        if self.plot.curves is None and not self.plot.message:
+            self.plot.show_message(_COMPUTING)
+        self._say(replace(self._words, stale=late))
+
+    def _say(self, words: Words) -> None:
+        self._words = words
+        self.plot.set_words(words)
+
+    def _show_everything(self) -> None:
+        self.zoom_requested.emit(None)
+
+    def _open_menu(self, at: QPoint) -> None:
+        if self.plot.curves is not None:
+            fresh = not self._lateness.late
+            open_menu(self, at, self._show_everything, self.exports, self._in_menu, fresh=fresh)
+
+    def _read(self) -> None:
+        self.legend.say(reading(self.plot))
+
+
+def reading(plot: Plot) -> LegendText:
+    """Names of the curves of ``plot``, and what the crosshair reads there."""
+    curves, unit, axis = plot.curves, plot.unit, plot.x_window.axis
+    if curves is None:
+        return LegendText()
+    text = LegendText(
+        names=curves.names,
+        unit=unit.symbol,
+        where_room=axis.reading(float(max(-curves.x[0], curves.x[-1]))),
+        reading_room=max((unit.reading(value) for value in plot.value_scale.values), key=len),
+    )
+    if curves.axes:
+        text = text.of_axes(curves.axes)
+    elif curves.peaks:
+        text = _with_room_for_peaks(text, curves)
+    if plot.crosshair.index is None:
+        return _with_peaks(text, curves) if text.relative else text
+    readings = tuple(unit.reading(float(y)) for y in curves.y[:, plot.crosshair.index])
+    return replace(
+        text,
+        where=axis.reading(float(curves.x[plot.crosshair.index])),
+        readings=along_axes(readings, curves.each) if curves.axes else readings,
+    )
+
+
+def _with_peaks(text: LegendText, curves: Curves) -> LegendText:
+    """Where nothing is read: the peaks to which the curves are relative."""
+    return replace(text, unit=curves.peak_unit.symbol, where=PEAK, readings=curves.peak_words)
+
+
+def _with_room_for_peaks(text: LegendText, curves: Curves) -> LegendText:
+    """Where peaks give way to readings, and come back: places stay."""
+    return replace(
+        text,
+        relative=True,
+        reading_room=max((text.reading_room, *curves.peak_words), key=len),
+        unit_room=max((text.unit, curves.peak_unit.symbol), key=len),
+    )
+
+
+# What curves say of themselves in files and pictures: whose they are, and how they were made.
+
+#: What a panel has to ask for to be able to say it.
+NEEDS = frozenset(
+    {
+        "actuation",
+        "axes",
+        "inputs",
+        "limb",
+        "limb_data",
+        "match_gain",
+        "method",
+        "scaling",
+        "span",
+    }
+)
+
+
+#: What is said where curves are along each axis by itself.
+EACH_AXIS = "each axis of the sensors"
+
+
+def lines_later(
+    results: Mapping[str, Any], *first: str, each_axis: bool = False
+) -> Callable[[], tuple[str, ...]]:
+    """What gives lines for the head of a table: written when there is one, not at each edit."""
+    return partial(_lines, {name: results[name] for name in NEEDS}, first, each_axis)
+
+
+def _lines(results: Mapping[str, Any], first: tuple[str, ...], each_axis: bool) -> tuple[str, ...]:
+    note, inputs = results["limb_data"].note, results["inputs"]
+    return (
+        *first,
+        *describe_played(results["limb"], note, results["scaling"], inputs, results["actuation"]),
+        f"axes: {EACH_AXIS}, by itself"
+        if each_axis
+        else describe_projection(results["axes"], results["method"]),
+        describe_levels(results["span"]),
+    )
+
+
+def heading_of(results: Mapping[str, Any], *, each_axis: bool = False) -> tuple[str, ...]:
+    """Parts of the heading of a picture: the caption below says what is played, and how."""
+    along = f"along {EACH_AXIS}"
+    words = along if each_axis else signal_words(results["axes"], results["method"])
+    return limb_word(results["limb"]).title, words

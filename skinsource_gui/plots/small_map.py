@@ -1,0 +1,689 @@
+"""Strokes over what is mostly noise."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import (
+    QBrush,
+    QColor,
+    QFontMetricsF,
+    QImage,
+    QPainter,
+    QPainterPath,
+    QPen,
+    QPolygonF,
+)
+
+from skinsource.base.arrays import Floats
+from skinsource.base.decibels import FLOOR_DB
+from skinsource.design.design import Design, audible_indices
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.design.view import View
+from skinsource.limbs.limb import Limb, LimbMap
+from skinsource.limbs.own_limbs import facts_of
+from skinsource.limbs.surface.operator import SurfaceOperator
+from skinsource.signals.map_range import MAP_RANGE_DB, map_range_db
+from skinsource.specs import fields
+from skinsource.specs.numbers import Range as FieldsRange
+from skinsource.specs.numbers import RangeSpec
+from skinsource.specs.spec import ChoiceSpec
+from skinsource_gui.fields.units import minus
+from skinsource_gui.plots.colour_maps import VIRIDIS, colour_indices, colour_table, level_colours
+from skinsource_gui.plots.outputs import is_placed
+from skinsource_gui.qt.frames import Frame, fitted
+from skinsource_gui.qt.theme import Theme, is_on_paper, scaled
+
+_DARK, _LIGHT = QColor(0, 0, 0, 150), QColor(255, 255, 255, 150)
+
+
+def paint_strokes(
+    painter: QPainter, places: Sequence[QPointF], reach_px: float, outline: QPainterPath
+) -> None:
+    """Hatch the surroundings of places inside an outline, so that it shows on any colour."""
+    area = around(places, reach_px)
+    painter.save()
+    painter.setClipPath(outline, Qt.ClipOperation.IntersectClip)
+    painter.fillPath(area, QBrush(_LIGHT, Qt.BrushStyle.BDiagPattern))
+    painter.setBrushOrigin(1, 0)
+    painter.fillPath(area, QBrush(_DARK, Qt.BrushStyle.BDiagPattern))
+    painter.restore()
+
+
+def paint_dark_strokes(painter: QPainter, places: Sequence[QPointF], reach_px: float) -> None:
+    """Hatch discs."""
+    painter.fillPath(around(places, reach_px), QBrush(_DARK, Qt.BrushStyle.BDiagPattern))
+
+
+def around(places: Sequence[QPointF], reach_px: float) -> QPainterPath:
+    """All that is no farther from one of the places; where discs overlap they are one."""
+    area = QPainterPath()
+    area.setFillRule(Qt.FillRule.WindingFill)
+    for place in places:
+        area.addEllipse(place, reach_px, reach_px)
+    return area
+
+
+# The interpolated map as a picture that a vector outline can clip.
+
+# The picture goes on this many pixels outside the mask, in the colours of the rim, so that
+# smooth scaling never meets an empty pixel inside the outline.
+_COLLAR = 2
+# Neighbours that share an edge come before those that share a corner.
+_NEIGHBOURS = ((0, 1), (0, -1), (1, 0), (-1, 0), (1, 1), (1, -1), (-1, 1), (-1, -1))
+
+
+class FieldImage:
+    """Pixels of one surface operator, coloured anew for each set of levels.
+
+    Parameters
+    ----------
+    mask : (rows, columns) of bool
+        Pixels inside the outline; rows increase with y.
+    x_mm, y_mm : (columns,) and (rows,)
+        Centres of the pixels.
+    px_per_mm
+        Outline pixels in a millimetre.
+
+    Attributes
+    ----------
+    rect
+        What the picture covers, in outline pixels; its top is the lowest y.
+    """
+
+    def __init__(
+        self, mask: NDArray[np.bool_], x_mm: Floats, y_mm: Floats, px_per_mm: float
+    ) -> None:
+        self._shape = mask.shape
+        self._step_mm = float(x_mm[1] - x_mm[0]), float(y_mm[1] - y_mm[0])
+        self._origin_mm = float(x_mm[0]), float(y_mm[0])
+        self._px_per_mm = px_per_mm
+        source = _inside_pixels(mask)[::-1]
+        self._targets = np.flatnonzero(source >= 0)
+        self._sources = source.ravel()[self._targets]
+        self._pixels = np.zeros(source.shape, np.uint32)
+        rows, columns = self._size = source.shape
+        self._image = self._of_pixels()
+        self._drawn: tuple[Floats, tuple[float, float], NDArray[np.uint32]] | None = None
+        (dx, dy), (x0, y0) = self._step_mm, self._origin_mm
+        self.rect = QRectF(
+            (x0 - (_COLLAR + 0.5) * dx) * px_per_mm,
+            (y0 - (_COLLAR + 0.5) * dy) * px_per_mm,
+            columns * dx * px_per_mm,
+            rows * dy * px_per_mm,
+        )
+
+    def image(
+        self, levels_db: Floats, range_db: tuple[float, float], table: NDArray[np.uint32]
+    ) -> QImage:
+        """Picture of levels, (rows, columns); its first line is the highest y.
+
+        Its pixels are this object's own and change with the next call.
+        """
+        drawn = self._drawn
+        if (
+            drawn is None
+            or drawn[0] is not levels_db
+            or drawn[1] != range_db
+            or drawn[2] is not table
+        ):
+            codes = colour_indices(levels_db.ravel().take(self._sources), range_db)
+            self._pixels.ravel()[self._targets] = table.take(codes)
+            self._drawn = levels_db, range_db, table
+            self._image = self._of_pixels()
+        return self._image
+
+    def _of_pixels(self) -> QImage:
+        """A picture with a key of its own: a PDF holds those of one key for the same picture."""
+        rows, columns = self._size
+        depth = QImage.Format.Format_ARGB32_Premultiplied
+        return QImage(self._pixels.data, columns, rows, 4 * columns, depth)
+
+    def level_at(self, levels_db: Floats, x_px: float, y_px: float) -> float | None:
+        """Level of the pixel at a place of the outline, dB; None outside."""
+        column = round((x_px / self._px_per_mm - self._origin_mm[0]) / self._step_mm[0])
+        row = round((y_px / self._px_per_mm - self._origin_mm[1]) / self._step_mm[1])
+        rows, columns = self._shape
+        if not (0 <= row < rows and 0 <= column < columns):
+            return None
+        level = float(levels_db[row, column])
+        return level if np.isfinite(level) else None
+
+
+def field_image(surface: SurfaceOperator, limb: Limb) -> FieldImage:
+    """Pixels of the surface of ``limb``."""
+    px_per_mm = limb.map.hand_length_px / limb.hand_length_mm
+    return FieldImage(surface.mask, surface.x_mm, surface.y_mm, px_per_mm)
+
+
+def _inside_pixels(mask: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """Index of the inside pixel whose colour each pixel takes, -1 for none, with the collar."""
+    own = np.where(mask, np.arange(mask.size).reshape(mask.shape), -1)
+    source = np.pad(own, _COLLAR, constant_values=-1)
+    for _ in range(_COLLAR):
+        grown = source.copy()
+        for step in _NEIGHBOURS:
+            neighbour = np.roll(source, step, axis=(0, 1))
+            taken = (grown < 0) & (neighbour >= 0)
+            grown[taken] = neighbour[taken]
+        source = grown
+    return source
+
+
+# Maps so small that they have no words: in lists, on cards.
+
+_RING_PX, _DISC_PX = 3.0, 2.5
+# As far around an output as on the large map, in the smallest spacings of outputs.
+_NOISE_SPACINGS = 1.38
+
+Range = tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class SmallMap:
+    """What a small map shows.
+
+    Attributes
+    ----------
+    limb_map
+        Outline and places.
+    levels_db : (n_outputs,) or None
+        Level of each output; None: no colours.
+    field, field_levels_db
+        Interpolated map and its levels, (rows, columns); None: outputs carry the colours.
+    noisy
+        Outputs that are mostly noise: their surroundings are hatched.
+    """
+
+    limb_map: LimbMap
+    levels_db: Floats | None = None
+    field: FieldImage | None = None
+    field_levels_db: Floats | None = None
+    noisy: tuple[int, ...] = ()
+
+    @property
+    def range_db(self) -> Range:
+        """Levels of the lowest and the highest colour, if nothing else is said."""
+        return map_range_db(() if self.levels_db is None else self.levels_db)
+
+
+class SmallMaps:
+    """Makes small maps of results; the pixels of one surface are made once."""
+
+    def __init__(self) -> None:
+        self._surface: SurfaceOperator | None = None
+        self._field: FieldImage | None = None
+
+    def map_of(self, results: Mapping[str, Any]) -> SmallMap:
+        """The map of ``results``, which hold ``limb_map``; the more they hold, the more it shows.
+
+        Parameters
+        ----------
+        results
+            Quantities by name, such as ``output_levels_db``, ``surface`` and
+            ``surface_levels_db`` with ``limb_data``.
+        """
+        surface = results.get("surface")
+        levels = results.get("surface_levels_db")
+        if surface is None or levels is None or "limb_data" not in results:
+            return SmallMap(limb_map=results["limb_map"], levels_db=results.get("output_levels_db"))
+        if surface is not self._surface:
+            self._surface, self._field = surface, field_image(surface, results["limb_data"])
+        return SmallMap(
+            limb_map=results["limb_map"],
+            levels_db=results.get("output_levels_db"),
+            field=self._field,
+            field_levels_db=levels,
+        )
+
+
+def paint_small_map(
+    painter: QPainter,
+    area: QRectF,
+    shown: SmallMap,
+    design: Design | None,
+    theme: Theme,
+    range_db: Range | None = None,
+    table: NDArray[np.uint32] | None = None,
+) -> None:
+    """Draw a map into ``area``, with rings where the inputs of ``design`` are.
+
+    Parameters
+    ----------
+    painter, area
+        Where; nothing is drawn outside.
+    shown
+        The map.
+    design
+        Its inputs are marked; None: none are.
+    theme
+        Colours of skin and inputs.
+    range_db, table
+        Levels of the lowest and highest colour, and the colours; as usual unless given.
+    """
+    limb_map = shown.limb_map
+    frame = small_frame(limb_map, area)
+    outline = QPainterPath()
+    outline.addPolygon(QPolygonF([QPointF(x, y) for x, y in frame.to_screen(limb_map.outline)]))
+    outline.closeSubpath()
+    painter.save()
+    painter.setRenderHints(
+        QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
+    )
+    painter.fillPath(outline, QColor(theme.skin))
+    _paint_levels(painter, frame, outline, shown, range_db or shown.range_db, table)
+    if shown.noisy:
+        _paint_noise(painter, frame, outline, shown)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(QPen(QColor(theme.skin_line), 1))
+    painter.drawPath(outline)
+    if design is not None:
+        _paint_inputs(painter, frame, limb_map, design, theme)
+    painter.restore()
+
+
+def small_frame(limb_map: LimbMap, area: QRectF) -> Frame:
+    """Where `paint_small_map` draws a map."""
+    return fitted(_bounds(limb_map.outline), area, up=True)
+
+
+def _paint_levels(
+    painter: QPainter,
+    frame: Frame,
+    outline: QPainterPath,
+    shown: SmallMap,
+    range_db: Range,
+    table: NDArray[np.uint32] | None,
+) -> None:
+    colours = colour_table() if table is None else table
+    if shown.field is not None and shown.field_levels_db is not None:
+        painter.save()
+        painter.setClipPath(outline)
+        # The picture's first line is the highest y: it is drawn downwards from there.
+        place = frame.transform().mapRect(shown.field.rect)
+        painter.drawImage(place, shown.field.image(shown.field_levels_db, range_db, colours))
+        painter.restore()
+    elif shown.levels_db is not None:
+        painter.setPen(Qt.PenStyle.NoPen)
+        places = frame.to_screen(shown.limb_map.output_positions)
+        fills = level_colours(shown.levels_db, range_db, colours)
+        for place, fill in zip(places, fills, strict=True):
+            if np.isfinite(place).all():
+                painter.setBrush(fill)
+                painter.drawEllipse(QPointF(*place), _DISC_PX, _DISC_PX)
+
+
+def spacing_px(limb_map: LimbMap, frame: Frame) -> float:
+    """Smallest distance between two outputs on a small map; 0: there are no two."""
+    places = frame.to_screen(limb_map.output_positions)
+    places = places[np.isfinite(places).all(axis=1)]
+    apart = np.linalg.norm(places[:, None] - places[None], axis=-1)
+    return float(apart[apart > 0].min(initial=np.inf)) if apart.any() else 0.0
+
+
+def _paint_noise(painter: QPainter, frame: Frame, outline: QPainterPath, shown: SmallMap) -> None:
+    places = frame.to_screen(shown.limb_map.output_positions)
+    noisy = [QPointF(*places[number - 1]) for number in shown.noisy if number <= len(places)]
+    placed = [one for one in noisy if np.isfinite((one.x(), one.y())).all()]
+    reach = max(_NOISE_SPACINGS * spacing_px(shown.limb_map, frame), _DISC_PX)
+    paint_strokes(painter, placed, reach, outline)
+
+
+def _paint_inputs(
+    painter: QPainter, frame: Frame, limb_map: LimbMap, design: Design, theme: Theme
+) -> None:
+    heard = set(audible_indices(design.inputs))
+    places = frame.to_screen(limb_map.input_positions)
+    for index, one in enumerate(design.inputs):
+        if index in heard and one.location <= len(places):
+            centre = QPointF(*places[one.location - 1])
+            if not np.isfinite((centre.x(), centre.y())).all():
+                continue  # it has no place on the map
+            painter.setPen(QPen(QColor(theme.base), 3.0))
+            painter.drawEllipse(centre, _RING_PX, _RING_PX)
+            painter.setPen(QPen(theme.input_colour(one.colour), 1.5))
+            painter.drawEllipse(centre, _RING_PX, _RING_PX)
+
+
+def _bounds(outline: Floats) -> QRectF:
+    (x0, y0), (x1, y1) = outline.min(axis=0), outline.max(axis=0)
+    return QRectF(float(x0), float(y0), float(x1 - x0), float(y1 - y0))
+
+
+# Colours and range that were chosen on the skin map, for all maps of levels beside it.
+
+#: Said where the colours span what was chosen, and do not follow the design.
+FIXED_MARK = "range fixed"
+MAP_RANGE = RangeSpec(label="Range", unit="dB")
+COLOURS = ChoiceSpec(
+    label="Colours",
+    options=(
+        (VIRIDIS, "Viridis"),
+        ("cividis", "Cividis"),
+        ("magma", "Magma"),
+        ("CET-L1", "Grey"),
+        ("turbo", "Turbo, like MATLAB's jet"),
+    ),
+    hint="Colours of levels. All but the last grow evenly lighter, and are told apart with any "
+    "colour vision",
+)
+
+# Where they are chosen, and whose settings hold them in files.
+_PANEL = "skin"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LevelLook:
+    """How maps of levels look, whichever panel shows them.
+
+    Attributes
+    ----------
+    map_range_db
+        Levels of the ends of the colour bar, dB re 1 m/s²; ``None``: each map follows what it
+        shows (`skinsource.signals.map_range.map_range_db`).
+    colours
+        Colour map of levels.
+    """
+
+    map_range_db: FieldsRange | None = fields.interval(None, MAP_RANGE)
+    colours: str = fields.choice(VIRIDIS, COLOURS)
+
+    def __post_init__(self) -> None:
+        fields.check(self)
+
+
+#: Where nothing was chosen.
+USUAL_LOOK = LevelLook()
+
+
+def level_look(view: View) -> LevelLook:
+    """What was chosen for all maps of levels."""
+    return settings_of(view, _PANEL, LevelLook)
+
+
+def coloured_like(view: View, other: View) -> View:
+    """Return ``view`` with the colours of ``other``, unless it has chosen some itself."""
+    return in_colours(view, level_look(other).colours)
+
+
+def in_colours(view: View, colours: str) -> View:
+    """Return ``view`` in these colours, unless it has chosen some itself."""
+    look = level_look(view)
+    if look.colours != USUAL_LOOK.colours or look.colours == colours:
+        return view
+    return with_settings(view, _PANEL, replace(look, colours=colours))
+
+
+# A bar on a map that says how long some millimetres are.
+
+_LENGTHS_MM = (100, 50, 20, 10, 5, 2, 1)
+# It takes at most this part of the width.
+_MOST = 0.25
+# Its words on small maps, in usual sizes.
+_WORDS = 0.8
+
+
+def bar_length_mm(px_per_mm: float, width_px: float) -> int:
+    """The longest round length that fits, mm."""
+    fitting = (length for length in _LENGTHS_MM if length * px_per_mm <= _MOST * width_px)
+    return next(fitting, _LENGTHS_MM[-1])
+
+
+def paint_small_bar(
+    painter: QPainter, area: QRectF, shown: SmallMap, limb: str, theme: Theme
+) -> None:
+    """Draw the bar of a small map, on paper alone, into the lower right corner of its ``area``.
+
+    On the screen small maps are looked at, not measured.  Nothing is drawn where it is not known
+    how long the hand of the ``limb`` is.
+    """
+    length_mm = facts_of(limb).hand_length_mm
+    if not is_on_paper() or length_mm <= 0.0:
+        return
+    limb_map = shown.limb_map
+    px_per_mm = small_frame(limb_map, area).scale * limb_map.hand_length_px / length_mm
+    bar_mm = bar_length_mm(px_per_mm, area.width())
+    words, plain = f"{bar_mm} mm", painter.font()
+    painter.setFont(scaled(plain, _WORDS))
+    metrics = QFontMetricsF(painter.font())
+    width, wide = bar_mm * px_per_mm, metrics.horizontalAdvance(words)
+    middle = area.right() - max(width, wide) / 2 - 2.0
+    bottom = area.bottom() - 2.0
+    above = QRectF(middle - wide / 2 - 1.0, 0.0, wide + 2.0, metrics.height())
+    above.moveBottom(bottom - 1.0)
+    # Where it lies on the arm it is read all the same.
+    ground = QColor(theme.base)
+    ground.setAlphaF(0.88)
+    painter.fillRect(above, ground)
+    pen = QPen(QColor(theme.text), 2.0)
+    pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+    painter.setPen(pen)
+    painter.drawLine(QLineF(middle - width / 2, bottom, middle + width / 2, bottom))
+    painter.drawText(above, Qt.AlignmentFlag.AlignCenter, words)
+    painter.setFont(plain)
+
+
+# Rings around outputs of a small map, and their numbers where these have room.
+
+_OUTPUT_RINGS_RING_PX, _WIDE_PX = 4.0, 7.0
+_FEW_RINGS = 12
+_EDGE_PX, _GROUND = 2.0, 0.85
+# How far from its ring a number may stand, in rings.
+_FARTHEST = 6
+
+
+def ring_size(n: int, spacing_px: float) -> tuple[float, float]:
+    """Radius and width of ``n`` rings, px: of many of them so small that the map is seen."""
+    if n <= _FEW_RINGS:
+        return _OUTPUT_RINGS_RING_PX, 2.0
+    return min(max(0.3 * spacing_px, 1.5), _OUTPUT_RINGS_RING_PX), 1.0
+
+
+def paint_rings(
+    painter: QPainter,
+    small: SmallMap,
+    area: QRectF,
+    outputs: tuple[int, ...],
+    theme: Theme,
+    pointed_at: int | None = None,
+) -> None:
+    """Selected outputs in the colours of their curves, and the one that is pointed at."""
+    limb_map = small.limb_map
+    frame = small_frame(limb_map, area)
+    points = frame.to_screen(limb_map.output_positions)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    radius, width = ring_size(len(outputs), spacing_px(limb_map, frame))
+    rings = [(number, theme.output_pen(rank, width), radius) for rank, number in enumerate(outputs)]
+    if pointed_at is not None:
+        rings.append((pointed_at, QPen(QColor(theme.text), 1.5), _WIDE_PX))
+    for number, pen, radius in rings:
+        if not is_placed(points, number):
+            continue  # not on this map
+        centre = QPointF(*points[number - 1])
+        painter.setPen(QPen(QColor(theme.base), 2.0 * pen.widthF()))
+        painter.drawEllipse(centre, radius, radius)
+        painter.setPen(pen)
+        painter.drawEllipse(centre, radius, radius)
+
+
+def number_places(
+    small: SmallMap, area: QRectF, outputs: tuple[int, ...], metrics: QFontMetricsF
+) -> list[tuple[int, QRectF]]:
+    """Where numbers stand beside the rings of few outputs: on no other number and on no ring.
+
+    Where rings are close some stand farther off.
+    """
+    points = small_frame(small.limb_map, area).to_screen(small.limb_map.output_positions)
+    placed = [one for one in outputs if is_placed(points, one)]
+    if len(outputs) > _FEW_RINGS:
+        return []
+    side = 2.0 * _OUTPUT_RINGS_RING_PX + _EDGE_PX
+    taken = [
+        QRectF(x - side / 2, y - side / 2, side, side)
+        for x, y in (points[number - 1] for number in placed)
+    ]
+    found: list[tuple[int, QRectF]] = []
+    for number in placed:
+        x, y = (float(one) for one in points[number - 1])
+        wide = metrics.horizontalAdvance(str(number)) + 2.0 * _EDGE_PX
+        high = metrics.height()
+        corners = [
+            (left, y - high / 2 + down * high / 2)
+            for away in (side / 2, *(rank * side for rank in range(1, _FARTHEST)))
+            for down in (0, -1, 1, -2, 2, -3, 3)
+            for left in (x + away, x - away - wide)
+        ]
+        for left, top in corners:
+            place = QRectF(left, top, wide, high)
+            if area.contains(place) and not any(place.intersects(one) for one in taken):
+                taken.append(place)
+                found.append((number, place))
+                break
+    return found
+
+
+def paint_numbers(
+    painter: QPainter, small: SmallMap, area: QRectF, outputs: tuple[int, ...], theme: Theme
+) -> None:
+    """Write the numbers of outputs beside their rings, each on a line in its colour."""
+    ground = QColor(theme.base)
+    ground.setAlphaF(_GROUND)
+    points = small_frame(small.limb_map, area).to_screen(small.limb_map.output_positions)
+    for number, place in number_places(small, area, outputs, QFontMetricsF(painter.font())):
+        x, y = (float(one) for one in points[number - 1])
+        right = place.left() > x
+        edge = QPointF(place.left() if right else place.right(), place.center().y())
+        painter.setPen(theme.output_pen(outputs.index(number), 1.0))
+        painter.drawLine(
+            QPointF(x + (_OUTPUT_RINGS_RING_PX if right else -_OUTPUT_RINGS_RING_PX), y), edge
+        )
+        painter.fillRect(place, ground)
+        painter.setPen(QColor(theme.text))
+        painter.drawText(place, Qt.AlignmentFlag.AlignCenter, str(number))
+
+
+# What stands at the numbers of a scale of colours that may not reach to all values.
+
+
+def tick_text(
+    value: float, range_db: Range, reached_db: Range | None, *, signed: bool = False
+) -> str:
+    """A number of a scale; "≤ −20" or "≥ +20" at an end whose colour values beyond it have too.
+
+    Parameters
+    ----------
+    value
+        The number.
+    range_db
+        Values of the lowest and the highest colour.
+    reached_db
+        The smallest and the largest value there is; None: all lie within the range.
+    signed
+        Whether numbers have their sign.
+    """
+    words = minus(f"{value:+g}" if signed and value != 0.0 else f"{value:g}")
+    if reached_db is None:
+        return words
+    if value <= range_db[0] and reached_db[0] < range_db[0]:
+        return f"≤ {words}"
+    if value >= range_db[1] and reached_db[1] > range_db[1]:
+        return f"≥ {words}"
+    return words
+
+
+# What the colours of small maps mean, in a row below them.
+
+#: What stands in the place of a level that there is not.
+SILENT = "silent"
+_LEVELS = "dB re 1 m/s²"
+_OF_OWN = (-MAP_RANGE_DB, 0.0)
+_RAMP_PX, _ABOVE_PX = 9.0, 2.0
+_CENTRE = Qt.AlignmentFlag.AlignCenter
+# Of the levels that a map spans, of differences with zero in their middle, and of narrow scales.
+_TICKS, _SIGNED_TICKS, _FEW_TICKS = 6, 5, 3
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scale:
+    """Colours, and what they mean.
+
+    Attributes
+    ----------
+    range_db
+        Values of the lowest and the highest colour.
+    words
+        Unit, and what the values are.
+    colours
+        Name of the colour map.
+    signed
+        Whether values are told with their sign.
+    reached_db
+        The smallest and the largest value; those beyond the range have the colour of its end.
+        None: all lie within.
+    """
+
+    range_db: Range
+    words: str
+    colours: str = VIRIDIS
+    signed: bool = False
+    reached_db: Range | None = None
+
+    def text(self, value_db: float) -> str:
+        """``"−12.3 dB"``; with a sign where it is one of a difference, which silence has not."""
+        if not self.signed and value_db <= FLOOR_DB:
+            return SILENT
+        return minus(f"{value_db:+z.1f} dB" if self.signed else f"{value_db:z.1f} dB")
+
+
+def scale_of_levels(levels_db: Floats, look: LevelLook) -> Scale:
+    """The scale of RMS levels as they shall look; it says so where its range was fixed by hand."""
+    fixed = look.map_range_db is not None
+    return Scale(
+        range_db=look.map_range_db or map_range_db(levels_db),
+        words=f"{_LEVELS} · {FIXED_MARK}" if fixed else _LEVELS,
+        colours=look.colours,
+    )
+
+
+def scale_of_own(look: LevelLook) -> Scale:
+    """The scale of RMS levels that are each relative to the loudest output of their map."""
+    return Scale(range_db=_OF_OWN, words="dB re each map's maximum", colours=look.colours)
+
+
+def with_matched(scale: Scale, matched: str) -> Scale:
+    """The same scale, which says by how much values are louder or softer than stored, if at all."""
+    return replace(scale, words=f"{scale.words}, {matched}") if matched else scale
+
+
+def scale_row_px(line_px: float) -> float:
+    """Height of `paint_scale_row`, whose words have lines of this height."""
+    return _ABOVE_PX + _RAMP_PX + 2.0 * line_px
+
+
+def paint_scale_row(painter: QPainter, area: QRectF, scale: Scale, theme: Theme) -> None:
+    """Draw the colours in the middle of ``area``, with numbers and words below them."""
+    line = painter.fontMetrics().height()
+    width = max(min(area.width() - 4.0 * line, 20.0 * line), 4.0 * line)
+    ramp = QRectF(area.center().x() - width / 2.0, area.top() + _ABOVE_PX, width, _RAMP_PX)
+    row = np.ascontiguousarray(colour_table(scale.colours))
+    image = QImage(row.data, len(row), 1, 4 * len(row), QImage.Format.Format_RGB32)
+    painter.drawImage(ramp, image)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(QPen(QColor(theme.border), 1))
+    painter.drawRect(ramp)
+    low, high = scale.range_db
+    painter.setPen(QColor(theme.text))
+    n_ticks = _SIGNED_TICKS if scale.signed else _TICKS
+    if ramp.width() < 3.0 * line * n_ticks:
+        n_ticks = _FEW_TICKS
+    for value in np.linspace(low, high, n_ticks):
+        x = ramp.left() + (value - low) / (high - low) * ramp.width()
+        words = QRectF(x - 3.0 * line, ramp.bottom(), 6.0 * line, line)
+        number = tick_text(value, scale.range_db, scale.reached_db, signed=scale.signed)
+        painter.drawText(words, _CENTRE, number)
+    painter.setPen(QColor(theme.dim))
+    below = QRectF(area.left(), ramp.bottom() + line, area.width(), line)
+    painter.drawText(below, _CENTRE, scale.words)

@@ -1,0 +1,1 @@
+"""Theme, text and small widgets."""

@@ -1,0 +1,189 @@
+"""Questions before something is lost."""
+
+import math
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from pathlib import Path
+
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
+from PySide6.QtGui import QGuiApplication, QKeyEvent
+from PySide6.QtWidgets import QApplication, QMessageBox, QToolButton, QWidget
+
+from skinsource.base.decibels import in_tables
+
+_Answer = QMessageBox.StandardButton
+#: Names that a question lists of many files.
+_NAMED = 3
+
+
+def agreed(
+    parent: QWidget, title: str, question: str, *, otherwise: _Answer = _Answer.Cancel
+) -> bool:
+    """Ask in front of ``parent``; whether the user says Yes, and not ``otherwise``, as is usual."""
+    answer = QMessageBox.question(parent, title, question, _Answer.Yes | otherwise, otherwise)
+    return answer == _Answer.Yes
+
+
+def may_replace(parent: QWidget, there: Sequence[Path]) -> bool:
+    """Whether the user lets files go that are there already."""
+    if len(there) == 1:
+        question = f"{there[0].name} exists already. Replace it?"
+        return agreed(parent, "Replace the file?", question)
+    names = ", ".join(one.name for one in there[:_NAMED])
+    more = f" and {len(there) - _NAMED} more" if len(there) > _NAMED else ""
+    question = f"{len(there)} files exist already: {names}{more}. Replace them?"
+    return agreed(parent, "Replace the files?", question)
+
+
+def saved_or_given_up(parent: QWidget, title: str, question: str, save: Callable[[], bool]) -> bool:
+    """Whether changes may go: ``save`` has saved them now, or the user gives them up."""
+    buttons = _Answer.Save | _Answer.Discard | _Answer.Cancel
+    answer = QMessageBox.question(parent, title, question, buttons, _Answer.Save)
+    return save() if answer == _Answer.Save else answer == _Answer.Discard
+
+
+# When a person goes on to something else.
+
+_KEY_EVENTS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress)
+_PRESSES = (QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonDblClick)
+_HELD = frozenset(
+    {
+        Qt.Key.Key_Shift,
+        Qt.Key.Key_Control,
+        Qt.Key.Key_Alt,
+        Qt.Key.Key_AltGr,
+        Qt.Key.Key_Meta,
+        Qt.Key.Key_CapsLock,
+    }
+)
+_COMMAND = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
+
+
+class NextAct(QObject):
+    """Tells once of the next click, wherever it is, or of the next key that types nothing.
+
+    What is said about something that is over stands until then: long enough to be read by who
+    types on in the next field, and no longer.  A click is over when it can no longer become a
+    double click, or a drag: what goes then may move what was clicked.
+    """
+
+    came = Signal()
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._begin = QTimer(self, singleShot=True, interval=0)
+        self._begin.timeout.connect(self._watch)
+        self._click = QTimer(self, singleShot=True)
+        self._click.timeout.connect(self._end_click)
+
+    def wait(self) -> None:
+        """Wait for what is done after what is being done now."""
+        self._click.stop()
+        self._begin.start()
+
+    def stop(self) -> None:
+        """Wait no longer."""
+        self._begin.stop()
+        self._click.stop()
+        application = QApplication.instance()
+        if application is not None:
+            application.removeEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() in _PRESSES:
+            self._click.start(QApplication.doubleClickInterval())
+        elif event.type() in _KEY_EVENTS and _goes_on(event):
+            self._end()
+        return super().eventFilter(watched, event)
+
+    def _end_click(self) -> None:
+        if QApplication.mouseButtons():
+            self._click.start()
+        else:
+            self._end()
+
+    def _end(self) -> None:
+        self.stop()
+        self.came.emit()
+
+    def _watch(self) -> None:
+        application = QApplication.instance()
+        if application is not None:
+            application.installEventFilter(self)
+
+
+def _goes_on(event: QEvent) -> bool:
+    """Whether a key does something else than to write on."""
+    if not isinstance(event, QKeyEvent) or event.key() in _HELD:
+        return False
+    writes = event.text().isprintable() and event.text() != ""
+    return not writes or bool(event.modifiers() & _COMMAND)
+
+
+# Numbers of tables that are copied, for a spreadsheet.
+
+
+def copied(value: float) -> str:
+    """Digits that read back as the same number; empty where there is none."""
+    return repr(float(value)) if math.isfinite(value) else ""
+
+
+def copied_level(level_db: float) -> str:
+    """The same of a level in dB; empty for silence, which has none."""
+    return copied(float(in_tables(level_db)))
+
+
+# The button that copies the numbers of a panel.
+
+
+class CopyButton(QToolButton):
+    """Copies a table as text, while there is one and it is that of the present design.
+
+    Parameters
+    ----------
+    panel
+        Name of the panel whose numbers they are.
+    table
+        Gives them, with tabs between the columns.
+
+    Attributes
+    ----------
+    lines
+        Gives what follows the numbers: what is to be known of them.
+    as_stored
+        While this lasts the numbers are those of no matched levels.
+    """
+
+    def __init__(self, panel: str, table: Callable[[], str], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._table = table
+        self.lines: Callable[[], Sequence[str]] = tuple
+        self.as_stored: Callable[[], AbstractContextManager[None]] = nullcontext
+        self.setObjectName(f"{panel}_copy")
+        self.setText("Copy")
+        self.setToolTip(
+            "Copy the numbers as a table, with tabs between the columns; lines that begin with # "
+            "say what to know of them"
+        )
+        self.setAccessibleName("Copy numbers")
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self._there, self._late = True, False
+        self.clicked.connect(self._copy)
+
+    def offer(self, there: bool) -> None:
+        """Say whether there is a table."""
+        self._there = there
+        self.setEnabled(there and not self._late)
+
+    def show_late(self, late: bool) -> None:
+        """Say whether the table is that of an older design."""
+        self._late = late
+        self.setEnabled(self._there and not late)
+
+    def _copy(self) -> None:
+        # Who judges the present design lets its numbers be there first: they are taken then.
+        with self.as_stored():
+            lines = self.lines()
+            table = self._table()
+        below = [f"# {line}\n" for line in lines] if table else []
+        QGuiApplication.clipboard().setText(f"{table}{''.join(below)}")

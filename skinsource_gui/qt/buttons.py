@@ -1,0 +1,209 @@
+"""Buttons of pages."""
+
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetrics, QKeyEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QAbstractButton, QPushButton, QSizePolicy, QToolButton, QWidget
+
+from skinsource_gui.qt.keys import key_text
+from skinsource_gui.qt.theme import current_theme, letter_scale, tabular
+
+
+def page_button(name: str, words: str, hint: str = "") -> QPushButton:
+    """A button that Enter elsewhere on the page does not press."""
+    button = QPushButton(words)
+    button.setObjectName(name)
+    button.setToolTip(hint)
+    button.setAutoDefault(False)
+    return button
+
+
+# Buttons in panels that Tab reaches.
+
+
+def tool_button(
+    parent: QWidget | None, name: str, words: str, hint: str = "", *, checkable: bool = False
+) -> QToolButton:
+    """A button as narrow as its words, which the keyboard reaches too."""
+    button = QToolButton(parent)
+    button.setObjectName(name)
+    button.setText(words)
+    button.setToolTip(hint)
+    button.setCheckable(checkable)
+    button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    return button
+
+
+# The colour of an input, with the number of its place.
+
+SWATCH_PX = 24
+_ROUNDING_PX = 5
+
+
+def words_on(colour: QColor) -> QColor:
+    """Black or white, whichever is easier to read on ``colour`` (WCAG 2 contrast)."""
+    parts = (colour.redF(), colour.greenF(), colour.blueF())
+    linear = [
+        part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts
+    ]
+    luminance = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+    return QColor("black") if luminance > 0.179 else QColor("white")
+
+
+def paint_swatch(
+    painter: QPainter, place: QRectF, number: int, colour: QColor, text: QColor, *, silent: bool
+) -> None:
+    """Paint a rounded square with a number; that of a silent input is hollow."""
+    painter.save()
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setFont(_number_font(painter.font()))
+    if silent:
+        painter.setPen(QPen(colour, 1.5))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+    else:
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(colour)
+    painter.drawRoundedRect(place.adjusted(1, 1, -1, -1), _ROUNDING_PX, _ROUNDING_PX)
+    painter.setPen(text if silent else words_on(colour))
+    painter.drawText(place, Qt.AlignmentFlag.AlignCenter, str(number))
+    painter.restore()
+
+
+def _number_font(font: QFont) -> QFont:
+    found = tabular(font)
+    found.setWeight(QFont.Weight.DemiBold)
+    return found
+
+
+class Swatch(QWidget):
+    """A swatch as a widget of its own."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("swatch")
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self._number = 0
+        self._colour_number = 0
+        self._silent = False
+
+    def show_input(self, number: int, colour_number: int, *, silent: bool) -> None:
+        """Number of the place, number of the colour, and whether the input is silent."""
+        if (number, colour_number, silent) != (self._number, self._colour_number, self._silent):
+            self._number, self._colour_number, self._silent = number, colour_number, silent
+            self.setAccessibleName(f"Place {number}")
+            self.updateGeometry()
+            self.update()
+
+    def sizeHint(self) -> QSize:
+        # The number is whole in letters of any size.
+        words = QFontMetrics(_number_font(self.font()))
+        height = max(SWATCH_PX, words.height() + _ROUNDING_PX)
+        return QSize(max(height, words.horizontalAdvance(str(self._number)) + _ROUNDING_PX), height)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self.updateGeometry()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        paint_swatch(
+            QPainter(self),
+            QRectF(self.rect()),
+            self._number,
+            current_theme().input_colour(self._colour_number),
+            QColor(current_theme().text),
+            silent=self._silent,
+        )
+
+
+# A small button with one letter on it.
+
+BUTTON_PX = 22
+# Of one that cannot be pressed now.
+_FAINT = 0.35
+_ARROWS = frozenset({Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_Left, Qt.Key.Key_Right})
+
+
+class LetterButton(QAbstractButton):
+    """Mute, solo, remove: pressed in, it is filled with a colour that says what it does.
+
+    Parameters
+    ----------
+    letter, name
+        What stands on it, and what it is called.
+    colour_name
+        Field of the theme that fills it while it is checked; "" for a plain button.
+    """
+
+    def __init__(
+        self, letter: str, name: str, colour_name: str = "", parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._colour_name = colour_name
+        self.setText(letter)
+        self.setAccessibleName(name)
+        self.setCheckable(bool(colour_name))
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.setAttribute(Qt.WidgetAttribute.WA_Hover)
+
+    def sizeHint(self) -> QSize:
+        side = round(BUTTON_PX * letter_scale(self.font()))
+        return QSize(side, side)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in _ARROWS:
+            # In a list these choose another row.
+            event.ignore()
+        elif event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self.click()
+        else:
+            super().keyPressEvent(event)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setOpacity(1.0 if self.isEnabled() else _FAINT)
+        place = QRectF(self.rect()).adjusted(1.5, 1.5, -1.5, -1.5)
+        lit = self.isChecked()
+        fill = QColor(getattr(current_theme(), self._colour_name)) if lit else None
+        if fill is None and self.isEnabled() and (self.underMouse() or self.isDown()):
+            fill = QColor(current_theme().grid)
+        if fill is not None:
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(fill)
+            painter.drawRoundedRect(place, 4, 4)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        if self.hasFocus():
+            painter.setPen(QPen(QColor(current_theme().accent), 2))
+            painter.drawRoundedRect(place, 4, 4)
+        elif self.isCheckable() and not lit:
+            painter.setPen(QPen(QColor(current_theme().border), 1))
+            painter.drawRoundedRect(place, 4, 4)
+        font = QFont(painter.font())
+        font.setWeight(QFont.Weight.DemiBold)
+        painter.setFont(font)
+        painter.setPen(words_on(fill) if fill is not None and lit else QColor(current_theme().dim))
+        painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self.text())
+
+
+def mute_button(parent: QWidget | None = None) -> LetterButton:
+    """Button that silences an input."""
+    button = LetterButton("M", "Mute", "warning", parent)
+    button.setObjectName("mute_button")
+    button.setToolTip(f"Mute: silence this input ({key_text('inputs', 'mute')})")
+    return button
+
+
+def solo_button(parent: QWidget | None = None) -> LetterButton:
+    """Button that silences all others."""
+    button = LetterButton("S", "Solo", "accent", parent)
+    button.setObjectName("solo_button")
+    button.setToolTip(f"Solo: only inputs with S are driven ({key_text('inputs', 'solo')})")
+    return button
+
+
+def remove_button(parent: QWidget | None = None) -> LetterButton:
+    """Button that removes an input."""
+    button = LetterButton("×", "Remove", parent=parent)
+    button.setObjectName("remove_button")
+    button.setToolTip(f"Remove this input ({key_text('inputs', 'remove')})")
+    return button

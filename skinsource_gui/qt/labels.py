@@ -1,0 +1,288 @@
+"""What an empty panel says can be done: always something that works with the panels in sight."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QPersistentModelIndex, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFocusEvent, QMouseEvent, QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtWidgets import (
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QSizePolicy,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QTableView,
+    QWidget,
+)
+from shiboken6 import isValid
+
+from skinsource_gui.qt.keys import shortcut_text
+from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
+
+#: Names of the panels that the words are about.
+HAND, TIMELINE, SKIN = "hand", "timeline", "skin"
+#: What is taken to be in sight until somebody says.
+USUALLY_IN_SIGHT = frozenset({HAND, TIMELINE, SKIN})
+
+
+def add_words(in_sight: frozenset[str], what: str = "an input") -> str:
+    """How to add ``what``: an input, or a track, as the timeline calls it."""
+    if HAND in in_sight:
+        return f"Click a place on the hand to add {what}"
+    return f"Press {shortcut_text('add_input')} to add {what}"
+
+
+def select_words(in_sight: frozenset[str]) -> str:
+    """How to select an input, where there are some."""
+    ways = [
+        words
+        for name, words in ((HAND, "on the hand"), (TIMELINE, "in the timeline"))
+        if name in in_sight
+    ]
+    if not ways:
+        return "Show the timeline or the hand (View > Panels) to select an input"
+    return f"Select an input, {' or '.join(ways)}, to edit it"
+
+
+def clip_words(in_sight: frozenset[str], *, inputs: bool) -> str:
+    """How to get at a clip; ``inputs``: whether there are some."""
+    if not inputs:
+        return add_words(in_sight)
+    if TIMELINE in in_sight:
+        return "Select a clip in the timeline to see and draw it"
+    if HAND in in_sight:
+        return "Select an input on the hand to see and draw its clip"
+    return "Show the timeline (View > Panels) to select a clip"
+
+
+def output_words(in_sight: frozenset[str]) -> str:
+    """How to select outputs."""
+    if SKIN in in_sight:
+        return "Select outputs on the skin map"
+    return "Show the skin map (View > Panels) to select outputs"
+
+
+# A line of text that says less where there is less room.
+
+
+class FittingLabel(QLabel):
+    """Shows the first of some phrasings that fits; where none does, dots end the last one."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._phrases: tuple[str, ...] = ("",)
+        # Shorter words leave their room at the left: what stands at the right belongs to them.
+        self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+
+    def show_phrases(self, phrases: Sequence[str]) -> None:
+        """Take over phrasings, longest first."""
+        if tuple(phrases) != self._phrases:
+            self._phrases = tuple(phrases) or ("",)
+            self._choose()
+            self.updateGeometry()
+
+    def sizeHint(self) -> QSize:
+        return QSize(self._width_of(self._phrases[0]), super().sizeHint().height())
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(self._width_of(self._phrases[-1]), super().minimumSizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._choose()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._choose()
+
+    def _choose(self) -> None:
+        fitting = (one for one in self._phrases if self._width_of(one) <= self.width())
+        words = next(fitting, None) or self.fontMetrics().elidedText(
+            self._phrases[-1], Qt.TextElideMode.ElideRight, self.contentsRect().width()
+        )
+        if words != self.text():
+            self.setText(words)
+
+    def _width_of(self, words: str) -> int:
+        margins = self.contentsMargins()
+        return self.fontMetrics().horizontalAdvance(words) + margins.left() + margins.right() + 2
+
+
+# The first column of a table: names that are written shorter where there is little room.
+
+#: Under this role a name has its short form; one without stays as it is.
+SHORT_NAME = Qt.ItemDataRole.UserRole
+_LEAST_PX = 3 * UNIT_PX
+_REFITTED = (QEvent.Type.Resize, QEvent.Type.FontChange, QEvent.Type.StyleChange)
+# With fewer letters of a name its short form says as much.
+_LETTERS = 7
+
+
+class NameDelegate(QStyledItemDelegate):
+    """Paints as much of a name as has room; its short form where next to nothing of it has."""
+
+    def initStyleOption(
+        self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+    ) -> None:
+        super().initStyleOption(option, index)
+        style = option.widget.style() if option.widget is not None else None
+        if style is None:
+            return
+        edge = style.pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, option, option.widget) + 1
+        short, room = index.data(SHORT_NAME), option.rect.width() - 2 * edge
+        if short is None:
+            return
+        metrics = option.fontMetrics
+        least = metrics.horizontalAdvance(str(short)) + _LETTERS * metrics.averageCharWidth()
+        if metrics.horizontalAdvance(str(index.data())) > room and room < least:
+            option.text = str(short)
+
+
+def dress_table(table: QTableView) -> None:
+    """Give a table of numbers its looks: dense rows, a name column that yields, no grid.
+
+    The first column takes the room that the numbers leave, so that nothing has to scroll sideways
+    before even short names have too little.
+    """
+    table.setFont(tabular(table.font()))
+    table.setShowGrid(False)
+    table.setTabKeyNavigation(False)
+    rows = table.verticalHeader()
+    rows.hide()
+    rows.setMinimumSectionSize(1)
+    rows.setDefaultSectionSize(table.fontMetrics().height() + UNIT_PX // 2)
+    rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+    sections = table.horizontalHeader()
+    sections.setMinimumSectionSize(_LEAST_PX)
+    sections.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+    sections.setHighlightSections(False)
+    table.setItemDelegateForColumn(0, NameDelegate(table))
+
+
+def give_names_the_rest(table: QTableView) -> None:
+    """Have the first column take what the others leave, and no more than its names need.
+
+    There must be one.  Were it wider, nobody could tell which name numbers at the far edge are of.
+    """
+    known = table.findChild(_NameWidth)
+    (_NameWidth(table) if known is None else known).begin()
+
+
+class _NameWidth(QObject):
+    """Keeps the first column of a table, which owns it, as wide as it shall be."""
+
+    def __init__(self, table: QTableView) -> None:
+        super().__init__(table)
+        self._table, model, header = table, table.model(), table.horizontalHeader()
+        header.sectionResized.connect(self._follow)
+        for changed in (model.modelReset, model.dataChanged, model.rowsInserted):
+            changed.connect(self._fit)
+        table.viewport().installEventFilter(self)
+
+    def begin(self) -> None:
+        """Take over the first column, which may be a new one."""
+        self._table.horizontalHeader().setSectionResizeMode(0, QHeaderView.ResizeMode.Fixed)
+        self._fit()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() in _REFITTED:
+            self._fit()
+        return super().eventFilter(watched, event)
+
+    def _follow(self, section: int) -> None:
+        if section:
+            self._fit()
+
+    def _fit(self) -> None:
+        if not isValid(self._table):
+            return  # what is changed as a table goes
+        header = self._table.horizontalHeader()
+        room = self._table.viewport().width() - (header.length() - header.sectionSize(0))
+        width = min(room, self._names_px())
+        header.resizeSection(0, max(width, header.minimumSectionSize()))
+
+    def _names_px(self) -> int:
+        """Width of the longest name, or of what stands above them."""
+        table, model = self._table, self._table.model()
+        margin = table.style().pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, table) + 1
+        names = (str(model.index(row, 0).data() or "") for row in range(model.rowCount()))
+        metrics = table.fontMetrics()
+        longest = max((metrics.horizontalAdvance(one) for one in names), default=0)
+        return max(longest + 2 * margin + UNIT_PX, table.horizontalHeader().sectionSizeHint(0))
+
+
+# A line for a name that is there already, and is mostly typed anew.
+
+
+class NameLine(QLineEdit):
+    """Selects all it holds when it is entered with the mouse, as Qt does with the Tab key.
+
+    What is typed then takes the place of what was there; a further click sets the cursor.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._entered = False
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self._entered = event.reason() == Qt.FocusReason.MouseFocusReason
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        super().mouseReleaseEvent(event)
+        # Not before: the press sets the cursor.
+        if self._entered and not self.hasSelectedText():
+            self.selectAll()
+        self._entered = False
+
+
+# How loud an output is, as a bar.
+
+#: The left end of the bar, dB of full scale; the right end is full scale.
+LEAST_DB = -60.0
+# From here on the limit is near.
+_NEAR_DB = -3.0
+_TICK_PX = 2.0
+
+
+class LevelMeter(QWidget):
+    """RMS as a bar, the peak as a tick; both in dB of full scale."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.rms_db = self.peak_db = -200.0
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.show_level(-200.0, -200.0)
+
+    def sizeHint(self) -> QSize:
+        return QSize(80, 8)
+
+    def show_level(self, rms_db: float, peak_db: float) -> None:
+        """Show another level; paints only where it can be seen that it is one."""
+        width = max(self.width(), 1)
+        before = [_share(one) * width for one in (self.rms_db, self.peak_db)]
+        after = [_share(one) * width for one in (rms_db, peak_db)]
+        self.rms_db, self.peak_db = rms_db, peak_db
+        if any(abs(a - b) >= 0.5 for a, b in zip(after, before, strict=True)):
+            self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        room = QRectF(self.rect())
+        painter.fillRect(room, QColor(current_theme().grid))
+        colour = current_theme().warning if self.peak_db > _NEAR_DB else current_theme().accent
+        bar = QRectF(room)
+        bar.setWidth(_share(self.rms_db) * room.width())
+        painter.fillRect(bar, QColor(colour))
+        peak = _share(self.peak_db)
+        if peak > 0.0:
+            x = max(peak * room.width() - _TICK_PX, 0.0)
+            painter.fillRect(QRectF(x, 0.0, _TICK_PX, room.height()), QColor(colour))
+
+
+def _share(level_db: float) -> float:
+    """How far along the bar a level lies."""
+    return min(max(1.0 - level_db / LEAST_DB, 0.0), 1.0)

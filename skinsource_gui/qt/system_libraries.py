@@ -1,0 +1,75 @@
+"""Finds out whether Qt can start here, before Qt is asked, and says what to install if not.
+
+``python -m skinsource_gui.qt.system_libraries`` prints the line to run.
+"""
+
+import ctypes
+import os
+import sys
+
+#: Libraries that Qt opens on Linux, and the Debian package of each.
+_ALWAYS = {
+    "libGL.so.1": "libgl1",
+    "libEGL.so.1": "libegl1",
+    "libxkbcommon.so.0": "libxkbcommon0",
+    "libfontconfig.so.1": "libfontconfig1",
+    "libdbus-1.so.3": "libdbus-1-3",
+    "libglib-2.0.so.0": "libglib2.0-0",
+}
+_ON_A_SCREEN = {
+    "libxcb-cursor.so.0": "libxcb-cursor0",
+    "libxcb-icccm.so.4": "libxcb-icccm4",
+    "libxcb-image.so.0": "libxcb-image0",
+    "libxcb-keysyms.so.1": "libxcb-keysyms1",
+    "libxcb-randr.so.0": "libxcb-randr0",
+    "libxcb-render-util.so.0": "libxcb-render-util0",
+    "libxcb-shape.so.0": "libxcb-shape0",
+    "libxcb-xinerama.so.0": "libxcb-xinerama0",
+    "libxcb-xkb.so.1": "libxcb-xkb1",
+    "libxkbcommon-x11.so.0": "libxkbcommon-x11-0",
+}
+
+
+def has_display() -> bool:
+    """Whether there is a screen to open a window on."""
+    if os.environ.get("QT_QPA_PLATFORM") in {"offscreen", "minimal"}:
+        return False
+    if not sys.platform.startswith("linux"):
+        return True
+    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def missing_packages(*, on_a_screen: bool) -> list[str]:
+    """Debian packages that Qt needs and that are not there; empty elsewhere than on Linux."""
+    if not sys.platform.startswith("linux"):
+        return []
+    needed = _ALWAYS | (_ON_A_SCREEN if on_a_screen else {})
+    return [package for library, package in needed.items() if not _opens(library)]
+
+
+def install_line(packages: list[str]) -> str:
+    """The command that installs ``packages`` on Debian and Ubuntu."""
+    rights = "" if os.geteuid() == 0 else "sudo "
+    return f"{rights}apt-get install -y {' '.join(packages)}"
+
+
+def _opens(library: str) -> bool:
+    try:
+        ctypes.CDLL(library)
+    except OSError:
+        return False
+    return True
+
+
+def main() -> int:
+    """Say what is missing for running without a screen, as tests do; 1 if anything is."""
+    missing = missing_packages(on_a_screen=False)
+    if missing:
+        sys.stderr.write(
+            f"Qt cannot start: install its libraries first.\n{install_line(missing)}\n"
+        )
+    return int(bool(missing))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,416 @@
+"""Colours, fonts and spacings: the only place where they are decided.
+
+Who paints asks `current_theme` each time; labels get their colour from the style sheet by
+`set_tone`.  What keeps a colour otherwise, such as an icon, is made anew on a change of palette.
+"""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass, replace
+from string import Template
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontDatabase,
+    QFontMetrics,
+    QIcon,
+    QPainter,
+    QPainterPath,
+    QPalette,
+    QPen,
+    QPixmap,
+    QPolygonF,
+)
+from PySide6.QtWidgets import QApplication, QWidget
+
+from skinsource_gui.qt.resources import read_text
+
+#: The rhythm of all distances, px.
+UNIT_PX = 8
+# Height of a line of letters of the usual size, px.
+_USUAL_LINE_PX = 14
+
+# Strokes and gaps of lines, px: whole ones, then those of outputs whose colour is taken already.
+_STROKES = ((), (5.0, 3.0), (2.0, 2.0), (7.0, 2.0, 2.0, 2.0))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Theme:
+    """One set of colours, as ``#rrggbb``.
+
+    Attributes
+    ----------
+    name
+        ``"light"`` or ``"dark"``.
+    window, base, raised, border, grid
+        Behind everything; behind plots and lists; buttons; lines between; plot grids.
+    text, dim, disabled
+        Words; words of less weight (still 4.5 : 1 against ``window``); what can do nothing now.
+    accent, on_accent
+        Focus and selection, and words on it.
+    warning, error
+        Amber and red.
+    skin, skin_line
+        Fill and lines of the drawn hand.
+    inputs, outputs
+        One categorical palette each, safe for colour-vision deficiencies.
+    """
+
+    name: str
+    window: str
+    base: str
+    raised: str
+    border: str
+    grid: str
+    text: str
+    dim: str
+    disabled: str
+    accent: str
+    on_accent: str
+    warning: str
+    error: str
+    skin: str
+    skin_line: str
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+
+    def input_colour(self, number: int) -> QColor:
+        """Colour of an input, by `Input.colour`."""
+        return QColor(self.inputs[number % len(self.inputs)])
+
+    def output_colour(self, rank: int) -> QColor:
+        """Colour of a selected output, by its place in the selection."""
+        return QColor(self.outputs[rank % len(self.outputs)])
+
+    def output_pen(self, rank: int, width_px: float, unit_px: float = 1.0) -> QPen:
+        """Pen of a selected output: where colours begin again, its line is broken otherwise.
+
+        Parameters
+        ----------
+        rank
+            Its place in the selection; 32 of them differ.
+        width_px
+            Of the line; 0 is one pixel of the screen.
+        unit_px
+            What the lengths of the strokes are multiplied with.
+        """
+        pen = QPen(self.output_colour(rank), width_px)
+        strokes = _STROKES[rank // len(self.outputs) % len(_STROKES)]
+        if strokes:
+            # Qt counts in widths of the pen.
+            pen.setDashPattern([stroke * unit_px / (width_px or 1.0) for stroke in strokes])
+            pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+        return pen
+
+    def axis_colour(self, rank: int) -> QColor:
+        """Colour of an axis of the sensors, by its place among theirs: not that of an output."""
+        return QColor((*self.inputs[:2], self.text)[rank % 3])
+
+
+LIGHT = Theme(
+    name="light",
+    window="#f3f4f6",
+    base="#ffffff",
+    raised="#ffffff",
+    border="#d2d6dc",
+    grid="#e4e7eb",
+    text="#1b1f24",
+    dim="#57606a",
+    disabled="#57606a",
+    accent="#0a66c2",
+    on_accent="#ffffff",
+    warning="#9a5b00",
+    error="#b42318",
+    skin="#ecdfd3",
+    skin_line="#a58e7a",
+    inputs=("#0072b2", "#d55e00", "#00845f", "#b0508a", "#9a6a00", "#3d7dc4", "#7a5195", "#6b4a3a"),
+    outputs=(
+        "#332288",
+        "#117733",
+        "#aa4499",
+        "#b8860b",
+        "#882255",
+        "#2a8c82",
+        "#c44e52",
+        "#4d4d4d",
+    ),
+)
+DARK = Theme(
+    name="dark",
+    window="#1d2025",
+    base="#15171b",
+    raised="#2a2e35",
+    border="#3a3f48",
+    grid="#2b2f37",
+    text="#e6e8eb",
+    dim="#a3abb6",
+    disabled="#a3abb6",
+    accent="#4c9be8",
+    on_accent="#0b1420",
+    warning="#e3a33b",
+    error="#f0776c",
+    skin="#4a4039",
+    skin_line="#8f7c6d",
+    inputs=("#4fa8e0", "#ff8a3d", "#2cc79b", "#e59ac6", "#f5c242", "#9fc3ff", "#b998e6", "#cda28f"),
+    outputs=(
+        "#a99bf5",
+        "#5fcb7a",
+        "#e07acb",
+        "#e6c34a",
+        "#f0709a",
+        "#5fd6c4",
+        "#ff9a8a",
+        "#c8ccd2",
+    ),
+)
+#: For poor projectors and tired eyes: every word at least 12 : 1 against its ground, except those
+#: of what can do nothing now.
+CONTRAST = replace(
+    DARK,
+    name="contrast",
+    window="#000000",
+    base="#000000",
+    raised="#1a1a1a",
+    border="#9aa3ad",
+    grid="#565d66",
+    text="#ffffff",
+    dim="#dfe4ea",
+    disabled="#7d858f",
+    accent="#ffd400",
+    on_accent="#000000",
+    warning="#ffc247",
+    error="#ff9d91",
+    skin="#2e2723",
+    skin_line="#f0d9c4",
+)
+THEMES = {theme.name: theme for theme in (LIGHT, DARK, CONTRAST)}
+_in_use = LIGHT
+
+
+def current_theme() -> Theme:
+    """The colours in use."""
+    return _in_use
+
+
+@contextmanager
+def drawn_in(theme: Theme) -> Iterator[None]:
+    """Let what is painted in this block have other colours, as on a page."""
+    global _in_use
+    before, _in_use = _in_use, theme
+    try:
+        yield
+    finally:
+        _in_use = before
+
+
+def set_tone(widget: QWidget, tone: str) -> None:
+    """Give the text of a widget a colour: ``"dim"``, ``"warning"``, ``"error"``, or "": usual."""
+    if (widget.property("tone") or "") != tone:
+        widget.setProperty("tone", tone)
+        if widget.testAttribute(Qt.WidgetAttribute.WA_WState_Polished):
+            widget.style().unpolish(widget)
+            widget.style().polish(widget)
+
+
+def theme_words(name: str) -> str:
+    """What a theme, or the choice of the system's, is called in menus and lists."""
+    return "High contrast" if name == CONTRAST.name else name.capitalize()
+
+
+def apply_theme(app: QApplication, theme: Theme, text_scale: float = 1.0) -> None:
+    """Give every widget of ``app`` the colours of ``theme``, and words of that size.
+
+    ``text_scale`` is 1 for words as large as the desktop has them.  Where all of that is so
+    already, nothing is done: Qt would go through all widgets.
+    """
+    global _in_use
+    _in_use = theme
+    font = scaled(QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont), text_scale)
+    font = letter_by_letter(font)
+    sheet = _sheet(theme)
+    if sheet == app.styleSheet() and font == app.font():
+        return
+    if not app.styleSheet():  # else it has the style already, and would go through all widgets
+        app.setStyle("Fusion")
+    if font != app.font():
+        app.setFont(font)
+    app.setPalette(_palette(theme))
+    app.setStyleSheet(sheet)
+
+
+def scaled(font: QFont, scale: float) -> QFont:
+    """Copy of ``font`` that is ``scale`` times as large."""
+    copy = QFont(font)
+    if copy.pointSizeF() > 0:
+        copy.setPointSizeF(copy.pointSizeF() * scale)
+    else:
+        copy.setPixelSize(round(copy.pixelSize() * scale))
+    return copy
+
+
+def letter_scale(font: QFont) -> float:
+    """How much larger than usual letters of ``font`` are; 1 where they are smaller."""
+    return max(QFontMetrics(font).height() / _USUAL_LINE_PX, 1.0)
+
+
+def letter_by_letter(font: QFont) -> QFont:
+    """Copy of ``font`` in which each letter is one.
+
+    "fi" drawn as one is found by nobody who searches a page for "file".
+    """
+    copy = QFont(font)
+    copy.setFeature(QFont.Tag("liga"), 0)
+    return copy
+
+
+def tabular(font: QFont) -> QFont:
+    """Copy of ``font`` in which all digits have the same width."""
+    copy = letter_by_letter(font)
+    copy.setFeature(QFont.Tag("tnum"), 1)
+    return copy
+
+
+def _sheet(theme: Theme) -> str:
+    colours = {name: getattr(theme, name) for name in Theme.__slots__}
+    words = {name: value for name, value in colours.items() if isinstance(value, str)}
+    return Template(read_text("theme.qss")).substitute(words)
+
+
+def _palette(theme: Theme) -> QPalette:
+    role = QPalette.ColorRole
+    palette = QPalette()
+    for part, colour in {
+        role.Window: theme.window,
+        role.WindowText: theme.text,
+        role.Base: theme.base,
+        role.AlternateBase: theme.window,
+        role.Text: theme.text,
+        role.PlaceholderText: theme.dim,
+        role.Button: theme.raised,
+        role.ButtonText: theme.text,
+        role.ToolTipBase: theme.raised,
+        role.ToolTipText: theme.text,
+        role.Highlight: theme.accent,
+        role.HighlightedText: theme.on_accent,
+        role.Link: theme.accent,
+        role.Mid: theme.border,
+    }.items():
+        palette.setColor(part, QColor(colour))
+    disabled = QPalette.ColorGroup.Disabled
+    for part in (role.WindowText, role.Text, role.ButtonText):
+        palette.setColor(disabled, part, QColor(theme.disabled))
+    return palette
+
+
+# Icons made of a path, drawn in the colours of the theme.
+
+_SIZE = 16
+# Larger than shown, so that it stays sharp on fine screens.
+_OVERSAMPLED = 3
+
+
+def drawn_icon(
+    path: QPainterPath,
+    theme: Theme,
+    *,
+    filled: bool = False,
+    line_px: float = 1.2,
+    greyed: bool = True,
+) -> QIcon:
+    """Return an icon of a path in a square of 16 units, for buttons that are on or off.
+
+    Parameters
+    ----------
+    filled, line_px
+        Whether it is filled; how wide its line is where it is not.
+    greyed
+        Whether it is grey on a button that is disabled.
+    """
+    icon = QIcon()
+    for state, name in ((QIcon.State.Off, theme.text), (QIcon.State.On, theme.on_accent)):
+        pixmap = QPixmap(_SIZE * _OVERSAMPLED, _SIZE * _OVERSAMPLED)
+        pixmap.fill(Qt.GlobalColor.transparent)
+        painter = QPainter(pixmap)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.scale(_OVERSAMPLED, _OVERSAMPLED)
+        if filled:
+            painter.fillPath(path, QColor(name))
+        else:
+            painter.strokePath(path, QPen(QColor(name), line_px))
+        painter.end()
+        icon.addPixmap(pixmap, QIcon.Mode.Normal, state)
+        if not greyed:
+            icon.addPixmap(pixmap, QIcon.Mode.Disabled, state)
+    return icon
+
+
+# Icons of playing, drawn in the colours of the theme.
+
+
+def play_icon() -> QIcon:
+    """A triangle."""
+    path = QPainterPath()
+    path.addPolygon(QPolygonF((QPointF(4, 2.5), QPointF(13.5, 8), QPointF(4, 13.5))))
+    path.closeSubpath()
+    return drawn_icon(path, current_theme(), filled=True)
+
+
+def stop_icon() -> QIcon:
+    """A square."""
+    path = QPainterPath()
+    path.addRoundedRect(QRectF(3.5, 3.5, 9, 9), 1, 1)
+    return drawn_icon(path, current_theme(), filled=True)
+
+
+def repeat_icon() -> QIcon:
+    """Two arrows that follow each other."""
+    path = QPainterPath()
+    for sign in (1, -1):
+        at = QPointF(8, 8)
+        path.moveTo(at + QPointF(-5.5, -0.5) * sign)
+        path.lineTo(at + QPointF(-5.5, -3.5) * sign)
+        path.lineTo(at + QPointF(5, -3.5) * sign)
+        path.moveTo(at + QPointF(2.5, -6) * sign)
+        path.lineTo(at + QPointF(5.2, -3.5) * sign)
+        path.lineTo(at + QPointF(2.5, -1) * sign)
+    return drawn_icon(path, current_theme(), line_px=1.4)
+
+
+# Whether a page is drawn now, not the screen: there dots are finer than pixels.
+
+#: In a px: so many that the wave between samples is drawn.
+PAPER_DOTS = 16.0
+_LINE_PX = 1.0
+
+_paper: ContextVar[bool] = ContextVar("paper", default=False)
+
+
+@contextmanager
+def on_paper() -> Iterator[None]:
+    """Draw for a page in this block: nothing has the keyboard, and lines stay lines."""
+    token = _paper.set(True)
+    try:
+        yield
+    finally:
+        _paper.reset(token)
+
+
+def is_on_paper() -> bool:
+    """Whether a picture is drawn now, not the screen."""
+    return _paper.get()
+
+
+def dots_in_px(painter: QPainter) -> float:
+    """How many dots across a px has: pixels of the screen, or dots of a printer."""
+    return PAPER_DOTS if is_on_paper() else painter.device().devicePixelRatioF()
+
+
+def thin_pen(colour: QColor) -> QPen:
+    """One pixel of the screen: any wider line takes a hundred times as long.
+
+    On paper nobody would see it: there it is as wide as other lines.
+    """
+    return QPen(colour, _LINE_PX if is_on_paper() else 0.0)

@@ -1,0 +1,677 @@
+"""Icons of the buttons of a dock, in the colours of the theme."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from functools import cache, partial
+from weakref import ref
+
+from PySide6.QtCore import QChildEvent, QEvent, QObject, QPoint, QRectF, Qt, QTimer, Signal
+from PySide6.QtGui import (
+    QAction,
+    QHideEvent,
+    QIcon,
+    QMouseEvent,
+    QMoveEvent,
+    QPainterPath,
+    QShowEvent,
+    QWindow,
+)
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QDockWidget,
+    QFrame,
+    QMainWindow,
+    QMenu,
+    QMenuBar,
+    QStyle,
+    QStyleOptionDockWidget,
+    QTabBar,
+    QTabWidget,
+    QToolButton,
+    QWidget,
+)
+from shiboken6 import isValid
+
+from skinsource_gui.qt.keys import shortcut_text
+from skinsource_gui.qt.room import SteadyArea
+from skinsource_gui.qt.theme import Theme, current_theme, drawn_icon
+from skinsource_gui.qt.tooltips import show_tooltip
+from skinsource_gui.shell.focus import focus_into
+from skinsource_gui.state.panel import MadePanels, Panel
+
+_LINE_PX = 1.6
+
+
+@cache
+def close_icon(theme: Theme) -> QIcon:
+    """A cross."""
+    path = QPainterPath()
+    path.moveTo(3.5, 3.5)
+    path.lineTo(12.5, 12.5)
+    path.moveTo(12.5, 3.5)
+    path.lineTo(3.5, 12.5)
+    return drawn_icon(path, theme, line_px=_LINE_PX)
+
+
+@cache
+def float_icon(theme: Theme) -> QIcon:
+    """A window in front of another one."""
+    path = QPainterPath()
+    path.addRect(QRectF(2.5, 6.0, 7.5, 7.5))
+    path.moveTo(6.0, 3.0)
+    path.lineTo(13.0, 3.0)
+    path.lineTo(13.0, 10.0)
+    return drawn_icon(path, theme, line_px=_LINE_PX)
+
+
+# A dock: what holds a panel in the window.
+
+_BUTTONS = {
+    "qt_dockwidget_closebutton": (
+        "Hide this panel; View > Panels brings it back",
+        close_icon,
+    ),
+    "qt_dockwidget_floatbutton": (
+        "Take this panel out of the window, or back into it",
+        float_icon,
+    ),
+}
+_OTHER_LOOK = (QEvent.Type.StyleChange, QEvent.Type.PaletteChange)
+
+
+class Dock(QDockWidget):
+    """Holds a panel, which scrolls where there is too little room.
+
+    The panel is made when the dock first comes into sight.  A panel behind another one, as a tab,
+    is hidden, so that nothing is computed for it: Qt only moves its dock to where nobody looks.
+
+    Parameters
+    ----------
+    name, title
+        Those of the panel that it holds.
+    panels
+        Where it has its panel from.
+    window
+        Its parent.
+    """
+
+    #: The panel is about to be hidden, because another one is in front of it.
+    goes_behind = Signal()
+    #: The panel came into sight, or left it.
+    sight_changed = Signal()
+
+    def __init__(self, name: str, title: str, panels: MadePanels, window: QWidget) -> None:
+        super().__init__(title, window)
+        self._panels = panels
+        self._tabbed = self._behind = False
+        self.setObjectName(name)
+        self._area = area = SteadyArea()
+        area.setObjectName(f"{name}_area")
+        area.setFrameShape(QFrame.Shape.NoFrame)
+        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setWidget(area)
+        _draw_buttons(self)
+        self.topLevelChanged.connect(self._follow)
+        # The menu of Qt, with the right button on a title, would leave it behind others.
+        self.toggleViewAction().triggered.connect(self._raise_shown)
+
+    @property
+    def panel(self) -> Panel:
+        """What it holds; made now, if nobody has looked at it before."""
+        return self._panels[self.objectName()]
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether its panel was not made yet."""
+        return self.objectName() not in self._panels
+
+    @property
+    def in_sight(self) -> bool:
+        """Whether it is shown, and nothing is in front of it."""
+        return not (self.isHidden() or self._behind)
+
+    def hold(self, panel: Panel) -> None:
+        """Take its panel, which was just made and knows all that panels are told."""
+        self._area.setWidget(panel)
+        panel.setVisible(not self._behind)
+        self.sight_changed.emit()
+
+    @contextmanager
+    def lent(self) -> Iterator[Panel]:
+        """Its panel without a place in the window, to be shown elsewhere; it is taken back."""
+        panel = self.panel
+        self._area.takeWidget()
+        try:
+            yield panel
+        finally:
+            self.hold(panel)
+
+    def bring_forward(self) -> None:
+        """Show it, in front of those that share its place."""
+        self.show()
+        self.raise_()
+
+    def show_tabbed(self, tabbed: bool) -> None:
+        """Say whether a tab names it, so that its title need not say the same below the tab."""
+        if tabbed != self._tabbed:
+            self._tabbed = tabbed
+            self.update()
+
+    def initStyleOption(self, option: QStyleOptionDockWidget) -> None:
+        super().initStyleOption(option)
+        if self._tabbed and not self.isFloating():
+            option.title = ""
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in _OTHER_LOOK:
+            _draw_buttons(self)
+
+    def moveEvent(self, event: QMoveEvent) -> None:
+        super().moveEvent(event)
+        self._follow()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._follow()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self.sight_changed.emit()
+
+    def _follow(self) -> None:
+        # Qt puts its own icons there, now and then.
+        _draw_buttons(self)
+        # Qt says whether a dock is behind another one for some of the ways to get there; where it
+        # puts those behind is the same for all of them.
+        behind = not self.isFloating() and self.geometry().right() < 0
+        turned = self._behind != behind
+        self._behind = behind
+        if turned and behind:
+            self.goes_behind.emit()
+        if not self.is_empty:
+            self.panel.setVisible(not behind)
+        elif self.in_sight and self.isVisible():
+            # To make it is to have it held.
+            self._panels[self.objectName()]
+        self.sight_changed.emit()
+
+    def _raise_shown(self) -> None:
+        if not self.isHidden():
+            self.raise_()
+
+
+def _draw_buttons(dock: QDockWidget) -> None:
+    """Say what the buttons of the title do; those of the style are grey, whatever is behind."""
+    direct = Qt.FindChildOption.FindDirectChildrenOnly  # a panel has hundreds of widgets
+    for name, (hint, icon) in _BUTTONS.items():
+        for button in dock.findChildren(QAbstractButton, name, direct):
+            button.setToolTip(hint)
+            drawn = icon(current_theme())
+            if button.icon().cacheKey() != drawn.cacheKey():
+                button.setIcon(drawn)
+
+
+# Lists of the panels in one place, for bars of tabs that are too narrow to show them all.
+
+#: What the button is called.
+BUTTON = "tab_list"
+# As Qt calls the arrows at the end of a bar.
+_ARROWS = ("ScrollLeftButton", "ScrollRightButton")
+_FOLLOWED = (QEvent.Type.Show, QEvent.Type.Hide, QEvent.Type.Move, QEvent.Type.Resize)
+_HINT = "List all panels in this place"
+
+
+class TabLists(QObject):
+    """Gives bars a list of their tabs: with the right button, and with a button of its own.
+
+    That stands at the end of a bar whose tabs do not fit, behind the arrows; the room that the
+    style has for two arrows is shared by all three.  Qt makes bars and deletes them as it likes, so
+    nothing is kept here of any.
+    """
+
+    #: The bar whose list is wanted, and where in the bar.
+    wanted = Signal(object, QPoint)
+
+    def add_to(self, bar: QTabBar) -> None:
+        """Give a bar its list."""
+        bar.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        bar.customContextMenuRequested.connect(self._tell)
+        button = QToolButton(bar)
+        button.setObjectName(BUTTON)
+        button.setAccessibleName(_HINT)
+        show_tooltip(button, f"{_HINT} (right button on the tabs)")
+        button.setArrowType(Qt.ArrowType.DownArrow)
+        button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        button.hide()
+        button.clicked.connect(self._tell_below)
+        for arrow in _arrows(bar):
+            arrow.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        bar = watched.parent() if event.type() in _FOLLOWED else None
+        if isinstance(bar, QTabBar):
+            _share_room(bar)
+        return False
+
+    def _tell(self, at: QPoint) -> None:
+        self.wanted.emit(self.sender(), at)
+
+    def _tell_below(self) -> None:
+        button = self.sender()
+        if isinstance(button, QWidget):
+            self.wanted.emit(button.parent(), button.geometry().bottomLeft())
+
+
+def tab_menu(bar: QTabBar, bring: Callable[[str], None], parent: QWidget) -> QMenu:
+    """Return a menu of all tabs of a bar, the front one ticked; ``bring`` is told a title."""
+    menu = QMenu(parent)
+    menu.setObjectName("tab_menu")
+    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    for index in range(bar.count()):
+        title = bar.tabText(index)
+        action = menu.addAction(title, partial(bring, title))
+        action.setCheckable(True)
+        action.setChecked(index == bar.currentIndex())
+        if action.isChecked():
+            menu.setActiveAction(action)
+    return menu
+
+
+def _arrows(bar: QTabBar) -> list[QToolButton]:
+    found = (bar.findChild(QToolButton, name) for name in _ARROWS)
+    return [one for one in found if isinstance(one, QToolButton)]
+
+
+def _share_room(bar: QTabBar) -> None:
+    arrows, button = _arrows(bar), bar.findChild(QToolButton, BUTTON)
+    if len(arrows) < len(_ARROWS) or not isinstance(button, QToolButton):
+        return
+    button.setHidden(any(arrow.isHidden() for arrow in arrows))
+    metric = QStyle.PixelMetric.PM_TabBarScrollButtonWidth
+    room = 2 * bar.style().pixelMetric(metric, None, bar)
+    each, left = room // 3, bar.width() - room
+    for k, one in enumerate((*arrows, button)):
+        # To be where it is already tells nobody: that ends it.
+        one.setGeometry(left + k * each, 0, each, bar.height())
+
+
+# Docks that share a place: one is in front, tabs tell of the others.
+
+_NOTHING = "No panel shares its place with another one; View > Panels brings more"
+
+
+class DockTabs(QObject):
+    """Looks after docks that are tabs, whoever made them so: an arrangement, or the user.
+
+    Parameters
+    ----------
+    window
+        Holds the docks; also the parent.
+    docks
+        By the name of their panel, in the order in which the keyboard reaches them.
+    """
+
+    #: What came of it, where that cannot be seen.
+    done = Signal(str)
+    #: The name of a panel that was brought to the front, or whose tab was clicked.
+    meant = Signal(str)
+
+    def __init__(self, window: QMainWindow, docks: Mapping[str, Dock]) -> None:
+        super().__init__(window)
+        self._window, self._docks = window, docks
+        self._lists = TabLists(self)
+        self._lists.wanted.connect(self._open_list)
+        window.setTabPosition(Qt.DockWidgetArea.AllDockWidgetAreas, QTabWidget.TabPosition.North)
+        window.installEventFilter(self)
+        for dock in docks.values():
+            dock.sight_changed.connect(self._tell)
+        self._tell()
+
+    def next(self) -> None:
+        """Bring the tab after the one in front to the front, where the keyboard is."""
+        self._go(1)
+
+    def previous(self) -> None:
+        """Bring the tab before the one in front to the front, where the keyboard is."""
+        self._go(-1)
+
+    def show_list(self) -> None:
+        """List the panels in one place, where the keyboard is, to bring one to the front."""
+        bar = self._bar_in_use()
+        if bar is not None:
+            self._open_list(bar, bar.rect().bottomLeft())
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        # Qt makes a bar when it needs one, and says nothing else of it.
+        if isinstance(event, QChildEvent) and event.type() == QEvent.Type.ChildPolished:
+            bar = event.child()
+            if isinstance(bar, QTabBar):
+                _prepare(bar)
+                self._lists.add_to(bar)
+                bar.tabBarClicked.connect(self._mean)
+        return False
+
+    def _mean(self, index: int) -> None:
+        """Whoever clicks a tab means its panel, also where it was in front before."""
+        bar = self.sender()
+        if isinstance(bar, QTabBar) and index >= 0:
+            # Pressed; it comes to the front next.  Of the bar nothing is kept: Qt may delete it.
+            QTimer.singleShot(0, self, partial(self._take_keyboard, bar.tabText(index)))
+
+    def _take_keyboard(self, title: str) -> None:
+        dock = self._called(title)
+        if dock.in_sight:
+            self._enter(dock, Qt.FocusReason.MouseFocusReason)
+
+    def _tell(self) -> None:
+        names = frozenset(name for name, dock in self._docks.items() if dock.in_sight)
+        for name, dock in self._docks.items():
+            if name in names:  # of the others no title is seen, and to ask Qt takes long
+                others = self._window.tabifiedDockWidgets(dock)
+                dock.show_tabbed(any(not one.isHidden() for one in others))
+            if not dock.is_empty and dock.panel.in_sight != names:
+                dock.panel.show_in_sight(names)
+
+    def _go(self, step: int) -> None:
+        bar = self._bar_in_use()
+        if bar is not None:
+            self._bring(bar.tabText((bar.currentIndex() + step) % bar.count()))
+
+    def _open_list(self, bar: QTabBar, at: QPoint) -> None:
+        tab_menu(bar, self._bring, self._window).popup(bar.mapToGlobal(at))
+
+    def _bring(self, title: str) -> None:
+        dock = self._called(title)
+        dock.bring_forward()
+        self._enter(dock, Qt.FocusReason.ShortcutFocusReason)
+
+    def _enter(self, dock: Dock, reason: Qt.FocusReason) -> None:
+        focus_into(dock.panel, reason)
+        self.meant.emit(dock.objectName())
+
+    def _called(self, title: str) -> Dock:
+        return next(one for one in self._docks.values() if one.windowTitle() == title)
+
+    def _bar_in_use(self) -> QTabBar | None:
+        """The bar where the keyboard is; else the first there is, if any."""
+        docks = [dock for dock in self._docks.values() if dock.in_sight]
+        focused = QApplication.focusWidget()
+        docks.sort(key=lambda dock: focused is None or not dock.isAncestorOf(focused))
+        for dock in docks:
+            if (bar := self._bar_of(dock)) is not None:
+                return bar
+        self.done.emit(_NOTHING)
+        return None
+
+    def _bar_of(self, dock: Dock) -> QTabBar | None:
+        """The bar in which a dock is in front of others."""
+        direct = Qt.FindChildOption.FindDirectChildrenOnly
+        # A bar that Qt is about to delete still holds what it held: the newest is the one.
+        for bar in reversed(self._window.findChildren(QTabBar, options=direct)):
+            if bar.count() > 1 and bar.tabText(bar.currentIndex()) == dock.windowTitle():
+                return bar
+        return None
+
+
+def _prepare(bar: QTabBar) -> None:
+    bar.setAccessibleName("Panels in one place")
+    bar.setToolTip(
+        f"Panels in one place; {shortcut_text('next_tab')} shows the next, the right button lists "
+        "them"
+    )
+    # The keyboard has a key for it; a stop without a panel would only be in the way of Tab.
+    bar.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    bar.setDrawBase(False)
+    bar.setExpanding(False)
+    # Names that are cut to a letter tell nothing; where there is no room, arrows lead to the rest.
+    bar.setElideMode(Qt.TextElideMode.ElideNone)
+    bar.setUsesScrollButtons(True)
+
+
+# Actions that bring docks into sight, and hide them.
+
+
+def menu_toggles(docks: Iterable[Dock], parent: QObject) -> list[QAction]:
+    """Return an action for each dock, on while it is in the window: in front, or behind as a tab.
+
+    It brings it into sight, or hides what is.
+    """
+    actions = []
+    for dock in docks:
+        action = QAction(dock.windowTitle(), parent)
+        action.setCheckable(True)
+        action.triggered.connect(partial(_turn, dock, action))
+        dock.sight_changed.connect(partial(_tick, dock, action))
+        _tick(dock, action)
+        actions.append(action)
+    return actions
+
+
+def toggles(docks: Iterable[Dock]) -> list[QAction]:
+    """Return new actions that bring each dock into sight, and that hide those in the window.
+
+    For the palette: what says that it shows a panel never hides it.
+    """
+    actions = []
+    for dock in docks:
+        ways = [("Show", dock.bring_forward)]
+        if not dock.isHidden():
+            ways.append(("Hide", dock.hide))
+        for word, act in ways:
+            action = QAction(f"{word} panel: {dock.windowTitle()}")
+            action.triggered.connect(act)
+            actions.append(action)
+    return actions
+
+
+def _turn(dock: Dock, action: QAction) -> None:
+    if dock.in_sight:
+        dock.hide()
+    else:
+        dock.bring_forward()
+    # Qt has turned the tick of one behind others, which stays.
+    _tick(dock, action)
+
+
+def _tick(dock: Dock, action: QAction) -> None:
+    action.setChecked(not dock.isHidden())
+
+
+# Which panel is in use.
+
+
+class PanelInUse(QObject):
+    """Knows the panel that was pressed last, or to which the keyboard went since.
+
+    A press counts on a title, a tab, or anywhere inside, also where nothing takes the keyboard:
+    that stays where it is, so that nobody loses what is typed elsewhere.
+
+    Parameters
+    ----------
+    window
+        Holds the docks; also the parent.
+    docks
+        By the name of their panel.
+    panels
+        Those that were made, in the order in which the keyboard reaches them.
+    tabs
+        Tell whose tab is clicked.
+    """
+
+    def __init__(
+        self, window: QMainWindow, docks: Mapping[str, Dock], panels: MadePanels, tabs: DockTabs
+    ) -> None:
+        super().__init__(window)
+        self._window, self._docks, self._panels = window, docks, panels
+        self._last = ""
+        # Where the keyboard was last in the window; that may be gone meanwhile.
+        self._focused = ref[QWidget](window)
+        tabs.meant.connect(self._use)
+        for dock in docks.values():
+            dock.sight_changed.connect(partial(self._watch_window_of, dock))
+        application = QApplication.instance()
+        if isinstance(application, QApplication):
+            application.focusChanged.connect(self._follow_keyboard)
+
+    @property
+    def panel(self) -> Panel:
+        """The panel in use; where none is, the one with the keyboard, or the first in sight."""
+        in_sight = [panel for panel in self._panels if panel.isVisible()]
+        for panel in in_sight:
+            if panel.name == self._last:
+                return panel
+        for focused in (QApplication.focusWidget(), self._window.focusWidget()):
+            for panel in in_sight:
+                if focused is not None and panel.isAncestorOf(focused):
+                    return panel
+        return (in_sight or list(self._panels))[0]
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if not isinstance(watched, QWindow) or not isinstance(event, QMouseEvent):
+            return False
+        # With a menu open, a press beside it does no more than close that.
+        if event.type() == QEvent.Type.MouseButtonPress and not QApplication.activePopupWidget():
+            self._press(watched, event)
+        return False
+
+    def _press(self, handle: QWindow, event: QMouseEvent) -> None:
+        for top in (self._window, *self._docks.values()):
+            if top.windowHandle() is handle:
+                self._use_dock_of(top.childAt(event.position().toPoint()) or top)
+
+    def _watch_window_of(self, dock: Dock) -> None:
+        # A window knows of each press in it, whichever of its widgets takes that; it is made
+        # anew now and then, as where a dock is taken out.  To be watched once more changes nothing.
+        handle = dock.window().windowHandle()
+        if handle is not None:
+            handle.installEventFilter(self)
+
+    def _follow_keyboard(self, _old: QWidget | None, new: QWidget | None) -> None:
+        if new is None or isinstance(new, QMenuBar):
+            return
+        if new.window() is self._window:
+            # From a menu, a page, a panel taken out or another program it comes back to where it
+            # was: nobody meant that.
+            came_back = new is self._focused()
+            self._focused = ref(new)
+            if came_back:
+                return
+        self._use_dock_of(new)
+
+    def _use_dock_of(self, part: QWidget) -> None:
+        for name, dock in self._docks.items():
+            if dock is part or dock.isAncestorOf(part):
+                self._use(name)
+
+    def _use(self, name: str) -> None:
+        self._last = name
+
+
+# Where the keyboard goes when the panel that has it goes out of sight.
+
+
+class KeptKeyboard(QObject):
+    """Keeps the keyboard in the panels when the one that has it is hidden.
+
+    Qt would give it to whatever comes next, a list of the setup bar as well as any number: the
+    next key would change what nobody looks at.  It goes back to who had it if that is in sight
+    again, as where docks are only put into another order, else to the panel that is in front of
+    it now, or else to the first panel in sight.
+
+    Parameters
+    ----------
+    window
+        Whose keyboard; also the parent.
+    docks
+        Its docks, in the order in which their panels are asked.
+    """
+
+    def __init__(self, window: QMainWindow, docks: Mapping[str, Dock]) -> None:
+        super().__init__(window)
+        self._window, self._docks = window, docks
+        # Who had it, and in which dock.
+        self._left: QWidget | None = None
+        self._before: Dock | None = None
+        # Docks come and go while they are arranged: only where they stand at the end counts.
+        self._arranged = QTimer(self, singleShot=True, interval=0)
+        self._arranged.timeout.connect(self._give_back)
+        for dock in docks.values():
+            # Both come before Qt has moved the keyboard.
+            dock.goes_behind.connect(partial(self._take_from, dock))
+            dock.sight_changed.connect(partial(self._take_from, dock))
+
+    def _take_from(self, dock: Dock) -> None:
+        focused = self._window.focusWidget()
+        if focused is None or not self._window.isVisible() or not dock.isAncestorOf(focused):
+            return
+        if dock.isVisible() and dock.in_sight:
+            return
+        if not self._arranged.isActive():
+            self._left, self._before = focused, dock
+            self._arranged.start()
+        focused.clearFocus()
+
+    def settle(self) -> None:
+        """All stand where they shall: who comes next may ask at once where the keyboard is."""
+        if self._arranged.isActive():
+            self._arranged.stop()
+            self._give_back()
+
+    @contextmanager
+    def kept(self) -> Iterator[None]:
+        """Keep the keyboard, once it is in a panel, while all docks are put elsewhere.
+
+        A panel that was a window of its own keeps it too, and where nobody has it, as in a window
+        that opens, the first panel takes it.
+        """
+        focused = QApplication.focusWidget()
+        in_panel = focused is not None and any(
+            dock.isAncestorOf(focused) for dock in self._docks.values()
+        )
+        nobody = focused is None and self._window.focusWidget() is None
+        yield
+        if in_panel or nobody:
+            self._arranged.stop()
+            self._left = self._before = None
+            self._give_to(focused)
+
+    def _give_back(self) -> None:
+        left, dock = self._left, self._before
+        self._left = self._before = None
+        if self._window.focusWidget() is None and self._window.isVisible():
+            self._give_to(left, dock)
+
+    def _give_to(self, left: QWidget | None, before: Dock | None = None) -> None:
+        """Give the keyboard to who had it, if that is in sight, or else to another panel."""
+        if left is not None and isValid(left) and left.isVisible():
+            left.setFocus(Qt.FocusReason.OtherFocusReason)
+            return
+        in_front = [] if before is None else self._window.tabifiedDockWidgets(before)
+        in_sight = [dock for dock in self._docks.values() if dock.in_sight]
+        for dock in sorted(in_sight, key=lambda one: one not in in_front)[:1]:
+            if not focus_into(dock.panel, Qt.FocusReason.OtherFocusReason):
+                # A window that is not shown yet has no stops.
+                dock.panel.setFocus(Qt.FocusReason.OtherFocusReason)
+
+
+# Panels in the menu of a title or a bar: as in View > Panels, in the same order.
+
+
+class ListsPanels(QMainWindow):
+    """A window whose titles and bars have a menu of its panels.
+
+    Attributes
+    ----------
+    panel_toggles
+        What shows and hides each of them.
+    """
+
+    panel_toggles: Sequence[QAction] = ()
+
+    def createPopupMenu(self) -> QMenu:
+        # Qt's own lists docks as they were put into the window.
+        menu = QMenu(self)
+        menu.addActions(list(self.panel_toggles))
+        return menu

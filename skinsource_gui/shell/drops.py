@@ -1,0 +1,103 @@
+"""What is dragged from one panel onto another."""
+
+from functools import partial
+
+from PySide6.QtCore import QObject, QPoint
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QApplication
+
+from skinsource.design import edits
+from skinsource.design.waveforms.kinds import kinds
+from skinsource_gui.panels.timeline.panel import TimelineEdits
+from skinsource_gui.qt.frames import DropPlace
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.panel import MadePanels, Panel
+
+
+class ClipDrops(QObject):
+    """Tells a panel that drags something where it would go in another one, which shows it.
+
+    Parameters
+    ----------
+    panels
+        All of a window, each of which gets to know whom to ask; the window is the parent.
+    """
+
+    def __init__(self, panels: MadePanels, parent: QObject) -> None:
+        super().__init__(parent)
+        self._panels = panels
+        panels.each(self._meet)
+
+    def _meet(self, panel: Panel) -> None:
+        panel.held_over = partial(self._find, panel)
+
+    def _find(self, dragged_from: Panel, at: QPoint | None) -> DropPlace | None:
+        """Where something goes that is held over a place of the screen; None: it is let go."""
+        below = None if at is None else QApplication.widgetAt(at)
+        found = None
+        for panel in self._panels:
+            if panel is dragged_from:
+                continue
+            # Panels may float above each other: only what is on top takes anything.
+            is_there = below is not None and (below is panel or panel.isAncestorOf(below))
+            own = panel.mapFromGlobal(at) if is_there and at is not None else None
+            panel.show_drop(own)
+            if own is not None:
+                found = panel.drop_place(own)
+        return found
+
+
+# Clips and the clipboard, from the menu.
+
+
+class ClipsAndClipboard(QObject):
+    """Does with the selected clips what keys do in the timeline, be that shown or not.
+
+    Parameters
+    ----------
+    document
+        Whose clips.
+    parent
+        As in Qt.
+    """
+
+    def __init__(self, document: Document, parent: QObject) -> None:
+        super().__init__(parent)
+        self._document, self._edits = document, TimelineEdits(self)
+        self._edits.edited.connect(document.apply)
+
+    def cut(self) -> None:
+        """Move the selected clips to the clipboard."""
+        self._present().cut()
+
+    def copy(self) -> None:
+        """Put the selected clips on the clipboard."""
+        self._present().copy()
+
+    def paste(self) -> None:
+        """Put the clips of the clipboard at the playhead."""
+        self._present().paste()
+
+    def _present(self) -> TimelineEdits:
+        self._edits.show_state(self._document.design, self._document.view)
+        return self._edits
+
+
+# What the selected inputs can play, as actions for the palette.
+
+
+def kind_choices(document: Document) -> list[QAction]:
+    """Return one new action for each kind of waveform, which lets the selected inputs play it."""
+    actions = []
+    for kind in kinds():
+        action = QAction(f"Waveform: {kind.title}")
+        action.setToolTip("Let the selected inputs play this")
+        action.setEnabled(bool(document.view.selected_inputs))
+        action.triggered.connect(partial(_play, document, kind.__name__))
+        actions.append(action)
+    return actions
+
+
+def _play(document: Document, kind: str, _checked: bool = False) -> None:
+    design, view = document.design, document.view
+    document.apply(edits.change_kind(design, view, view.selected_inputs, kind))

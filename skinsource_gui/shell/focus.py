@@ -1,0 +1,359 @@
+"""The way of the Tab key through a window.
+
+Qt follows the order in which widgets were made, and a panel that hands its focus on to its
+picture makes it skip what stands between.
+"""
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING, cast
+
+import shiboken6
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt
+from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QApplication,
+    QComboBox,
+    QLineEdit,
+    QMainWindow,
+    QPlainTextEdit,
+    QWidget,
+)
+
+from skinsource_gui.qt.wheel import bring_into_sight
+from skinsource_gui.state.panel import MadePanels
+
+if TYPE_CHECKING:
+    from skinsource_gui.panels.clip_editor.panel import ClipEditorPanel
+
+
+def tab_stops(top: QWidget, regions: Sequence[QWidget]) -> list[QWidget]:
+    """Widgets inside ``top`` that Tab reaches now, region by region.
+
+    Parameters
+    ----------
+    top
+        A window, or a part of one; what floats in a window of its own does not belong to it.
+    regions
+        Parts of ``top`` in the order of reading.  What lies in none of them comes last.
+    """
+    found = [one for one in _chain(top) if top.isAncestorOf(one) and _takes_tab(one)]
+    _give_back(top.window())
+
+    def region_of(stop: QWidget) -> int:
+        inside = (k for k, part in enumerate(regions) if part is stop or part.isAncestorOf(stop))
+        return next(inside, len(regions))
+
+    groups: list[list[QWidget]] = [[] for _ in range(len(regions) + 1)]
+    for stop in found:
+        groups[region_of(stop)].append(stop)
+    for part in (top, *regions):
+        if getattr(part, "reads_down", False):
+            groups = [_as_read(group, part) for group in groups]
+    return [stop for group in groups for stop in group]
+
+
+def move_focus(window: QMainWindow, regions: Sequence[QWidget], *, forward: bool) -> bool:
+    """Give the keyboard to the next stop, or the one before; return whether there is any."""
+    stops = tab_stops(window, regions)
+    if not stops:
+        return False
+    here: QWidget | None = window.focusWidget()
+    while here is not None and here not in stops:
+        # What is clicked but no stop, such as a number in a row that is not selected.
+        here = here.parentWidget()
+    if here is None:
+        target = stops[0 if forward else -1]
+    else:
+        target = stops[(stops.index(here) + (1 if forward else -1)) % len(stops)]
+    reason = Qt.FocusReason.TabFocusReason if forward else Qt.FocusReason.BacktabFocusReason
+    target.setFocus(reason)
+    bring_into_sight(target)
+    return True
+
+
+def focus_into(part: QWidget, reason: Qt.FocusReason) -> bool:
+    """Give the keyboard to what stands for ``part``, else to its first stop; whether it has one."""
+    stops = tab_stops(part, ())
+    if stops:
+        first = part.focusProxy()
+        (first if first in stops else stops[0]).setFocus(reason)
+    return bool(stops)
+
+
+def _chain(top: QWidget) -> list[QWidget]:
+    # Within one region, Qt's order is the right one.
+    window = top.window()
+    last = window.previousInFocusChain()
+    ring: list[QWidget] = [window]
+    # No further: who asks the last one for the next takes the window for its child.
+    while ring[-1] is not last and (after := ring[-1].nextInFocusChain()) is not None:
+        ring.append(after)
+    start = ring.index(top)
+    return ring[start:] + ring[:start]
+
+
+def _as_read(stops: Sequence[QWidget], part: QWidget) -> list[QWidget]:
+    """Stops inside ``part`` from top to bottom, those beside each other from left to right."""
+    if not all(part.isAncestorOf(stop) for stop in stops):
+        return list(stops)
+    places = {stop: _place(stop, stops, part) for stop in stops}
+    lines: list[list[QWidget]] = []
+    for stop in sorted(stops, key=lambda one: places[one].center().y()):
+        above = places[lines[-1][0]] if lines else None
+        if above is not None and places[stop].center().y() <= above.bottom():
+            lines[-1].append(stop)
+        else:
+            lines.append([stop])
+    return [stop for line in lines for stop in sorted(line, key=lambda one: places[one].x())]
+
+
+def _place(stop: QWidget, stops: Sequence[QWidget], part: QWidget) -> QRect:
+    # What holds other stops, and scrolls them, is read before them, not half way down.
+    holds = any(stop is not one and stop.isAncestorOf(one) for one in stops)
+    return QRect(stop.mapTo(part, QPoint()), QSize() if holds else stop.size())
+
+
+def _give_back(window: QWidget) -> None:
+    # PySide takes a widget for a child of the one that was asked for it - its neighbour in the
+    # chain, what hands its focus on, a group - and takes it for deleted as soon as that one is.
+    # What a window finds among its children it takes for a child of the window again.
+    window.findChildren(QWidget)
+
+
+def _takes_tab(widget: QWidget) -> bool:
+    tab = Qt.FocusPolicy.TabFocus
+    if widget.focusPolicy() & tab != tab or widget.focusProxy() is not None:
+        return False
+    if isinstance(widget, QAbstractButton) and widget.isCheckable() and not widget.isChecked():
+        # Of buttons that exclude each other Tab reaches the one that is on; arrows do the rest.
+        group = widget.group()
+        if group is not None and group.exclusive() and group.checkedButton() is not None:
+            return False
+    return widget.isVisible() and widget.isEnabled()
+
+
+# Moves the keyboard from panel to panel.
+
+
+class PanelFocus(QObject):
+    """Gives the keyboard to the next panel, or the one before.
+
+    Parameters
+    ----------
+    panels
+        In the order in which the keyboard reaches them.
+    bring
+        Brings a panel into sight, by its name.
+    """
+
+    def __init__(self, panels: MadePanels, bring: Callable[[str], None], parent: QObject) -> None:
+        super().__init__(parent)
+        self._panels, self._bring = panels, bring
+        # Where the keyboard was before a panel was shown, and which panels it came in front of.
+        self._left: str | None = None
+        self._covered: frozenset[str] = frozenset()
+
+    def next(self) -> None:
+        """Go to the next panel."""
+        self._go(1)
+
+    def previous(self) -> None:
+        """Go to the panel before."""
+        self._go(-1)
+
+    def show(self, name: str) -> None:
+        """Bring a panel into sight, and go there; from there, back to where the keyboard was."""
+        here = self._here()
+        if here == name and self._left is not None:
+            name, self._left = self._left, None
+            for covered in self._covered:
+                self._bring(covered)
+            self._bring(name)
+        else:
+            before = self._in_sight()
+            self._bring(name)
+            if here != name:
+                self._left, self._covered = here, before - self._in_sight()
+        self._panels[name].setFocus(Qt.FocusReason.ShortcutFocusReason)
+
+    def _in_sight(self) -> frozenset[str]:
+        # A dock that comes to the front moves the one behind it away a moment later.
+        QApplication.sendPostedEvents()
+        return frozenset(one.name for one in self._panels if one.isVisible())
+
+    def _here(self) -> str | None:
+        """Name of the panel with the keyboard."""
+        focused = QApplication.focusWidget()
+        names = (one.name for one in self._panels if focused and one.isAncestorOf(focused))
+        return next(names, None)
+
+    def _go(self, step: int) -> None:
+        # A panel that only says what to do has nothing for the keyboard.
+        panels = [panel for panel in self._panels if tab_stops(panel, ())]
+        focused = QApplication.focusWidget()
+        here = [k for k, panel in enumerate(panels) if focused and panel.isAncestorOf(focused)]
+        if panels:
+            start = here[0] if here else -min(step, 0) - 1
+            panel = panels[(start + step) % len(panels)]
+            panel.activateWindow()
+            focus_into(panel, Qt.FocusReason.ShortcutFocusReason)
+
+
+# From anywhere to the pen.
+
+_PANEL = "clip_editor"
+
+
+class ClipDrawing(QObject):
+    """Shows the selected clip large, and takes the pen.
+
+    Parameters
+    ----------
+    panels
+        Of which one draws.
+    focus
+        Brings that into sight, and back to where the keyboard was.
+    """
+
+    def __init__(self, panels: MadePanels, focus: PanelFocus, parent: QObject) -> None:
+        super().__init__(parent)
+        self._panels, self._focus = panels, focus
+
+    def begin(self) -> None:
+        """Take the pen; a clip that is not drawn asks whether it may become samples."""
+        panel = cast("ClipEditorPanel", self._panels[_PANEL])
+        focused = QApplication.focusWidget()
+        if not panel.isVisible() or focused is None or not panel.isAncestorOf(focused):
+            self._focus.show(_PANEL)
+        panel.use("pen")
+
+
+# What the menus can do with the keyboard's place.
+
+
+def focus_capabilities(
+    panels: MadePanels, bring: Callable[[str], None], window: QWidget
+) -> dict[str, QObject]:
+    """Those who carry it out, by the names that the table of actions has for them.
+
+    ``bring`` brings a panel into sight.
+    """
+    focus = PanelFocus(panels, bring, window)
+    return {"panel_focus": focus, "clip_drawing": ClipDrawing(panels, focus, window)}
+
+
+# Shortcuts of the window and the keys of the widget that has the keyboard: which goes first.
+#
+# Shortcuts work from inside number fields and lines of text too.  Keys without Ctrl or Alt that a
+# widget needs itself stay with it: letters and spaces where a text is typed, Space on what is
+# pressed with it, and on a list until something was chosen from it.
+
+_Standard = QKeySequence.StandardKey
+#: What these keys do to a text while it is typed.
+_WHILE_TYPING = (
+    _Standard.Copy,
+    _Standard.Cut,
+    _Standard.Paste,
+    _Standard.Undo,
+    _Standard.Redo,
+    _Standard.SelectAll,
+    _Standard.DeleteStartOfWord,
+    _Standard.DeleteEndOfWord,
+)
+#: What they do to a text that is only shown.
+_WHILE_RESTING = (_Standard.Copy, _Standard.Paste)
+_TEXTS = (QLineEdit, QPlainTextEdit)
+#: What is pressed, or chosen from, with Space.
+_PRESSED = (QAbstractButton, QComboBox, QAbstractItemView)
+_HELD = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
+
+
+class ShortcutsInFields(QObject):
+    """Keeps lines of text from taking shortcuts for keys of their own.
+
+    On some desktops Ctrl+E goes to the end of a line, Ctrl+K deletes to it, and so on: nobody
+    expects that of a number, and everybody that a shortcut does the same everywhere.
+
+    Parameters
+    ----------
+    actions
+        Whose shortcuts these are.
+    window
+        In which they work; also the parent.
+    """
+
+    def __init__(self, actions: Iterable[QAction], window: QWidget) -> None:
+        super().__init__(window)
+        self._window = window
+        self._shortcuts = [key for action in actions for key in action.shortcuts()]
+        self._watched: QWidget | None = None
+        # The list that was clicked, or chosen from, and still has the keyboard.
+        self._used: QComboBox | None = None
+        # One widget at a time: a filter on all widgets would see each event of the studio.
+        application = QApplication.instance()
+        if isinstance(application, QApplication):
+            application.focusChanged.connect(self._watch)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() != QEvent.Type.ShortcutOverride or not isinstance(event, QKeyEvent):
+            return super().eventFilter(watched, event)
+        if isinstance(watched, _TEXTS):
+            own = _WHILE_RESTING if watched.isReadOnly() else _WHILE_TYPING
+            typed = not watched.isReadOnly() and _is_typed(event)
+            pressed = QKeySequence(event.keyCombination())
+            if (
+                pressed in self._shortcuts
+                and not typed
+                and not any(event.matches(key) for key in own)
+            ):
+                event.ignore()
+                return True
+        elif event.key() == Qt.Key.Key_Space and not event.modifiers() & _HELD:
+            if watched is self._used:
+                # What was chosen shall be heard; to choose again, the arrow keys do.
+                event.ignore()
+            else:
+                event.accept()
+            return True
+        return super().eventFilter(watched, event)
+
+    def _watch(self, _old: QWidget | None, new: QWidget | None) -> None:
+        if self._watched is not None:
+            self._watched.removeEventFilter(self)
+            self._watched.destroyed.disconnect(self._forget)
+            if isinstance(self._watched, QComboBox):
+                self._watched.activated.disconnect(self._note_used)
+            self._watched = None
+        if new is not None and new is not self._used and not _is_popup_of(self._used, new):
+            self._used = None
+        # A button that was clicked has the keyboard too, but nobody means it any more.
+        clicked = isinstance(new, QAbstractButton) and bool(QApplication.mouseButtons())
+        wanted = isinstance(new, (*_TEXTS, *_PRESSED)) and not clicked
+        if wanted and new is not None and self._window.isAncestorOf(new):
+            self._watched = new
+            new.installEventFilter(self)
+            new.destroyed.connect(self._forget)
+            if isinstance(new, QComboBox):
+                new.activated.connect(self._note_used)
+                if QApplication.mouseButtons():
+                    self._used = new
+
+    def _note_used(self) -> None:
+        if isinstance(self._watched, QComboBox):
+            self._used = self._watched
+
+    def _forget(self) -> None:
+        self._watched = self._used = None
+
+
+def _is_popup_of(field: QComboBox | None, widget: QWidget) -> bool:
+    """Whether a widget belongs to the list that drops down from a field."""
+    # A field may be gone that was used last, and is watched no more.
+    return field is not None and shiboken6.isValid(field) and field.isAncestorOf(widget)
+
+
+def _is_typed(event: QKeyEvent) -> bool:
+    """Whether a key puts something into a text."""
+    return event.text().isprintable() and event.text() != "" and not event.modifiers() & _HELD

@@ -1,0 +1,270 @@
+"""The page on unsaved work that earlier studios left."""
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QObject, QSize, Qt
+from PySide6.QtGui import QIcon, QPixmap
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QLabel,
+    QListWidget,
+    QListWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.base.assets import user_folder
+from skinsource.base.crash_log import MOST_BYTES, crashed_logs, note_offered
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.files import named, read_bytes, write_bytes
+from skinsource.design.recovery import Found, LeftOver
+from skinsource_gui.pages.files.autosave import Autosave, Recovery, WorkPicture
+from skinsource_gui.pages.files.file_actions import FileActions
+from skinsource_gui.shell.dock_layout import DockLayout
+from skinsource_gui.shell.notices import Choice, Notice, Reports
+from skinsource_gui.state.conductor import Conductor
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.engine import Engine, Outcome
+from skinsource_gui.state.job_runner import JobRunner
+
+_ICON = QSize(60, 90)
+_ROLE = QDialogButtonBox.ButtonRole
+
+
+def picture_of(left: LeftOver) -> QPixmap:
+    """What the work looked like; empty where nobody knows."""
+    picture = QPixmap()
+    # The stubs of PySide ask for bytes, which it does not take.
+    loaded: Any = picture
+    loaded.loadFromData(left.picture(), "PNG")
+    if picture.isNull():
+        return picture
+    keep, smooth = Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode.SmoothTransformation
+    return picture.scaled(_ICON, keep, smooth)
+
+
+def words_of(left: LeftOver) -> str:
+    """What is known of it, in two lines."""
+    where = named(left.file) if left.file else "never saved under a name"
+    return f"{left.name}, kept {left.age()}\n{where}"
+
+
+class LeftOverPage(QDialog):
+    """Lists left-over work with its picture and age, to be opened or discarded.
+
+    Parameters
+    ----------
+    look
+        Gives what there is.
+    open_it, discard
+        Do it with one of them.
+    parent
+        In front of which the page opens.
+    """
+
+    def __init__(
+        self,
+        look: Callable[[], tuple[LeftOver, ...]],
+        open_it: Callable[[LeftOver], None],
+        discard: Callable[[LeftOver], None],
+        parent: QWidget,
+    ) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setWindowTitle("Unsaved work of earlier sessions")
+        self.resize(560, 420)
+        self._look, self._open_it, self._discard = look, open_it, discard
+        self._left: tuple[LeftOver, ...] = ()
+        self._words = QLabel()
+        self._words.setWordWrap(True)
+        self.rows = QListWidget()
+        self.rows.setObjectName("left_over_rows")
+        self.rows.setAccessibleName("Unsaved work")
+        self.rows.setIconSize(_ICON)
+        self.rows.itemActivated.connect(self._open)
+        self.rows.currentRowChanged.connect(self._follow)
+        buttons = QDialogButtonBox()
+        self.open_button = buttons.addButton("Open it", _ROLE.ActionRole)
+        self.discard_button = buttons.addButton("Discard it", _ROLE.DestructiveRole)
+        buttons.addButton(QDialogButtonBox.StandardButton.Close)
+        self.open_button.clicked.connect(self._open)
+        self.discard_button.clicked.connect(self._give_up)
+        buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        for part in (self._words, self.rows, buttons):
+            layout.addWidget(part)
+        self._fill()
+
+    def _fill(self) -> None:
+        self._left = self._look()
+        self._words.setText(
+            "The studio ended before this work was saved. A copy of each was kept."
+            if self._left
+            else "There is no unsaved work of earlier sessions."
+        )
+        self.rows.clear()
+        for left in self._left:
+            item = QListWidgetItem(QIcon(picture_of(left)), words_of(left))
+            item.setSizeHint(_ICON + QSize(0, 12))
+            self.rows.addItem(item)
+        self.rows.setCurrentRow(0 if self._left else -1)
+        self._follow()
+
+    def _follow(self) -> None:
+        chosen = 0 <= self.rows.currentRow() < len(self._left)
+        self.open_button.setEnabled(chosen)
+        self.discard_button.setEnabled(chosen)
+
+    def _open(self) -> None:
+        left = self._left[self.rows.currentRow()]
+        self.accept()
+        self._open_it(left)
+
+    def _give_up(self) -> None:
+        self._discard(self._left[self.rows.currentRow()])
+        self._fill()
+
+
+# What sees to it that no work is lost: copies of it, and what is offered after a crash.
+
+_LOGS = "Logs (*.log)"
+
+
+class Keeping(QObject):
+    """Keeps copies of unsaved work, and offers those that earlier studios left.
+
+    Parameters
+    ----------
+    document, engine, runner
+        The work, who evaluates it, and what else is done.
+    files, layout
+        Before files are opened a copy is kept; and how the window is arranged.
+    interval_s
+        See `Autosave`.
+    window
+        The parent.
+    """
+
+    def __init__(
+        self,
+        document: Document,
+        engine: Engine,
+        runner: JobRunner,
+        files: FileActions,
+        layout: DockLayout,
+        interval_s: float,
+        window: QWidget,
+    ) -> None:
+        super().__init__(window)
+        self._files, self._window = files, window
+        self._folder = user_folder()
+        self._picture = WorkPicture()
+        self.autosave = Autosave(
+            document, self._folder, interval_s, layout.content, self._picture.image, self
+        )
+        self.recovery = Recovery(
+            document,
+            engine,
+            self._folder,
+            files.may_lose_changes,
+            self.autosave.keep_now,
+            self,
+        )
+        self.recovery.opened.connect(layout.put)
+        self.recovery.belonged.connect(self._suggest)
+        files.risk_ahead.connect(self.autosave.keep_now)
+        runner.starting.connect(self.autosave.keep_now)
+
+    def connect_to(self, conductor: Conductor, reports: Reports) -> None:
+        """Draw what is predicted, and say what happens."""
+        conductor.delivered.connect(self._note_results)
+        self.autosave.failed.connect(reports.complain)
+        self.recovery.failed.connect(reports.complain)
+        self.recovery.done.connect(reports.report)
+
+    def offer(self, notice: Notice) -> None:
+        """Offer what a studio left that did not end as it should, if there is anything."""
+        found, logs = self.recovery.look(), crashed_logs(self._folder)
+        sentences, choices = _offers(found)
+        picture = None
+        if len(found.left) == 1:
+            (left,) = found.left
+            picture = picture_of(left)
+            choices = [
+                ("Open it", partial(self.recovery.open, left)),
+                ("Discard it", partial(self.recovery.discard, left)),
+            ]
+        elif found.left:
+            choices = [("Show them…", self.show)]
+        if logs:
+            kept = "" if found.left else " No copy of unsaved work is left."
+            sentences.append(f"The studio crashed; a log says where.{kept}")
+            choices.append(("Save the log…", partial(self._save_log, logs[0])))
+            for log in logs:
+                note_offered(log)
+        if sentences:
+            # As of a file that could not be opened at the start.
+            sentences = [said for said in (notice.text,) if said] + sentences
+            notice.say(" ".join(sentences), "warning", choices, picture)
+
+    def show(self) -> None:
+        """Open the page on unsaved work of earlier studios."""
+        recovery = self.recovery
+        LeftOverPage(
+            lambda: recovery.look().left, recovery.open, recovery.discard, self._window
+        ).open()
+
+    def end(self) -> None:
+        """The window closes, and the user has answered for what is not saved."""
+        self.recovery.end()
+        self.autosave.end()
+        self._files.held.keep_only(None)
+
+    def end_unasked(self) -> bool:
+        """The window is told to close: keep what is unsaved for the next start."""
+        kept = self.autosave.keep_now()
+        self.recovery.end()
+        self.autosave.end(forget=False)
+        return kept
+
+    def _suggest(self, file: Path | None) -> None:
+        self._files.leave_file()
+        self._files.suggested = file
+
+    def _note_results(self, outcome: Outcome) -> None:
+        if outcome.values is not None:
+            self._picture.show_results(outcome.values)
+
+    def _save_log(self, log: Path) -> None:
+        path = self._files.ask_where("Save the log", Path.home() / log.name, _LOGS)
+        if path is None:
+            return
+        try:
+            write_bytes(path, read_bytes(log, most=2 * MOST_BYTES))
+        except SkinSourceError as error:
+            self._files.failed.emit(str(error))
+        else:
+            self._files.note_written(path)
+
+
+def _offers(found: Found) -> tuple[list[str], list[Choice]]:
+    sentences = [
+        f"{copy.name} stopped the studio when it was opened; it was set aside: {named(copy)}."
+        for copy in found.set_aside
+    ]
+    if len(found.left) == 1:
+        left: LeftOver = found.left[0]
+        sentences.append(
+            f"The studio ended before your work on {left.name} was saved. "
+            f"A copy was kept {left.age()}."
+        )
+    elif found.left:
+        sentences.append(
+            "The studio ended before your work was saved. Copies were kept of "
+            f"{len(found.left)} designs."
+        )
+    return sentences, []

@@ -1,1 +1,0 @@
-"""What sees to it that no work is lost."""

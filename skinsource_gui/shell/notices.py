@@ -1,0 +1,517 @@
+"""The one way to tell the user that something went wrong, or what is offered."""
+
+import logging
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any
+
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QAction, QPixmap
+from PySide6.QtWidgets import (
+    QApplication,
+    QHBoxLayout,
+    QLabel,
+    QMainWindow,
+    QPushButton,
+    QStatusBar,
+    QToolButton,
+    QWidget,
+)
+
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.job import Job
+from skinsource.design.design import Design
+from skinsource.design.labels import LIMBS
+from skinsource.design.signal_path import unplayable_words
+from skinsource.design.view import View
+from skinsource.limbs.dataset.store import StoreInfo
+from skinsource_gui.qt.asking import agreed
+from skinsource_gui.qt.theme import UNIT_PX, set_tone
+from skinsource_gui.qt.tooltips import ClickGuard
+from skinsource_gui.shell.status import Accuracy, StatusLine
+from skinsource_gui.state.conductor import UNPLAYABLE
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.engine import Outcome
+from skinsource_gui.state.job_runner import JobRunner
+from skinsource_gui.state.preferences import INSTALLATIONS, InstalledLimbs, Preferences
+
+#: How long good news stay, which nobody need close; bad ones stay until they are dealt with.
+PASSING_MS = 5000
+#: How long a passing notice stays at least, and for each of its letters besides.
+_LEAST_MS, _LETTER_MS = 4000, 60
+#: A click so soon belongs to what the notice is about, and takes nothing away.
+_FRESH_MS = 700
+#: What can be done about it: words of the button, and what it does.
+Choice = tuple[str, Callable[[], object]]
+_LAID_OUT = (QEvent.Type.Resize, QEvent.Type.LayoutRequest)
+
+
+class Notice(QObject):
+    """Words at the edge of a window; they stay until closed, replaced or outdated.
+
+    No panel lies below them.  What passes by itself lies over the status bar, or, while that is
+    away, over the upper right corner, where no panel has its title; what stays gets room below the
+    status bar.  A click on the words reaches nothing else, nor does one where a button of theirs
+    has just been.
+
+    Parameters
+    ----------
+    window
+        At whose edge they are; also the parent.
+    """
+
+    #: The user has closed it, with its cross.
+    closed = Signal()
+
+    def __init__(self, window: QMainWindow) -> None:
+        super().__init__(window)
+        self._window = window
+        self._kind, self._passes = "info", False
+        self._words = QLabel(window)
+        self._words.setObjectName("notice")
+        self._words.setWordWrap(True)
+        self._words.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        self._picture = QLabel(window)
+        self._picture.setObjectName("notice_picture")
+        self.buttons = QWidget(window)
+        self.buttons.setObjectName("notice_buttons")
+        self._row = QHBoxLayout(self.buttons)
+        self._row.setContentsMargins(0, 0, 0, 0)
+        self._row.setSpacing(UNIT_PX)
+        self._choices: list[QPushButton] = []
+        self._close = QToolButton()
+        self._close.setText("✕")
+        self._close.setObjectName("close_notice")
+        self._close.setToolTip("Close this notice")
+        self._close.setAccessibleName("Close this notice")
+        self._close.clicked.connect(self._choose)
+        self._close.clicked.connect(self.closed)
+        self._row.addWidget(self._close)
+        self._passing, self._watches = QTimer(self), False
+        self._passing.setSingleShot(True)
+        self._passing.timeout.connect(self.be_quiet)
+        self._guard = ClickGuard(window)
+        self.be_quiet()
+        window.installEventFilter(self)
+
+    @property
+    def text(self) -> str:
+        """What it says; empty while hidden."""
+        return self._words.text() if not self._words.isHidden() else ""
+
+    def say(
+        self,
+        text: str,
+        kind: str = "info",
+        choices: Sequence[Choice] = (),
+        picture: QPixmap | None = None,
+        *,
+        passes: bool = False,
+    ) -> None:
+        """Show ``text``; ``kind`` is ``"error"``, ``"warning"`` or ``"info"``.
+
+        A ``picture`` stands before the words.  What ``passes`` goes by itself after a while, which
+        is long enough to read it, or at the next click anywhere.
+        """
+        self._kind, self._passes = kind, passes
+        self._offer(choices)
+        self._picture.setPixmap(picture or QPixmap())
+        self._picture.setHidden(picture is None or picture.isNull())
+        self._words.setText(text)
+        set_tone(self._words, self._kind)
+        for part in (self._words, self.buttons):
+            part.show()
+            part.raise_()
+        self._picture.raise_()
+        self._place()
+        self._let_pass(_LEAST_MS + _LETTER_MS * len(text) if passes else None)
+
+    def pass_now(self) -> None:
+        """Take away what would go by itself."""
+        if self._passes:
+            self.be_quiet()
+
+    def be_quiet(self) -> None:
+        """Take away what it says."""
+        if self.buttons.isAncestorOf(self._window.focusWidget()):
+            self._window.setFocus()
+        self._let_pass(None)
+        for part in (self._words, self.buttons, self._picture):
+            part.hide()
+        self._window.setContentsMargins(0, 0, 0, 0)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.MouseButtonPress and self._passing.isActive():
+            stood_ms = self._passing.interval() - self._passing.remainingTime()
+            if stood_ms >= _FRESH_MS and not self.buttons.underMouse():
+                self.be_quiet()
+        elif watched is self._window and self.text and event.type() in _LAID_OUT:
+            self._place()
+        return super().eventFilter(watched, event)
+
+    def _let_pass(self, after_ms: int | None) -> None:
+        """Go after a while, or at a click; None: stay."""
+        application = QApplication.instance()
+        # Looking at each event of the studio is worth it for some seconds only.
+        if application is not None and self._watches:
+            application.removeEventFilter(self)
+        self._passing.stop()
+        self._watches = after_ms is not None
+        if application is not None and after_ms is not None:
+            application.installEventFilter(self)
+            self._passing.start(after_ms)
+
+    def _offer(self, choices: Sequence[Choice]) -> None:
+        for button in self._choices:
+            button.hide()
+            button.deleteLater()
+        self._choices = []
+        for words, act in choices:
+            button = QPushButton(words)
+            button.setObjectName("notice_choice")
+            button.setAutoDefault(False)
+            button.clicked.connect(partial(self._choose, act))
+            self._row.insertWidget(len(self._choices), button)
+            self._choices.append(button)
+
+    def _choose(self, act: Callable[[], object] | None = None, _checked: bool = False) -> None:
+        self._guard.cover(self.buttons.geometry())
+        self.be_quiet()
+        if act:
+            act()
+
+    def _place(self) -> None:
+        whole, height = self._window.width(), self._window.height()
+        status = self._window.statusBar()
+        at_top = self._passes and status.isHidden()
+        self._close.setHidden(at_top)
+        size = self.buttons.sizeHint()
+        shown = QSize() if self._picture.isHidden() else self._picture.sizeHint()
+        left = shown.width() + 2 * UNIT_PX if shown.isValid() else UNIT_PX
+        self._words.setContentsMargins(left, UNIT_PX // 2, size.width() + 2 * UNIT_PX, 4)
+        least = max(size.height(), shown.height()) + (2 if self._passes else UNIT_PX)
+        if self._passes and not at_top:
+            least = max(least, status.height())
+        width = whole
+        if at_top:
+            # Beside a border a label indents words by half a letter: in one line they cover least.
+            metrics = self._words.fontMetrics()
+            words = metrics.horizontalAdvance(self._words.text()) + metrics.horizontalAdvance("x")
+            width = min(whole, words + left + size.width() + 4 * UNIT_PX)
+        needed = max(self._words.heightForWidth(width), least)
+        start, top = whole - width, 0 if at_top else height - needed
+        self._picture.setGeometry(QRect(QPoint(start + UNIT_PX, top + UNIT_PX // 4), shown))
+        self._words.setGeometry(start, top, width, needed)
+        middle = top + (needed - size.height()) // 2
+        self.buttons.setGeometry(
+            whole - size.width() - UNIT_PX, middle, size.width(), size.height()
+        )
+        over = needed if at_top else status.height() if self._passes else 0
+        self._window.setContentsMargins(0, 0, 0, max(0, needed - over))
+
+
+# Three hints on the first start, which come back only when they are asked for.
+
+HINTS = (
+    "Click a place on the hand: an input is added there, and the skin map shows what reaches the "
+    "skin.",
+    "Turn its numbers in the inspector: drag on a field, scroll over it, or type. The map follows "
+    "while you drag.",
+    "Click outputs on the skin map: traces and spectra show them. File > Scenes opens figures of "
+    "the paper to begin with.",
+)
+NEXT, DONE, ENOUGH = "Next", "Done", "No more hints"
+LATER = "First steps come once nobody presents"
+
+
+class FirstHints(QObject):
+    """Says three hints, one after the other, where the studio was never started before.
+
+    The next one comes with its button, or once what the hint says was done.  While somebody
+    presents they are put away: an audience is not to be told how to begin.
+
+    Parameters
+    ----------
+    preferences
+        Know whether it was; they remember that the hints were shown as soon as the first one is.
+    notice
+        Says them; also the parent.
+    document
+        Tells what was done.
+    """
+
+    def __init__(self, preferences: Preferences, notice: Notice, document: Document) -> None:
+        super().__init__(notice)
+        self._preferences, self._notice, self._document = preferences, notice, document
+        self._step: int | None = None
+        self._away = False
+        self._design, self._view = document.design, document.view
+
+    def offer(self) -> None:
+        """Begin, unless it was done before or there is something more urgent to say."""
+        if self._preferences.hinted or self._notice.text:
+            return
+        self.show()
+
+    def show(self) -> None:
+        """Begin with the first one, whatever was shown before."""
+        self._preferences.hinted = True
+        self._preferences.flush()
+        self._end()
+        self._notice.closed.connect(self._end)
+        self._document.settled.connect(self._follow)
+        self._say(0)
+        if self._away:
+            self._notice.say(LATER, passes=True)
+
+    def put_away(self, away: bool) -> None:
+        """Put them away, whichever is said, or say it again."""
+        self._away = away
+        if self._step is None:
+            return
+        if not away:
+            self._say(self._step)
+        elif self._says_a_hint:
+            self._notice.be_quiet()
+
+    @property
+    def _says_a_hint(self) -> bool:
+        return self._notice.text.endswith(HINTS)
+
+    def _say(self, step: int) -> None:
+        self._step = step
+        self._design, self._view = self._document.design, self._document.view
+        if self._away:
+            return
+        words = f"{step + 1} of {len(HINTS)}: {HINTS[step]}"
+        last = step == len(HINTS) - 1
+        choices: tuple[tuple[str, Callable[[], None]], ...]
+        if last:
+            choices = ((DONE, self._end),)
+        else:
+            choices = ((NEXT, lambda: self._say(step + 1)), (ENOUGH, self._end))
+        self._notice.say(words, choices=choices)
+
+    def _follow(self) -> None:
+        """Say what is next where a hint was followed; say it again where an edit took it away."""
+        if self._step is None or self._away:
+            return
+        design, view = self._document.design, self._document.view
+        if not _followed(self._step, self._design, self._view, design, view):
+            if not self._notice.text:
+                self._say(self._step)
+        elif self._step + 1 < len(HINTS):
+            self._say(self._step + 1)
+        else:
+            self._end()
+            if self._says_a_hint:
+                self._notice.be_quiet()
+
+    def _end(self) -> None:
+        """Nothing is left to say: the notice has gone already, or goes by itself."""
+        if self._step is not None:
+            self._step = None
+            self._notice.closed.disconnect(self._end)
+            self._document.settled.disconnect(self._follow)
+
+
+def _followed(step: int, was: Design, looked: View, design: Design, view: View) -> bool:
+    """Whether what hint ``step`` says was done since it was said."""
+    if step == 0:
+        return len(design.inputs) > len(was.inputs)
+    if step == 1:
+        return design.inputs != was.inputs
+    return bool(view.outputs) and view.outputs != looked.outputs
+
+
+# What the studio says: what went wrong, what went well, what an evaluation gave.
+
+_log = logging.getLogger(__name__)
+
+
+class Reports(QObject):
+    """Brings news to the notice, the status bar and the status line.
+
+    Parameters
+    ----------
+    document
+        An edit of it outdates what was said before.
+    notice, status_bar, status_line, accuracy
+        Where it is said.
+    """
+
+    def __init__(
+        self,
+        document: Document,
+        notice: Notice,
+        status_bar: QStatusBar,
+        status_line: StatusLine,
+        accuracy: Accuracy,
+    ) -> None:
+        super().__init__(document)
+        self._document, self._notice, self._status_bar = document, notice, status_bar
+        self._status_line, self._accuracy = status_line, accuracy
+        self._impossible = ""
+        self._said_of: Design = document.design
+        document.changed.connect(self._forget_outdated)
+        document.told.connect(self.report)
+        document.title_changed.connect(status_bar.clearMessage)
+
+    def complain(self, reason: str) -> None:
+        """Show what went wrong, where the user looks."""
+        self._status_bar.clearMessage()
+        self._said_of = self._document.design
+        self._notice.say(reason, "error")
+
+    def refuse(self, reason: str) -> None:
+        """Show why an edit was not made; it goes again after a while, or at the next click."""
+        self._status_bar.clearMessage()
+        self._said_of = self._document.design
+        self._notice.say(reason, "error", passes=True)
+
+    def report(self, words: str) -> None:
+        """Show what went well, for some seconds."""
+        self._notice.be_quiet()
+        if self._status_bar.isHidden():  # while presenting
+            self._said_of = self._document.design
+            self._notice.say(words, "info", passes=True)
+        else:
+            self._status_bar.showMessage(words, PASSING_MS)
+
+    def explain(self, words: str) -> None:
+        """Show what is no fault and may be long, whole: the status bar would cut it."""
+        self._status_bar.clearMessage()
+        self._said_of = self._document.design
+        self._notice.say(words, "info", passes=True)
+
+    def show_impossible(self, reason: str) -> None:
+        """Say why there are no results."""
+        self._impossible = reason
+        self._status_line.show_no_outcome()
+        self.complain(reason)
+
+    def show_outcome(self, outcome: Outcome) -> None:
+        """Take over what the panels show now, and say which inputs it is without."""
+        words = unplayable_words((outcome.values or {}).get(UNPLAYABLE, ()))
+        if words != self._impossible:
+            if self._impossible and self._notice.text == self._impossible:
+                self._notice.be_quiet()
+            self._impossible = words
+            if words:
+                self.complain(words)
+        self._status_line.show_outcome(outcome)
+        self._accuracy.show_outcome(outcome)
+
+    def log_fault(self, outcome: Outcome) -> None:
+        """Write down a mistake of the studio."""
+        if outcome.error is not None and not isinstance(outcome.error, SkinSourceError):
+            _log.error("an evaluation failed", exc_info=outcome.error)
+
+    def _forget_outdated(self) -> None:
+        # Why there are no results, or none of an input, stays until there are some.
+        edited = self._document.design is not self._said_of
+        if edited and self._notice.text and self._notice.text != self._impossible:
+            self._notice.be_quiet()
+
+
+# What becomes of an installation of limbs: the page that started it may be closed by then.
+
+
+class Installations(QObject):
+    """Has the limbs looked for once they are installed, and says how it went.
+
+    Parameters
+    ----------
+    runner
+        Carries installations out; also the parent.
+    limbs, reports
+        Who looks, and who says it.
+    """
+
+    def __init__(self, runner: JobRunner, limbs: InstalledLimbs, reports: Reports) -> None:
+        super().__init__(runner)
+        self._limbs, self._reports = limbs, reports
+        self._known = limbs.names
+        limbs.changed.connect(self._note_changed)
+        runner.done.connect(self._note_done)
+        runner.failed.connect(self._note_failed)
+
+    def _note_changed(self) -> None:
+        """Say which limbs came or went, whoever installed or removed them."""
+        before, self._known = self._known, self._limbs.names
+        come = [_title(one) for one in self._known if one not in before]
+        gone = [_title(one) for one in before if one not in self._known]
+        words = []
+        if come:
+            words.append(f"{', '.join(come)}: installed, choose it under Limb above the panels")
+        if gone:
+            words.append(f"{', '.join(gone)}: no longer installed")
+        self._reports.report(". ".join(words))
+
+    def _note_done(self, job: Job[Any], result: object) -> None:
+        if job.title in INSTALLATIONS:
+            self._limbs.look()
+            note = f" Note: {result.note}." if isinstance(result, StoreInfo) and result.note else ""
+            self._reports.report(f"The measured limbs are installed.{note}")
+
+    def _note_failed(self, job: Job[Any], error: Exception) -> None:
+        if job.title in INSTALLATIONS:
+            mistake = f"The studio made a mistake: {type(error).__name__}: {error}"
+            self._reports.complain(str(error) if isinstance(error, SkinSourceError) else mistake)
+
+
+def _title(limb: str) -> str:
+    """What the window calls a limb."""
+    return next((word.title for word in LIMBS if word.name == limb), limb)
+
+
+# The long jobs of one window: cancelling them, and closing while they run.
+
+
+class RunningJobs(QObject):
+    """Cancels what runs, and asks before the window takes it along.
+
+    Parameters
+    ----------
+    runner
+        Carries the jobs out.
+    window
+        In front of which questions are asked; also the parent.
+    """
+
+    #: Whether there is something to cancel.
+    can_cancel = Signal(bool)
+
+    def __init__(self, runner: JobRunner, window: QWidget) -> None:
+        super().__init__(window)
+        self._runner, self._window = runner, window
+        self._ended = False
+        runner.changed.connect(self._tell)
+
+    def show_on(self, cancel: QAction) -> None:
+        """Let that action be chosen only while there is something to cancel."""
+        cancel.setEnabled(self._runner.current is not None)
+        self.can_cancel.connect(cancel.setEnabled)
+
+    def cancel(self) -> None:
+        """Stop the job that is being carried out; the next one begins."""
+        self._runner.cancel()
+
+    def may_close(self) -> bool:
+        """Whether the window may go: nothing is being done, or the user gives it up."""
+        titles = "; ".join(job.title for job in self._runner.unfinished)
+        if not titles or self._ended:
+            return True
+        question = f"Not finished yet: {titles}. Stop it and close? Nothing half done is left."
+        return agreed(self._window, "Something is running", question)
+
+    def end(self) -> None:
+        """Stop all for good; nothing unfinished is left."""
+        self._ended = True
+        if self._runner.busy:
+            # To clear away a gigabyte can take a second.
+            self._window.hide()
+        self._runner.close()
+
+    def _tell(self) -> None:
+        self.can_cancel.emit(self._runner.current is not None)

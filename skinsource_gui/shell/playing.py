@@ -1,0 +1,406 @@
+"""Esc Esc: whatever else Esc means where the keyboard is, twice in a row it stops what plays."""
+
+from functools import partial
+from pathlib import Path
+from time import monotonic
+from typing import TYPE_CHECKING, cast
+
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import (
+    QApplication,
+    QFileDialog,
+    QHBoxLayout,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from skinsource.actuators import measuring
+from skinsource.base.errors import SkinSourceError
+from skinsource.base.quoting import printable
+from skinsource.design.edits.edit import Refusal
+from skinsource.design.edits.setup import predict_through
+from skinsource.design.panel_settings import settings_of, with_settings
+from skinsource.engine import actuator_demand
+from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB, START_DB
+from skinsource.specs.numbers import NumberSpec
+from skinsource_gui import pages
+from skinsource_gui.fields.number_field import NumberField
+from skinsource_gui.fields.rig_field import RESPONSE_FILES
+from skinsource_gui.fields.units import minus
+from skinsource_gui.pages.actions import MatchingActions
+from skinsource_gui.qt.keys import shortcut_text
+from skinsource_gui.qt.labels import LevelMeter
+from skinsource_gui.qt.theme import play_icon, repeat_icon, stop_icon
+from skinsource_gui.qt.tooltips import tooltip
+from skinsource_gui.shell.notices import Reports
+from skinsource_gui.shell.status import PreparingNote
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.panel import MadePanels, Panel
+from skinsource_gui.state.playing import (
+    DECIMALS,
+    Pace,
+    Played,
+    Player,
+    SoundSettings,
+    SoundThread,
+    played_by,
+)
+from skinsource_gui.state.preferences import Preferences
+
+if TYPE_CHECKING:
+    from skinsource.actuators.measured_response import MeasuredResponse
+    from skinsource_gui.panels.playback.panel import PlaybackPanel
+
+
+_WITHIN_S = 0.6
+
+
+class EscapeTwice(QObject):
+    """Listens where the keyboard is, while it is asked to.
+
+    Parameters
+    ----------
+    window
+        Where it listens if no widget has the keyboard; also the parent.
+    """
+
+    #: Esc was pressed twice within 0.6 s.
+    pressed = Signal()
+
+    def __init__(self, window: QWidget) -> None:
+        super().__init__(window)
+        self._window = window
+        self._watched: QWidget | None = None
+        self._on = False
+        self._last_s = -_WITHIN_S
+
+    def watch(self, on: bool) -> None:
+        """Listen, or no longer."""
+        if on == self._on:
+            return
+        self._on, self._last_s = on, -_WITHIN_S
+        application = QApplication.instance()
+        if not isinstance(application, QApplication):
+            return
+        if on:
+            application.focusChanged.connect(self._follow)
+            self._take(QApplication.focusWidget())
+        else:
+            application.focusChanged.disconnect(self._follow)
+            self._forget()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        # Each press sends one of these, wherever it goes then.
+        if (
+            event.type() == QEvent.Type.ShortcutOverride
+            and isinstance(event, QKeyEvent)
+            and not event.isAutoRepeat()
+        ):
+            self._press(event.key() == Qt.Key.Key_Escape)
+        return super().eventFilter(watched, event)
+
+    def _press(self, escape: bool) -> None:
+        now_s = monotonic()
+        twice = escape and now_s - self._last_s <= _WITHIN_S
+        self._last_s = now_s if escape and not twice else -_WITHIN_S
+        if twice:
+            self.pressed.emit()
+
+    def _follow(self, _old: QWidget | None, new: QWidget | None) -> None:
+        self._take(new)
+
+    def _take(self, widget: QWidget | None) -> None:
+        self._forget()
+        self._watched = widget or self._window
+        self._watched.installEventFilter(self)
+        self._watched.destroyed.connect(self._lose)
+
+    def _forget(self) -> None:
+        if self._watched is not None:
+            self._watched.removeEventFilter(self)
+            self._watched.destroyed.disconnect(self._lose)
+            self._watched = None
+
+    def _lose(self) -> None:
+        self._watched = None
+
+
+# Opens the page on which a rig is described, and responses that were measured.
+
+# The panel that it is looked at in, and the longest title there.
+_PANEL, _LONGEST_TITLE = "actuator", 100
+
+
+class RigPages(QObject):
+    """Few describe a rig: the page is imported when it is first wanted.
+
+    Parameters
+    ----------
+    document
+        What can be predicted through a rig.
+    settings
+        What this machine plays for.
+    window
+        In front of which the page opens; also the parent.
+    """
+
+    #: Why a response was not opened.
+    failed = Signal(str)
+    #: What was opened, in words.
+    opened = Signal(str)
+
+    def __init__(self, document: Document, settings: SoundSettings, window: QWidget) -> None:
+        super().__init__(window)
+        self._document, self._settings, self._window = document, settings, window
+        self._thread = SoundThread(self)
+
+    def show(self) -> None:
+        """Open the page."""
+        pages.RigPage(self._document, self._settings, self._window).open()
+
+    def open_response(self) -> None:
+        """Ask for a response that was measured, and look at it in the actuator's panel."""
+        name, _ = QFileDialog.getOpenFileName(
+            self._window, "Response of the actuator", "", RESPONSE_FILES
+        )
+        if name:
+            path = Path(name)
+            self._thread.do(partial(measuring.open_response, path), partial(self._look_at, path))
+
+    def end(self) -> None:
+        """Open nothing more."""
+        self._thread.end(lambda: None)
+
+    def _look_at(
+        self, path: Path, found: "MeasuredResponse | None", error: SkinSourceError | None
+    ) -> None:
+        if found is None:
+            self.failed.emit(str(error))
+            return
+        design, view = self._document.design, self._document.view
+        before = settings_of(view, _PANEL, actuator_demand.ActuatorSettings)
+        after = before.with_measured(found, path.stem[:_LONGEST_TITLE])
+        view = with_settings(view, _PANEL, after)
+        through = design.actuated
+        if through is None or through != actuator_demand.actuation_of(
+            actuator_demand.settings_through(before, through)
+        ):
+            self._document.look(view)
+        else:
+            # What is predicted goes with what the panel shows.
+            outcome = predict_through(design, view, actuator_demand.actuation_of(after))
+            if isinstance(outcome, Refusal):
+                self.failed.emit(outcome.sentence)
+                return
+            self._document.apply(outcome)
+        self.opened.emit(f"Opened {printable(path.name)}.")
+
+
+# Play, repeat and gain, in the bar above the panels.
+
+GAIN = NumberSpec(
+    label="Gain",
+    unit="dB",
+    minimum=LOWEST_DB,
+    maximum=HIGHEST_DB,
+    step=1.0,
+    hint="How loud it is played: at 0 dB an amplitude of 1 is full scale of the device. Starts "
+    f"at {START_DB:g} dB, and where a sample would pass full scale playing stops",
+)
+_WIDEST = minus(f"{LOWEST_DB:.{DECIMALS}f}")
+_METER_PX = 3
+_PLAY = "Play or stop", "Without a device the playhead runs in silence."
+_REPEAT = (
+    "Repeat",
+    "Play the whole design again and again; a loop on the ruler is repeated in any case.",
+)
+
+
+class Transport(QWidget):
+    """Shows what is played, and asks for it."""
+
+    play_wanted = Signal()
+    repeat_wanted = Signal()
+    #: The gain that is wanted, dB.
+    gain_wanted = Signal(float)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("transport")
+        self._played = Played()
+        self.play = self._button("play_button", "play", *_PLAY)
+        self.play.clicked.connect(self.play_wanted)
+        self.repeat = self._button("repeat_button", "repeat", *_REPEAT)
+        self.repeat.setCheckable(True)
+        self.repeat.clicked.connect(self.repeat_wanted)
+        self.gain = NumberField(GAIN, widest_unit=GAIN.unit, widest_number=_WIDEST)
+        self.gain.setObjectName("gain_field")
+        self.gain.set_value(START_DB)
+        self.gain.edited.connect(self._want_gain)
+        self.meter = LevelMeter()
+        self.meter.setFixedHeight(_METER_PX)
+        column = QVBoxLayout()
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.gain)
+        column.addWidget(self.meter)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(0)
+        row.addWidget(self.play)
+        row.addWidget(self.repeat)
+        row.addLayout(column)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self._show_icons()
+
+    def show_played(self, played: Played) -> None:
+        """Take over what is played, and how loud."""
+        if played.playing != self._played.playing:
+            self._played = played
+            self._show_icons()
+        self._played = played
+        self.repeat.setChecked(played.loops)
+        self.gain.set_value(played.gain_db)
+        rms_db, peak_db = -200.0, -200.0
+        if played.levels is not None:
+            rms_db, peak_db = float(played.levels.rms_db.max()), float(played.levels.peak_db.max())
+        self.meter.show_level(rms_db, peak_db)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._show_icons()
+
+    def _show_icons(self) -> None:
+        playing = self._played.playing
+        self.play.setIcon((stop_icon if playing else play_icon)())
+        self.play.setAccessibleName("Stop" if playing else "Play")
+        self.repeat.setIcon(repeat_icon())
+
+    def _button(self, name: str, action: str, title: str, hint: str) -> QToolButton:
+        button = QToolButton(self)
+        button.setObjectName(name)
+        button.setIconSize(QSize(16, 16))
+        title = f"{title} ({shortcut_text(action)})"
+        button.setToolTip(tooltip(title, hint))
+        button.setAccessibleName(title)
+        return button
+
+    def _want_gain(self, gain_db: float, _gesture: int | None) -> None:
+        self.gain_wanted.emit(gain_db)
+
+
+# Brings what is played to those who show it, and what they want to the player.
+
+_PLAYBACK_PANEL = "playback"
+# How often levels are shown.
+_STEP_MS = 50
+
+
+class Playback(QObject):
+    """The player of one window, its bar and its panel; costs nothing while nothing is played.
+
+    Parameters
+    ----------
+    document
+        What is played.
+    preferences
+        Where it is kept what this machine plays on.
+    window
+        The parent.
+
+    Attributes
+    ----------
+    player, pace, bar, note, matching
+        Who plays; how fast; what asks for it above the panels; what says that it is prepared; who
+        opens the matching page.
+    """
+
+    def __init__(self, document: Document, preferences: Preferences, window: QWidget) -> None:
+        super().__init__(window)
+        self._document = document
+        self.player = Player(document, preferences, self)
+        self.pace = Pace(document, self.player, self)
+        self.bar, self.note = Transport(window), PreparingNote(window)
+        self.matching = MatchingActions(document, preferences, self.player, window)
+        self.rigs = RigPages(document, self.player.settings, window)
+        self._panel: PlaybackPanel | None = None
+        self._timer = QTimer(self, interval=_STEP_MS)
+        self._timer.timeout.connect(self._show)
+        self._escape = EscapeTwice(window)
+        self._escape.pressed.connect(self.player.stop_at_once)
+
+    def capabilities(self) -> dict[str, QObject]:
+        """Who carries out its actions, by the names that their table has for them."""
+        return {
+            "player": self.player,
+            "gain": self.player.gain,
+            "pace": self.pace,
+            "matching": self.matching,
+            "rigs": self.rigs,
+        }
+
+    def end(self) -> None:
+        """Stop for good, and let go of the device."""
+        self.matching.end()
+        self.rigs.end()
+        self.player.end()
+
+    def connect_to(self, panels: MadePanels, reports: Reports) -> None:
+        """Show it in its panel, while that is visible, and say in ``reports`` what goes wrong."""
+        player, bar = self.player, self.bar
+        bar.play_wanted.connect(player.play_or_stop)
+        bar.repeat_wanted.connect(player.toggle_loop)
+        bar.gain_wanted.connect(player.gain.put)
+        self.note.cancel_wanted.connect(player.stop)
+        player.changed.connect(self._follow)
+        player.failed.connect(reports.complain)
+        self.rigs.failed.connect(reports.complain)
+        # What went wrong with the file before is over.
+        self.rigs.opened.connect(reports.report)
+        player.told.connect(reports.explain)
+        panels.each(self._meet)
+        self._document.changed.connect(self._show_places)
+        self._follow()
+
+    def _meet(self, panel: Panel) -> None:
+        if panel.name != _PLAYBACK_PANEL:
+            return
+        player = self.player
+        self._panel = panel = cast("PlaybackPanel", panel)
+        panel.output_wanted.connect(player.settings.choose)
+        panel.devices_wanted.connect(player.settings.look)
+        panel.rig_wanted.connect(player.settings.choose_rig)
+        panel.tone_wanted.connect(player.play_tone)
+        panel.visibility_changed.connect(self._look)
+
+    def _follow(self) -> None:
+        playing = self.player.playing
+        self.note.show_preparing(self.player.preparing)
+        self._escape.watch(playing)
+        if playing and not self._timer.isActive():
+            self._timer.start()
+        elif not playing:
+            self._timer.stop()
+        self._show()
+
+    def _show(self) -> None:
+        played = played_by(self.player, self._document.design)
+        self.bar.show_played(played)
+        if self._panel is not None and self._panel.isVisible():
+            self._panel.show_played(played)
+
+    def _show_places(self) -> None:
+        if self._panel is not None and self._panel.isVisible():
+            self._show()
+
+    def _look(self) -> None:
+        """Find out what there is, when somebody first wants to know."""
+        if self._panel is not None and self._panel.isVisible():
+            self.player.settings.look_for_rig()
+            self._show()
+            if not self.player.settings.looked and not self.player.playing:
+                self.player.settings.look()

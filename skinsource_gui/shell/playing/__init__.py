@@ -1,1 +1,0 @@
-"""Playing in the window: the bar, Esc Esc, and who is told."""

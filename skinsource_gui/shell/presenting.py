@@ -1,0 +1,601 @@
+"""Colours of levels that are chosen in front of an audience: they stay through the show."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import (
+    QAction,
+    QCloseEvent,
+    QFont,
+    QGuiApplication,
+    QKeyEvent,
+    QKeySequence,
+    QShortcut,
+)
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QApplication,
+    QComboBox,
+    QLabel,
+    QLineEdit,
+    QMainWindow,
+    QPlainTextEdit,
+    QTextBrowser,
+    QTextEdit,
+    QToolBar,
+    QVBoxLayout,
+    QWidget,
+)
+from shiboken6 import isValid
+
+from skinsource.base.errors import SkinSourceError
+from skinsource.design.design import Design
+from skinsource.design.design_file import SUFFIX, open_design
+from skinsource.design.view import View
+from skinsource.studies import scenes
+from skinsource_gui.pages.files.file_actions import FileActions
+from skinsource_gui.plots.small_map import in_colours, level_look
+from skinsource_gui.qt.keys import KEYS, key_text, meaning_of, shortcut_text
+from skinsource_gui.qt.theme import UNIT_PX
+from skinsource_gui.shell.arrangement_spec import PRESENTATION
+from skinsource_gui.shell.dock_layout import Arrangements, DockLayout
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.panel import MadePanels
+from skinsource_gui.state.preferences import Preferences
+
+
+class ChosenColours:
+    """Tells what was chosen in the window from what a file or a scene brought.
+
+    Parameters
+    ----------
+    view
+        What is open.
+    """
+
+    def __init__(self, view: View) -> None:
+        self._opened, self._chosen = level_look(view).colours, ""
+
+    def forget(self, view: View) -> None:
+        """Something else was opened, by hand: another show begins."""
+        self._opened, self._chosen = level_look(view).colours, ""
+
+    def on(self, view: View, left: View, *, of_file: bool) -> View:
+        """The next view in the colours of this show, unless it has some itself.
+
+        ``left`` is what is left for it.  Scenes of the paper have none: they take those of
+        whatever was open.  ``of_file``: colours that another file brought go with that.
+        """
+        now = level_look(left).colours
+        if now != self._opened:
+            self._chosen = now
+        colours = self._chosen if of_file else now
+        shown = in_colours(view, colours) if colours else view
+        self._opened = level_look(shown).colours
+        return shown
+
+
+# What the speaker reads, on a window of its own for another screen.
+
+_LARGE = 1.6
+_SIZE = 560, 420
+
+
+class NotesWindow(QWidget):
+    """Title, notes, and what comes next.
+
+    Parameters
+    ----------
+    window
+        What is presented in: keys pressed here are meant for it.
+    """
+
+    #: It was closed by hand.
+    closed = Signal()
+
+    def __init__(self, window: QWidget) -> None:
+        super().__init__(window, Qt.WindowType.Window)
+        self.setObjectName("notes_window")
+        self.setWindowTitle("Notes – SkinSource studio")
+        self.heading, self.next = QLabel(self), QLabel(self)
+        self.notes = QTextBrowser(self)
+        self.notes.setOpenExternalLinks(True)
+        large = QFont(self.font())
+        large.setPointSizeF(self.font().pointSizeF() * _LARGE)
+        for part in (self.heading, self.notes, self.next):
+            part.setFont(large)
+        self.heading.setWordWrap(True)
+        self.next.setWordWrap(True)
+        bold = QFont(large)
+        bold.setBold(True)
+        self.heading.setFont(bold)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(2 * UNIT_PX, 2 * UNIT_PX, 2 * UNIT_PX, 2 * UNIT_PX)
+        column.addWidget(self.heading)
+        column.addWidget(self.notes, 1)
+        column.addWidget(self.next)
+        self.resize(*_SIZE)
+
+    def show_scene(self, heading: str, notes: str, following: str) -> None:
+        """Show what belongs to a scene, and the title of the one after it."""
+        self.heading.setText(heading)
+        self.notes.setPlainText(notes or "No notes: a design carries them, see its properties.")
+        self.next.setText(f"Next: {following}" if following else "This is the last one.")
+
+    def show_beside(self, window: QWidget) -> None:
+        """Show it on another screen than ``window``, where there is one."""
+        others = [one for one in QGuiApplication.screens() if one is not window.screen()]
+        if others:
+            self.move(others[0].availableGeometry().center() - self.rect().center())
+        self.show()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        super().closeEvent(event)
+        self.closed.emit()
+
+
+# Keys that mean the same while somebody presents, whatever has the keyboard.
+
+_ASKED, _PRESSED = QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress
+# Where the keyboard may be by chance, as where a field went that was turned: the key of Play plays.
+_PUSHED = (QAbstractButton, QComboBox, QAbstractItemView)
+# They know by themselves whether Esc gives up what is typed.
+_TEXTS = (QLineEdit, QPlainTextEdit, QTextEdit)
+
+
+class PresentingKeys(QObject):
+    """Takes keys from who has the keyboard, as long as it lives.
+
+    Clickers send Page Down and Page Up: plots go through time with them and numbers take large
+    steps; a shortcut of the window would come after those.  The key of Play plays, also on a list,
+    and Esc leaves, also on a map whose outputs it would unselect: here too shortcuts of the window
+    come after.  What is typed or dragged has both first.
+
+    Parameters
+    ----------
+    following, previous
+        What is done on Page Down, and on Page Up.
+    play
+        What is done by its shortcut, where no shortcut of the window is asked.
+    leave
+        What is done on Esc, where no shortcut of the window is asked.
+    parent
+        Its owner.
+    """
+
+    def __init__(
+        self,
+        following: Callable[[], None],
+        previous: Callable[[], None],
+        play: QAction,
+        leave: Callable[[], None],
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._play = play
+        self._doing = {
+            "next": following,
+            "previous": previous,
+            "play": play.trigger,
+            "leave": leave,
+        }
+        self._watched: QWidget | None = None
+        # One widget at a time: a filter on all widgets would see each event of the studio.
+        application = QApplication.instance()
+        if isinstance(application, QApplication):
+            application.focusChanged.connect(self._watch)
+        self._watch(None, QApplication.focusWidget())
+
+    def end(self) -> None:
+        """Leave the keys to who has the keyboard."""
+        application = QApplication.instance()
+        if isinstance(application, QApplication):
+            application.focusChanged.disconnect(self._watch)
+        self._watch(None, None)
+        self.deleteLater()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() not in (_ASKED, _PRESSED) or not isinstance(event, QKeyEvent):
+            return super().eventFilter(watched, event)
+        plays = QKeySequence(event.keyCombination()) in self._play.shortcuts()
+        meaning = "play" if plays else meaning_of("presenting", event)
+        do = self._doing.get(meaning)
+        elsewhere = QApplication.activeModalWidget() or QApplication.activePopupWidget()
+        if do is None or elsewhere or not _is_taken(watched, meaning):
+            return super().eventFilter(watched, event)
+        if event.type() == _PRESSED:
+            do()
+        elif meaning in ("play", "leave"):
+            # Who listens for Esc Esc hears of it, and a shortcut of the window that is free.
+            return super().eventFilter(watched, event)
+        event.accept()
+        return True
+
+    def _watch(self, _old: QWidget | None, new: QWidget | None) -> None:
+        if self._watched is not None:
+            self._watched.removeEventFilter(self)
+            self._watched.destroyed.disconnect(self._forget)
+        self._watched = new
+        if new is not None:
+            new.installEventFilter(self)
+            new.destroyed.connect(self._forget)
+
+    def _forget(self) -> None:
+        self._watched = None
+
+
+def unless_dragging(do: Callable[[], None]) -> Callable[[], None]:
+    """Do it unless a button of the mouse is down: Esc is meant for what is dragged."""
+
+    def act() -> None:
+        if not QApplication.mouseButtons():
+            do()
+
+    return act
+
+
+def _is_taken(watched: QObject, meaning: str) -> bool:
+    """Whether a key is not for who has the keyboard."""
+    if meaning == "play":
+        return isinstance(watched, _PUSHED)
+    if meaning == "leave":
+        return not isinstance(watched, _TEXTS) and not QApplication.mouseButtons()
+    return True
+
+
+# The scenes that are stepped through: designs of a folder, or those of the paper.
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Shown:
+    """A scene once it is opened.
+
+    Attributes
+    ----------
+    design, view
+        What the window shows.
+    arrangement, panels
+        Arrangement of the window that shows it, and the panels that are brought in sight there;
+        empty: the window stays as it is.
+    of_file
+        Whether it was saved: then it has colours that it was saved with, or that were chosen in
+        this show, but none of the file before.
+    """
+
+    design: Design
+    view: View
+    arrangement: str = ""
+    panels: tuple[str, ...] = ()
+    of_file: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Step:
+    """One scene of a list.
+
+    Attributes
+    ----------
+    title
+        What it is called.
+    open
+        Opens it; may raise a `SkinSourceError`.
+    """
+
+    title: str
+    open: Callable[[], Shown]
+
+
+def steps_of_folder(folder: Path) -> tuple[Step, ...]:
+    """The designs of a folder, by name; numbers in front of names put them in order."""
+    try:
+        paths = sorted(path for path in folder.iterdir() if path.suffix == SUFFIX)
+    except OSError:
+        return ()
+    return tuple(Step(title=path.stem, open=partial(_of_file, path)) for path in paths)
+
+
+def steps_of_paper() -> tuple[Step, ...]:
+    """The scenes that are shipped, in the order of the figures."""
+    return tuple(
+        Step(title=one.heading, open=partial(_of_paper, one.name)) for one in scenes.all_scenes()
+    )
+
+
+def _of_file(path: Path) -> Shown:
+    content = open_design(path)
+    return Shown(design=content.design, view=content.view, of_file=True)
+
+
+def _of_paper(name: str) -> Shown:
+    opened = scenes.open_scene(name)
+    known = opened.scene
+    return Shown(
+        design=opened.design,
+        view=opened.view,
+        arrangement=known.arrangement,
+        panels=known.panels,
+    )
+
+
+# A scene as it was when it was presented, to tell whether it was changed meanwhile.
+
+
+@dataclass(frozen=True, slots=True)
+class WholeScene:
+    """A design, and those of the snapshots beside it by their numbers: levels match by themselves.
+
+    Attributes
+    ----------
+    design, snapshots
+        As they were.
+    title
+        What scene or file is called.
+    """
+
+    design: Design
+    snapshots: dict[int, Design]
+    title: str
+
+    @classmethod
+    def of(cls, document: Document) -> "WholeScene":
+        """What is open now."""
+        snapshots = {one.number: one.design for one in document.view.snapshots}
+        file = "" if document.path is None else document.path.stem
+        return cls(document.design, snapshots, document.scene or file)
+
+    def left(self, document: Document) -> str:
+        """What is said as it is left, if it has changes that no file holds."""
+        if not document.modified or self == WholeScene.of(document):
+            return ""
+        return f"; changes to {self.title.partition(' · ')[0]} are not kept"
+
+
+# Presenting: the window without its bars, scenes by one key, maps that can be covered.
+
+
+class Presenter(QObject):
+    """Takes the bars away, and steps through scenes.
+
+    Parameters
+    ----------
+    window
+        What is presented in; also the parent.
+    document
+        What scenes are opened into.
+    panels
+        Cover the maps that they draw.
+    preferences
+        Say how the panels stand.
+    files
+        Ask what becomes of the present design.
+    arrangements, layout
+        Where the panels stand.
+    actions
+        What has a key, once it is known.
+
+    Attributes
+    ----------
+    presenting
+        Whether the bars are away.
+    covered
+        Whether the maps are, in all panels.
+    """
+
+    #: What shall be said: of a scene, or how to leave.
+    done = Signal(str)
+    #: Why a scene does not open.
+    failed = Signal(str)
+    #: Whether somebody presents: as the bars go, and once they are back.
+    presenting_changed = Signal(bool)
+
+    def __init__(
+        self,
+        window: QMainWindow,
+        document: Document,
+        panels: MadePanels,
+        preferences: Preferences,
+        files: FileActions,
+        arrangements: Arrangements,
+        layout: DockLayout,
+        actions: Callable[[], Mapping[str, QAction]],
+    ) -> None:
+        super().__init__(window)
+        self._window, self._document, self._preferences = window, document, preferences
+        self._files, self._actions = files, actions
+        self._arrangements, self._layout = arrangements, layout
+        self.presenting = self.covered = False
+        self._made = panels
+        panels.each(lambda panel: panel.show_covered(self.covered))
+        self._before, self._size = b"", window.size()
+        self._focused: QWidget | None = None
+        self._arranged = ""
+        self._steps: tuple[Step, ...] = ()
+        self._at = -1
+        self._panels: tuple[str, ...] = ()
+        # The scene that is open, as it was when it was presented: what is turned in it meanwhile is
+        # not kept.  None: there is work in it that is asked about.
+        self._whole: WholeScene | None = None
+        self._opening = False
+        self._colours = ChosenColours(document.view)
+        self._notes: NotesWindow | None = None
+        self._keys: list[QShortcut] = []
+        self._taken: PresentingKeys | None = None
+        document.jumped.connect(self._look)
+
+    def toggle(self) -> None:
+        """Begin to present, or end."""
+        (self.end if self.presenting else self.begin)()
+
+    def begin(self) -> None:
+        """Take the bars away, and arrange the panels for people further off."""
+        window = self._window
+        self.presenting = True
+        is_scene = self._at >= 0 or self._document.path is not None
+        whole = is_scene and not self._document.modified
+        self._whole = WholeScene.of(self._document) if whole else None
+        self._layout.hold()
+        self._before, self._arranged = self._layout.own(), self._preferences.arrangement
+        self._size, self._focused = window.size(), window.focusWidget()
+        self.presenting_changed.emit(True)
+        for bar in self._bars():
+            bar.hide()
+        self._layout.show_scene(PRESENTATION, self._panels)
+        # Keys of menus that are away would be dead.
+        window.addActions(list(self._actions().values()))
+        window.setWindowState(window.windowState() | Qt.WindowState.WindowFullScreen)
+        for keyboard in (window, self._notes):
+            if keyboard is not None:
+                self._listen(keyboard)
+        steps = self.next_scene, self.previous_scene
+        self._taken = PresentingKeys(*steps, self._actions()["play"], self.end, self)
+        following = KEYS["presenting"].gestures["next"].shown
+        cover = key_text("presenting", "cover")
+        leave = f"{shortcut_text('present')} or {key_text('presenting', 'leave')}"
+        self.done.emit(f"{following}: next scene · {cover}: cover the maps · {leave}: leave")
+
+    def end(self) -> None:
+        """Bring back bars, panels where they stood, with those of the scene, and the map."""
+        window = self._window
+        self.presenting, self._whole = False, None
+        self._layout.release()
+        for action in self._actions().values():
+            window.removeAction(action)
+        for key in self._keys:
+            key.setEnabled(False)
+            key.deleteLater()
+        self._keys.clear()
+        if self._taken is not None:
+            self._taken.end()
+            self._taken = None
+        window.setWindowState(window.windowState() & ~Qt.WindowState.WindowFullScreen)
+        # What was told meanwhile would lie over what the line says.
+        window.statusBar().clearMessage()
+        for bar in self._bars():
+            bar.show()
+        self.presenting_changed.emit(False)
+        self._arrangements.show(self._arranged)
+        for panel in self._panels:
+            self._arrangements.bring(panel)
+        # Widths of columns are put back into a window as wide as it was, once it is.
+        window.installEventFilter(self)
+        self._put_back()
+        if self._focused is not None and isValid(self._focused):
+            self._focused.setFocus()
+        if self.covered:
+            self.cover()
+        if self._notes is not None:
+            self._notes.close()
+
+    def cover(self) -> None:
+        """Cover the maps, so that people guess first; or reveal them."""
+        self.covered = not self.covered
+        for panel in self._made:
+            panel.show_covered(self.covered)
+
+    def next_scene(self) -> None:
+        """Go to the next scene."""
+        self._go(1)
+
+    def previous_scene(self) -> None:
+        """Go to the scene before."""
+        self._go(-1)
+
+    def note_scene(self, name: str) -> None:
+        """A scene of the paper was opened elsewhere: the next one comes after it."""
+        self._steps = steps_of_paper()
+        self._at = [one.name for one in scenes.all_scenes()].index(name)
+        self._panels = scenes.scene(name).panels
+
+    def show_notes(self) -> None:
+        """Show what the speaker reads, on another screen where there is one."""
+        if self._notes is None:
+            self._notes = NotesWindow(self._window)
+            self._notes.addAction(self._actions()["present"])
+            if self.presenting:
+                self._listen(self._notes)
+        self._show_notes()
+        self._notes.show_beside(self._window)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize:
+            self._put_back()
+        return super().eventFilter(watched, event)
+
+    def _put_back(self) -> None:
+        if self.presenting:
+            self._window.removeEventFilter(self)
+        elif self._window.size() == self._size:
+            self._window.removeEventFilter(self)
+            self._layout.put(self._before)
+            self._layout.settling.refit()
+
+    def _bars(self) -> list[QWidget]:
+        window = self._window
+        return [window.menuBar(), window.statusBar(), *window.findChildren(QToolBar, "setup")]
+
+    def _listen(self, widget: QWidget) -> None:
+        doing: dict[str, Callable[[], None]] = {
+            "next": self.next_scene,
+            "previous": self.previous_scene,
+            "cover": self.cover,
+            "leave": unless_dragging(self.end),
+        }
+        for name, do in doing.items():
+            for text in KEYS["presenting"].gestures[name].keys:
+                key = QShortcut(QKeySequence(text), widget)
+                key.activated.connect(do)
+                self._keys.append(key)
+
+    def _go(self, by: int) -> None:
+        if not self._steps:
+            path = self._document.path
+            self._steps = (() if path is None else steps_of_folder(path.parent)) or steps_of_paper()
+            titles = [one.title for one in self._steps]
+            here = "" if path is None else path.stem
+            self._at = titles.index(here) if here in titles else -1
+        wanted = self._at + by
+        if not 0 <= wanted < len(self._steps):
+            self.done.emit("This is the last scene" if by > 0 else "This is the first scene")
+            return
+        # Nobody is asked, in front of an audience, for what will not be.
+        if self._whole is not None or self._files.may_lose_changes():
+            self._open(wanted)
+
+    def _open(self, number: int) -> None:
+        step = self._steps[number]
+        try:
+            shown = step.open()
+        except SkinSourceError as error:
+            self.failed.emit(str(error))
+            return
+        left = "" if self._whole is None else self._whole.left(self._document)
+        self._at, self._opening = number, True
+        # What was chosen in front of an audience stays, unless a file says something else.
+        view = self._colours.on(shown.view, self._document.view, of_file=shown.of_file)
+        self._document.start_over(shown.design, view, None, scene=step.title)
+        self._files.leave_file()
+        self._opening, self._panels = False, shown.panels
+        self._whole = WholeScene.of(self._document) if self.presenting else None
+        if shown.arrangement:
+            self._layout.show_scene(shown.arrangement, shown.panels)
+        self.done.emit(f"Scene {number + 1} of {len(self._steps)}: {step.title}{left}")
+        self._show_notes()
+
+    def _look(self) -> None:
+        # With another design the history is empty; with a step of it, it is not.
+        if not self._opening and self._document.undo_stack.count() == 0:
+            self._whole, self._steps, self._at, self._panels = None, (), -1, ()
+            self._colours.forget(self._document.view)
+
+    def _show_notes(self) -> None:
+        if self._notes is None:
+            return
+        design, following = self._document.design, self._at + 1
+        titles = [one.title for one in self._steps]
+        heading = titles[self._at] if 0 <= self._at < len(titles) else design.title or "Notes"
+        after = titles[following] if 0 < following < len(titles) else ""
+        self._notes.show_scene(heading, design.notes, after)

@@ -1,1 +1,0 @@
-"""Presenting: one scene after another, in front of people."""

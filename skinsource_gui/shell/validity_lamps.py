@@ -1,0 +1,439 @@
+"""Lamps in a row, and which of them have words where there is more or less room."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import islice
+from typing import Any
+
+from PySide6.QtCore import QEvent, QObject, QPoint, QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontMetrics,
+    QHelpEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+)
+from PySide6.QtWidgets import (
+    QFrame,
+    QGridLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QStatusBar,
+    QToolTip,
+    QWidget,
+)
+
+from skinsource.design import edits
+from skinsource.perception.validity import Finding, Findings
+from skinsource_gui.qt.frames import paint_focus_frame
+from skinsource_gui.qt.overlays import Lateness
+from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, scaled, set_tone
+from skinsource_gui.state.document import Document
+from skinsource_gui.state.engine import (
+    FIRST_SLOT,
+    Engine,
+    Outcome,
+    Purpose,
+    Request,
+    sources_shown,
+    too_large,
+)
+from skinsource_gui.state.panel import MadePanels
+
+#: What lamps are called; the limb has words of its own beside them.
+NAMES = {
+    "inputs": "inputs",
+    "band": "band",
+    "drive": "drive",
+    "spacing": "spacing",
+    "noise": "SNR",
+    "scaling": "scaling",
+}
+# Whose lamps have words, where there is less and less room: of the last one only the worst.
+_SAID = (("left", "unknown", "kept"), ("left", "unknown"), ("left",), ())
+_WORST = ("left", "unknown")
+_DOT_PX, _MARGIN_PX = 8.0, UNIT_PX // 2
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class LampRow:
+    """A dot for each condition, and its name where there is room; that of the worst one always.
+
+    Attributes
+    ----------
+    findings
+        What was found; those that have a name here have a lamp.
+    metrics
+        Of the names.
+    """
+
+    findings: Findings
+    metrics: QFontMetrics
+
+    @property
+    def lamps(self) -> tuple[Finding, ...]:
+        """What has a lamp, in their order."""
+        return tuple(one for one in self.findings if one.name in NAMES)
+
+    @property
+    def whole_px(self) -> int:
+        """Width in which all have words."""
+        return self._width(self._said(0))
+
+    @property
+    def least_px(self) -> int:
+        """Width in which the worst one alone has words."""
+        return self._width(self._said(-1))
+
+    def places(self, room: QRectF) -> list[tuple[Finding, QRectF]]:
+        """Where each lamp stands, with its words if there is room for them."""
+        rows = [self._said(k) for k in range(len(_SAID))]
+        words = next((one for one in rows if self._width(one) <= room.width()), rows[-1])
+        found, x = [], room.left() + _MARGIN_PX
+        for one in self.lamps:
+            wide = self._lamp_width(one, words)
+            found.append((one, QRectF(x, room.top(), wide, room.height())))
+            x += wide + UNIT_PX
+        return found
+
+    def at(self, x_px: float, room: QRectF) -> Finding | None:
+        """The lamp that is meant there."""
+        near = (
+            (abs(place.center().x() - x_px) - place.width() / 2, one.name, one)
+            for one, place in self.places(room)
+        )
+        best = min(near, default=None)
+        return None if best is None or best[0] > UNIT_PX else best[2]
+
+    def _said(self, row: int) -> frozenset[str]:
+        """Names of the lamps that have words in a row of the table, the worst one among them."""
+        lamps = self.lamps
+        said = {one.name for one in lamps if one.state in _SAID[row]}
+        worst = (one.name for state in _WORST for one in lamps if one.state == state)
+        return frozenset(said | set(islice(worst, 1)))
+
+    def _lamp_width(self, one: Finding, words: frozenset[str]) -> float:
+        if one.name not in words:
+            return _DOT_PX
+        return _DOT_PX + 4 + self.metrics.horizontalAdvance(NAMES[one.name])
+
+    def _width(self, words: frozenset[str]) -> int:
+        lamps = self.lamps
+        if not lamps:
+            return 0
+        wide = sum(self._lamp_width(one, words) for one in lamps)
+        return round(wide + UNIT_PX * (len(lamps) - 1) + 2 * _MARGIN_PX)
+
+
+def paint_lamp(painter: QPainter, finding: Finding, place: QRectF, theme: Theme) -> None:
+    """Draw a lamp, and its name where its place is wide enough.
+
+    Amber: left; a ring: nothing is known; a dim dot: kept.
+    """
+    dot = QRectF(place.left(), place.center().y() - _DOT_PX / 2, _DOT_PX, _DOT_PX)
+    if finding.state == "left":
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(theme.warning))
+    elif finding.state == "unknown":
+        painter.setPen(QPen(QColor(theme.dim), 1.2))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+    else:
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(theme.border))
+    painter.drawEllipse(dot.adjusted(0.5, 0.5, -0.5, -0.5))
+    if place.width() > _DOT_PX + 1:
+        painter.setPen(QColor(theme.warning if finding.state == "left" else theme.dim))
+        words = place.adjusted(_DOT_PX + 3, 0, 0, 0)
+        painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, NAMES[finding.name])
+
+
+# Lamps in the status bar: conditions of the measurement, and whether the design keeps them.
+
+STATES = {"kept": "kept", "left": "caution", "unknown": "unknown"}
+_OLDER = "updating: of an older design"
+_NAME = "Validity of the prediction"
+_TEXT, _PALE = 0.92, 0.45
+
+
+class ValidityLamps(QWidget):
+    """Shows a `LampRow`, tells which lamp is meant, and says what is of an older design."""
+
+    #: The name of a lamp was chosen, and where its explanation shall stand, on the screen.
+    chosen = Signal(str, QPoint)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("validity_lamps")
+        self.setAccessibleName(_NAME)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+        self.setCursor(Qt.CursorShape.PointingHandCursor)
+        self.findings: Findings = ()
+        self._lateness = Lateness(self)
+        self._lateness.changed.connect(self._follow_lateness)
+
+    @property
+    def words_font(self) -> QFont:
+        """Of the names, as large as letters are now."""
+        return scaled(self.font(), _TEXT)
+
+    @property
+    def row(self) -> LampRow:
+        """What was found, in letters of the present size."""
+        return LampRow(findings=self.findings, metrics=QFontMetrics(self.words_font))
+
+    @property
+    def places(self) -> list[tuple[Finding, QRectF]]:
+        """Where each lamp stands."""
+        return self.row.places(QRectF(self.rect()))
+
+    def show_findings(self, findings: Findings) -> None:
+        """Take over what was found."""
+        self._lateness.set_stale(False)
+        if findings != self.findings:
+            self.findings = findings
+            self._describe()
+            lit = sum(one.state == "left" for one in self.row.lamps)
+            self.setAccessibleName(f"{_NAME}: {lit or 'no'} caution{'' if lit == 1 else 's'}")
+            self.updateGeometry()
+        self.update()
+
+    def set_stale(self, stale: bool) -> None:
+        """Say whether what was found belongs to an older design; told after a while."""
+        self._lateness.set_stale(stale)
+
+    def _follow_lateness(self) -> None:
+        self._describe()
+        self.update()
+
+    def _describe(self) -> None:
+        said = [f"{NAMES[one.name]}: {STATES[one.state]}" for one in self.row.lamps]
+        self.setAccessibleDescription("; ".join([_OLDER] * self._lateness.late + said))
+
+    def sizeHint(self) -> QSize:
+        return self._size(self.row.whole_px)
+
+    def minimumSizeHint(self) -> QSize:
+        return self._size(self.row.least_px)
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
+            found = self.row.at(event.pos().x(), QRectF(self.rect()))
+            words = "" if found is None else _words_of(found, late=self._lateness.late)
+            QToolTip.showText(event.globalPos(), words, self)
+            return True
+        return super().event(event)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        found = self.row.at(event.position().x(), QRectF(self.rect()))
+        if event.button() == Qt.MouseButton.LeftButton and found is not None:
+            self._choose(found)
+        else:
+            super().mousePressEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        keys = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space)
+        if event.key() in keys and (lamps := self.row.lamps):
+            lit = (one for one in lamps if one.state == "left")
+            self._choose(next(lit, lamps[0]))
+        else:
+            super().keyPressEvent(event)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setFont(self.words_font)
+        painter.setOpacity(_PALE if self._lateness.late else 1.0)
+        for finding, place in self.places:
+            paint_lamp(painter, finding, place, current_theme())
+        if self.hasFocus():
+            paint_focus_frame(painter, QRectF(self.rect()), current_theme())
+        painter.end()
+
+    def _size(self, width_px: int) -> QSize:
+        return QSize(width_px, QFontMetrics(self.words_font).height() + 2)
+
+    def _choose(self, finding: Finding) -> None:
+        self.chosen.emit(finding.name, self.mapToGlobal(QPoint(0, 0)))
+
+
+def _words_of(finding: Finding, *, late: bool = False) -> str:
+    name = NAMES[finding.name]
+    head = f"{name[:1].upper()}{name[1:]}: {STATES[finding.state]}"
+    head = f"{head} · {_OLDER}" if late else head
+    return f"{head}\n{finding.sentence}\nClick to see what can be done."
+
+
+# What is said of each condition, and a button where something can be done.
+
+_TITLES = {
+    "inputs": "Inputs",
+    "band": "Measured band",
+    "drive": "Velocity of the probe",
+    "spacing": "Spacing of the outputs",
+    "noise": "Signal to noise",
+    "limb": "Limb",
+    "scaling": "Scaling",
+}
+_MENDS = {
+    "band_limit": "Limit to the band",
+    "quieter": "Play within it",
+    "probe_scaling": "Use probe scaling",
+    "deselect": "Deselect them",
+}
+_WORDS_EM = 28
+
+
+class ValidityCard(QFrame):
+    """A card over the status bar; it goes at the next click elsewhere, or with Esc."""
+
+    #: The `Finding` that shall be mended.
+    mend_wanted = Signal(object)
+
+    def __init__(self, findings: Findings, first: str, parent: QWidget) -> None:
+        super().__init__(parent, Qt.WindowType.Popup)
+        self.setObjectName("validity_card")
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        grid = QGridLayout(self)
+        grid.setContentsMargins(UNIT_PX, UNIT_PX, UNIT_PX, UNIT_PX)
+        grid.setHorizontalSpacing(2 * UNIT_PX)
+        grid.setVerticalSpacing(UNIT_PX)
+        grid.setColumnStretch(1, 1)
+        for row, one in enumerate(findings):
+            self._add(grid, row, one, chosen=one.name == first)
+
+    def open_above(self, place: QPoint) -> None:
+        """Show it with its lower edge at a place of the screen."""
+        self.adjustSize()
+        screen = self.screen().availableGeometry()
+        left = min(max(place.x(), screen.left()), screen.right() - self.width())
+        self.move(left, max(place.y() - self.height() - 2, screen.top()))
+        self.show()
+
+    def _add(self, grid: QGridLayout, row: int, one: Finding, *, chosen: bool) -> None:
+        title = QLabel(f"{_TITLES[one.name]}\n{STATES[one.state]}")
+        set_tone(title, "warning" if one.state == "left" else "dim")
+        font = title.font()
+        font.setBold(chosen)
+        title.setFont(font)
+        words = QLabel(one.sentence)
+        words.setObjectName(f"validity_{one.name}")
+        words.setWordWrap(True)
+        # Wrapped words are as high as their width makes them, which grids forget.
+        wide = _WORDS_EM * self.fontMetrics().horizontalAdvance("m")
+        words.setFixedWidth(wide)
+        words.setFixedHeight(words.heightForWidth(wide))
+        top = Qt.AlignmentFlag.AlignTop
+        grid.addWidget(title, row, 0, top)
+        grid.addWidget(words, row, 1, top)
+        if one.mend:
+            button = QPushButton(_MENDS[one.mend])
+            button.setObjectName(f"mend_{one.name}")
+            button.clicked.connect(partial(self._mend, one))
+            grid.addWidget(button, row, 2, top)
+            if chosen:
+                button.setFocus()
+
+    def _mend(self, finding: Finding) -> None:
+        self.close()
+        self.mend_wanted.emit(finding)
+
+
+# Has it judged, when there is time for it, what the present prediction is not good for.
+
+_IDLE_MS = 400
+_WANTED = frozenset({"validity"})
+
+
+class Validity(QObject):
+    """Lights the lamps once edits pause; while they are hidden nothing is computed for them.
+
+    Parameters
+    ----------
+    document, engine
+        Whose design, and who evaluates.
+    panels
+        Of these the skin map hatches what is mostly noise.
+    status_bar
+        Where the lamps stand.
+
+    Attributes
+    ----------
+    lamps
+        The lamps.
+    """
+
+    def __init__(
+        self,
+        document: Document,
+        engine: Engine,
+        panels: MadePanels,
+        status_bar: QStatusBar,
+    ) -> None:
+        super().__init__(document)
+        self._document, self._engine = document, engine
+        self._panels = panels
+        self._noisy: tuple[int, ...] = ()
+        panels.each(lambda panel: panel.show_noisy(self._noisy))
+        self._shown: Request | None = None
+        # What the lamps were lit from; None: they are not.
+        self._judged: Mapping[str, Any] | None = None
+        self.lamps = ValidityLamps()
+        status_bar.addPermanentWidget(self.lamps)
+        self._idle = QTimer(self, singleShot=True, interval=_IDLE_MS)
+        self._idle.timeout.connect(self._judge)
+        engine.finished.connect(self._note)
+        document.changed.connect(self._follow)
+        self.lamps.chosen.connect(self._explain)
+
+    def _follow(self) -> None:
+        """Say whether what is lit would be judged from something else now."""
+        if self._judged is None:
+            return
+        now = sources_shown(self._document.design, self._document.view)
+        names = self._engine.upstream_of(_WANTED) & now.keys()
+        self.lamps.set_stale(any(self._judged[name] != now[name] for name in names))
+
+    def _note(self, outcome: Outcome) -> None:
+        request = outcome.request
+        if request.place == (FIRST_SLOT, Purpose.SHOW):
+            judged = outcome.values is not None and not too_large(request.given["limb"])
+            self._shown = request if judged else None
+            if self._shown is None:
+                self._tell(None)
+            else:
+                self._idle.start()
+        elif request.place == (FIRST_SLOT, Purpose.JUDGE) and self._is_shown(request):
+            self._tell(outcome)
+
+    def _is_shown(self, request: Request) -> bool:
+        return self._shown is not None and request.given == self._shown.given
+
+    def _judge(self) -> None:
+        if self._shown is not None and self.lamps.isVisible():
+            self._engine.request(replace(self._shown, wanted=_WANTED, purpose=Purpose.JUDGE))
+
+    def _tell(self, outcome: Outcome | None) -> None:
+        found = () if outcome is None or outcome.values is None else outcome.values["validity"]
+        self.lamps.show_findings(found)
+        self._judged = None if outcome is None else outcome.request.given
+        # There may have been edits since.
+        self._follow()
+        self._noisy = next((one.outputs for one in found if one.name == "noise"), ())
+        for panel in self._panels:
+            panel.show_noisy(self._noisy)
+
+    def _explain(self, name: str, place: QPoint) -> None:
+        card = ValidityCard(self.lamps.findings, name, self.lamps)
+        card.mend_wanted.connect(self._mend)
+        card.open_above(place)
+
+    def _mend(self, finding: Finding) -> None:
+        self._document.apply(edits.mend(self._document.design, self._document.view, finding))

@@ -1,1 +1,0 @@
-"""The status bar: what was computed, how fast, how exact."""

@@ -1,1 +1,0 @@
-"""Widgets that know neither panels nor the document."""

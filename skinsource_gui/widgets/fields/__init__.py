@@ -1,1 +1,0 @@
-"""Numbers and choices that are edited in place."""

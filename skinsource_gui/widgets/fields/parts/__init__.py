@@ -1,1 +1,0 @@
-"""Recipes in a list: added, edited, put in another order, removed."""

@@ -1,1 +1,0 @@
-"""What stands for an input: its colour, its words, its waveform."""

@@ -1,1 +1,0 @@
-"""What maps of the skin are drawn with."""

@@ -1,1 +1,0 @@
-"""Pictures that are saved: how large, in which colours, and as what."""

@@ -1,1 +1,0 @@
-"""Names of curves and what is read of them, in one line."""

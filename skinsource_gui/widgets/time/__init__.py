@@ -1,1 +1,0 @@
-"""Times on a ruler."""
