@@ -89,7 +89,7 @@ def test_what_was_measured_until_it_is_stopped_stands_in_table_and_report(
 def test_a_limb_is_named_in_the_report(tmp_path, monkeypatch, user_data):
     limb = installed()
     asked = []
-    whole = cases.cases_of
+    whole = bench_command.cases_of
     monkeypatch.setattr(
         bench_command, "cases_of", lambda limb, **_: asked.append(limb) or whole(limb)
     )

@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import skinsource as ss
+from skinsource.base.errors import InvalidInputError
 from skinsource.signals import resampling
 from skinsource.signals import resampling as conversion
 from skinsource.signals.resampling import Kernel, half_transition
@@ -233,7 +234,7 @@ def test_a_ratio_need_not_be_one_of_whole_hertz():
     ],
 )
 def test_what_cannot_be_converted_is_refused(samples, rates, words):
-    with pytest.raises(ss.errors.InvalidInputError, match=words):
+    with pytest.raises(InvalidInputError, match=words):
         ss.resample(samples, *rates)
 
 
@@ -241,7 +242,7 @@ def test_the_place_of_a_bad_sample_is_told_in_any_block(monkeypatch):
     monkeypatch.setattr(conversion, "_BLOCK", 2000)
     signals = np.zeros((2, 5000))
     signals[1, 4321] = np.inf
-    with pytest.raises(ss.errors.InvalidInputError, match=r"index \(1, 4321\)"):
+    with pytest.raises(InvalidInputError, match=r"index \(1, 4321\)"):
         ss.resample(signals, 1300, 2600)
 
 

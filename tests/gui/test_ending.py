@@ -19,9 +19,9 @@ STUDIO = """
 import os, sys, time
 from pathlib import Path
 from PySide6.QtCore import QTimer
-from skinsource_gui.files import autosave, recovery
-from skinsource_gui.shell.keeping import keeping
-from skinsource_gui.shell import app
+from skinsource_gui.pages.files import autosave
+from skinsource_gui.shell import keeping
+from skinsource_gui.app import app
 
 made, edits = [], 0
 

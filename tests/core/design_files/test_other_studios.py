@@ -153,7 +153,7 @@ def tomorrow(monkeypatch) -> dict[str, Any]:
     """A studio whose views and inputs have more fields; nothing else of it is different."""
     view = dataclasses.make_dataclass("View", [], bases=(WiderView,), frozen=True, kw_only=True)
     one = dataclasses.make_dataclass("Input", [], bases=(RicherInput,), frozen=True, kw_only=True)
-    monkeypatch.setattr("skinsource.design.view.View", view)
+    monkeypatch.setattr("skinsource.design.design_file.View", view)
     monkeypatch.setattr("skinsource.design.design.Input", one)
     return {"View": view, "Input": one}
 

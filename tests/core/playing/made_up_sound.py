@@ -119,7 +119,5 @@ class MadeUpLibrary:
 def use(monkeypatch, library) -> MadeUpLibrary:
     """Let all that plays use ``library``."""
     for module in ("devices", "stream"):
-        monkeypatch.setattr(
-            f"skinsource.lab.playing.session.{module}.sound_library", lambda: library
-        )
+        monkeypatch.setattr(f"skinsource.lab.playing.{module}.sound_library", lambda: library)
     return library

@@ -63,7 +63,7 @@ def test_a_long_design_is_cut_block_by_block_into_the_same_windows(monkeypatch):
     )
     view = ss.View(method="mag", windows_cut="length", window_s=0.77)
     at_once = ss.evaluate(long, *WANTED, view=view)
-    monkeypatch.setattr("skinsource.engine.transforms.length_at_once", lambda *_: None)
+    monkeypatch.setattr("skinsource.engine.voice_rules.length_at_once", lambda *_: None)
     graph = new_graph()
     found = graph.evaluate({*WANTED, "streamed_vibration"}, sources(long, view))
     assert found["streamed_vibration"] is not None

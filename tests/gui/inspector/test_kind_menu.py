@@ -151,7 +151,7 @@ def test_the_present_kind_and_the_way_to_it_are_bold(menu, kind):
 
 
 def test_a_new_kind_stands_under_more_with_a_picture(menu, monkeypatch):
-    monkeypatch.setattr(waveforms.every_kind, "KINDS", (*KINDS, Click))
+    monkeypatch.setattr(waveforms.kinds_module, "KINDS", (*KINDS, Click))
     fill_kind_menu(menu, str)
     action = more_of(menu).actions()[-1]
     assert action.text() == "Click"

@@ -47,7 +47,7 @@ def test_a_limb_that_is_too_large_missing_or_otherwise_laid_out_says_so_and_runs
     choose(window, shown="mean")
     assert shown(panel, qtbot, 2)[0].heading == "Mean of 2 of 3: Synthetic 1, Synthetic 2"
     monkeypatch.setattr("skinsource.limbs.limb.LIVE_INPUTS", 5)
-    monkeypatch.setattr("skinsource.limbs.limb.LIVE_INPUTS", 5)
+    monkeypatch.setattr("skinsource_gui.state.engine.LIVE_INPUTS", 5)
     asked = []
     ask = window.engine.request
     monkeypatch.setattr(window.engine, "request", lambda one: (asked.append(one), ask(one)))
