@@ -30,7 +30,7 @@ from skinsource.design.design import MAX_INPUTS, Design
 from skinsource.design.edits.edit import Refusal, as_kind, kind_spec
 from skinsource.design.motions import MOTIONS, Motion, following, path_of, with_field
 from skinsource.design.waveform import Waveform
-from skinsource.design.waveforms.kinds import kinds
+from skinsource.design.waveforms.catalog import kinds
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec, RecipeSpec

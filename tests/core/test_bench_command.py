@@ -9,7 +9,7 @@ import pytest
 from skinsource.base.errors import MissingExtraError
 from skinsource.cli import bench_command
 from skinsource.cli.command_line import main
-from skinsource.studies.accuracy import cases, measuring
+from skinsource.studies.accuracy import measuring
 from skinsource.studies.accuracy.cases import stored_cases
 from tests.core.own_limbs.lab_bench import installed
 

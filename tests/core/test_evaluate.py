@@ -133,7 +133,7 @@ def test_after_a_failure_the_limb_is_opened_anew(monkeypatch):
     with pytest.raises(ss.SkinSourceError, match="not installed"):
         evaluator.evaluate(design, QUANTITIES)
     monkeypatch.setattr(
-        "skinsource.limbs.catalogue.load_limb", lambda *_: ss.load_limb("synthetic-3")
+        "skinsource.engine.shared.load_limb", lambda *_: ss.load_limb("synthetic-3")
     )
     assert np.isfinite(evaluator.evaluate(design, QUANTITIES)["output_levels_db"]).all()
 

@@ -21,20 +21,9 @@ from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import start_design
 
 UNNEEDED = (
-    # What opens a page, reads a file, plays or exports comes with that, see `skinsource.base.lazy`.
-    "skinsource.design.displaying",
-    "skinsource.actuators.measuring",
-    "skinsource.export.packing",
-    "skinsource.lab.playing.mixer",
-    "skinsource.lab.playing.session",
-    "skinsource.design.presets.presets",
-    "skinsource.readers.reader",
+    # What opens a page, reads a file, plays or exports comes with that.
     "skinsource.design.recordings",
     "skinsource.engine.prediction",
-    "skinsource.actuators.rigs",
-    "skinsource.studies.scenes.catalog",
-    "skinsource.engine.stimulus",
-    "skinsource.limbs.surface.surface",
     "skinsource_gui.pages.library",
     "skinsource_gui.pages.scenes",
     # Modules that nothing of the start calls, and large packages.
@@ -138,7 +127,7 @@ def test_what_cannot_be_rendered_is_one_sentence_and_leaves_no_file(tmp_path, co
 
 INTERRUPTED = """
 import signal, sys
-import skinsource.export.exported_design
+import skinsource.export.tables
 from skinsource_gui.__main__ import main
 skinsource.export.tables.export_levels = lambda *_: signal.raise_signal(signal.SIGINT)
 main(["--render", sys.argv[1]])

@@ -143,7 +143,8 @@ def test_the_memory_of_a_process_is_known():
 def test_libraries_that_print_do_not_disturb_the_answers(tmp_path):
     script = (
         "import os, sys\n"
-        "from skinsource.limbs import reading_child as child; from skinsource.readers import readers\n"
+        "from skinsource.limbs import reading_child as child\n"
+        "from skinsource.readers import readers\n"
         "plain = readers.look\n"
         "def loud(path):\n"
         "    os.write(1, b'hello from a library\\n'); print('and another'); return plain(path)\n"

@@ -142,5 +142,5 @@ class Card:
 def use(monkeypatch, card: Card) -> Card:
     """Let all that measures use ``card``."""
     for module in ("playing.devices", "rig_measuring.duplex"):
-        monkeypatch.setattr(f"skinsource.{module}.sound_library", lambda: card)
+        monkeypatch.setattr(f"skinsource.lab.{module}.sound_library", lambda: card)
     return card

@@ -203,7 +203,7 @@ def facts(make_copy, tmp_path_factory, older_design):
     """What the studio is like in which all four recipes were followed."""
     copy = make_copy()
     # A function, and its name among the rules.
-    quantities = copy.library / "quantities.py"
+    quantities = copy.library / "engine" / "quantities.py"
     copy.insert(quantities, "def response_time_s(", RULE.lstrip())
     copy.insert(quantities, "    *voice_rules.RULES,\n", "    loudest_level_db,\n")
     # A folder, and a line (and the imports that it needs).
@@ -220,19 +220,14 @@ def facts(make_copy, tmp_path_factory, older_design):
         '    PanelSpec(panel=LatePanel("loudest", "Loudest output"), settings=LoudestSettings),\n'
     )
     copy.insert(panels, '    PanelSpec(panel=LatePanel("inspector"', line)
-    # A module, its name in the package, and a line.
+    # A module, and a line.
     export = copy.library / "export"
     copy.write(export / "loudest.py", EXPORT)
-    copy.insert(
-        export / "__init__.py",
-        "from skinsource.export.map_files",
-        "from skinsource.export.exported_design.loudest import export_loudest\n",
-    )
-    exports = copy.studio / "files" / "exports.py"
+    exports = copy.studio / "pages" / "files" / "exports.py"
     copy.insert(
         exports,
         "from skinsource.base.job import Progress, Stop\n",
-        "from skinsource.export.exported_design import export_loudest\n",
+        "from skinsource.export.loudest import export_loudest\n",
     )
     copy.insert(exports, '    ExportSpec(\n        name="field"', EXPORTED)
     # An entry.

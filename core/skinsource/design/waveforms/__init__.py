@@ -6,7 +6,7 @@ A waveform is a frozen dataclass with fields from `skinsource.specs.fields`, and
 """
 
 from skinsource.design.waveform import Waveform
-from skinsource.design.waveforms.kinds import COMMON, KINDS, MORE, kinds
+from skinsource.design.waveforms.catalog import COMMON, KINDS, MORE, kinds
 from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square, Triangle
 from skinsource.design.waveforms.pulses import CentredTap, DampedSine, Impulse, Noise, Tap
 from skinsource.design.waveforms.samples import Drawn, Formula, Layers, Recording
