@@ -30,7 +30,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from skinsource.limbs.catalogue import available_limbs
-from skinsource_gui.app.app import make_application, take_over_collection
+from skinsource_gui.app.app import make_application, manage_garbage_collection
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences, start_design
 
@@ -64,7 +64,7 @@ def main() -> int:
         window = MainWindow(
             start_design("synthetic-1"), preferences=preferences, available_limbs=available_limbs()
         )
-        take_over_collection(window)
+        manage_garbage_collection(window)
         window.resize(*map(int, options.size.split("x")))
         window.show()
         window.activateWindow()

@@ -35,7 +35,7 @@ from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.catalogue import available_limbs, default_limb
-from skinsource_gui.app.app import make_application, take_over_collection
+from skinsource_gui.app.app import make_application, manage_garbage_collection
 from skinsource_gui.fields.number_field import PIXELS_PER_STEP, NumberField
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.engine import Outcome
@@ -198,7 +198,7 @@ def measure(options: argparse.Namespace, seconds: float) -> bool:
         window.show()
         window.do("arrange_design")
         window.catch_up()
-        take_over_collection(window)
+        manage_garbage_collection(window)
         drag = Drag(window)
         for _ in range(20):
             drag.step()

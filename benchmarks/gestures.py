@@ -35,7 +35,7 @@ from skinsource.design.waveforms.samples import Drawn
 from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.catalogue import available_limbs, default_limb
 from skinsource.specs.samples import Samples
-from skinsource_gui.app.app import make_application, take_over_collection
+from skinsource_gui.app.app import make_application, manage_garbage_collection
 from skinsource_gui.panels.clip_editor.view import EditorView
 from skinsource_gui.panels.timeline.lanes import LanesView
 from skinsource_gui.shell.window import MainWindow
@@ -153,7 +153,7 @@ def main() -> int:
         window.resize(1920, 1080)
         window.show()
         window.do("arrange_design")
-        take_over_collection(window)
+        manage_garbage_collection(window)
         in_sight(window, "clip_editor")
         seen = [panel.name for panel in window.panels if panel.isVisible()]
         print("visible:", ", ".join(seen))

@@ -77,7 +77,7 @@ _NEW_OBJECTS, _TIMES = 700, 10
 _YOUNG, _MIDDLE, _OLD = range(3)
 
 
-def take_over_collection(owner: QObject) -> None:
+def manage_garbage_collection(owner: QObject) -> None:
     """Collect garbage from now on, except in what stands now.
 
     Modules, menus and panels live as long as the window.  To look through them again takes the
@@ -183,7 +183,7 @@ def run(path: Path | None) -> int:
     window.show()
     window.hints.offer()
     settled = QTimer(window, singleShot=True, interval=_SETTLED_ANYWAY_MS)
-    settled.timeout.connect(partial(take_over_collection, window))
+    settled.timeout.connect(partial(manage_garbage_collection, window))
     settled.start()
 
     def settle_soon() -> None:

@@ -12,10 +12,10 @@ from skinsource.specs.breakpoints import BreakpointsSpec
 from skinsource.specs.numbers import (
     CurveSpec,
     ListSpec,
+    ModelSpec,
     NumberSpec,
     OptionalSpec,
     PointsSpec,
-    RecipeSpec,
 )
 from skinsource.specs.spec import ChoiceSpec, Spec, SwitchSpec, TextSpec, made_for
 from skinsource_gui.fields.choice_field import ChoiceField
@@ -27,7 +27,7 @@ from skinsource_gui.fields.list_editors import (
     CurveText,
     NumbersEditor,
     PointsEditor,
-    outside_band_words,
+    outside_band_text,
 )
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.parts import PartsEditor
@@ -57,7 +57,7 @@ class NumberEditor(QObject):
     def advice(self) -> str:
         """Warn of frequencies that were not measured."""
         spec = self.field.spec
-        return "" if spec.is_known(self.field.value_si) else outside_band_words(spec)
+        return "" if spec.is_known(self.field.value_si) else outside_band_text(spec)
 
 
 class _Plain(QObject):
@@ -212,7 +212,7 @@ def text_editor(spec: TextSpec, parent: QWidget) -> Editor:
 
 def list_editor(spec: ListSpec, parent: QWidget) -> Editor:
     """Make the editor of a list of numbers, or of recipes; other lists are shown."""
-    if isinstance(spec.of, RecipeSpec):
+    if isinstance(spec.of, ModelSpec):
         return PartsEditor(spec, spec.of, new_editor, parent)
     if isinstance(spec.of, NumberSpec):
         return NumbersEditor(spec, parent)

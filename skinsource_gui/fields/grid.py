@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSizePolicy, QVBox
 from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import NewEditor
 from skinsource_gui.qt.asking import NextAct
-from skinsource_gui.qt.room import RoomOrWords
+from skinsource_gui.qt.room import RoomOrText
 from skinsource_gui.qt.theme import UNIT_PX, letter_scale, set_tone
 from skinsource_gui.qt.tooltips import tooltip
 
@@ -60,7 +60,7 @@ class LabelledCell(QWidget):
         self.stack.setSpacing(2)
 
 
-class WordsCell(LabelledCell):
+class TextCell(LabelledCell):
     """A label and words that cannot be edited."""
 
     def __init__(self, label: str, words: str, parent: QWidget | None = None) -> None:
@@ -205,7 +205,7 @@ class FieldGrid(QWidget):
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setHorizontalSpacing(UNIT_PX)
         self._grid.setVerticalSpacing(UNIT_PX // 4)
-        RoomOrWords(self).changed.connect(self._fold)
+        RoomOrText(self).changed.connect(self._fold)
 
     def set_margins(self, left: int, top: int, right: int, bottom: int) -> None:
         """Leave room around the cells, px."""

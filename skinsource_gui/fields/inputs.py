@@ -18,7 +18,7 @@ from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.signals.generators import sample_count
 from skinsource.specs.models import specs_of
-from skinsource.specs.numbers import ListSpec, NumberSpec, PointsSpec, RecipeSpec
+from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec, PointsSpec
 from skinsource.specs.spec import TextSpec
 from skinsource_gui.fields.units import LONG_S, number_text, value_text
 from skinsource_gui.qt.keys import KEYS, key_text
@@ -102,7 +102,7 @@ def stretched_text(clip: Clip) -> str:
     return "" if factor == 1.0 else f", stretched ×{factor:.3g}"
 
 
-def told_text(waveform: Waveform) -> str:
+def full_label(waveform: Waveform) -> str:
     """The same with what else it is made of, for who cannot look: ``"Square 100 Hz (duty 0.5)"``.
 
     Phases, and how it is windowed, are not told.
@@ -120,8 +120,8 @@ def told_text(waveform: Waveform) -> str:
         elif isinstance(spec, TextSpec) and name != "name":
             words = printable(value)
             more.append(words if len(words) <= _MOST_LETTERS else f"{words[:_MOST_LETTERS]}…")
-        elif isinstance(spec, ListSpec) and isinstance(spec.of, RecipeSpec):
-            inside = [told_text(one.waveform) for one in value if isinstance(one, Clip)]
+        elif isinstance(spec, ListSpec) and isinstance(spec.of, ModelSpec):
+            inside = [full_label(one.waveform) for one in value if isinstance(one, Clip)]
             more += [*inside[:_MOST_PARTS], *["…"] * (len(inside) > _MOST_PARTS)]
     return f"{figure} ({', '.join(more)})" if more else figure
 

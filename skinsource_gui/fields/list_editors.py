@@ -30,7 +30,7 @@ from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.fields.text_field import LiveText
 from skinsource_gui.fields.units import (
     as_known,
-    column_words,
+    column_label,
     number_of,
     numbers_text,
     points_text,
@@ -130,7 +130,7 @@ class SweepDialog(QDialog):
 _LONGEST = 100_000
 
 
-def outside_band_words(spec: NumberSpec) -> str:
+def outside_band_text(spec: NumberSpec) -> str:
     """What is said of a frequency that was not measured."""
     low_hz, high_hz = spec.felt_hz or (0.0, inf)
     return f"outside the measured band ({low_hz:g} to {high_hz:g} Hz)"
@@ -214,7 +214,7 @@ class NumbersEditor(Listed):
         if not outside:
             return ""
         words = numbers_text(outside[:3], self._spec) + (" …" if len(outside) > 3 else "")
-        return f"{words} Hz: {outside_band_words(self._spec.of)}"
+        return f"{words} Hz: {outside_band_text(self._spec.of)}"
 
     def _read(self, text: str) -> tuple[float, ...]:
         return read_numbers(text, self._spec)
@@ -236,7 +236,7 @@ class CurveText(Listed):
         self._pairs = PointsSpec(
             label=spec.label, columns=(spec.x, spec.y), fewest=spec.fewest, most=spec.most
         )
-        names = ", ".join(column_words(one) for one in self._pairs.columns)
+        names = ", ".join(column_label(one) for one in self._pairs.columns)
         super().__init__(spec, parent, f"{spec.hint}. Each point: {names}; semicolons between")
 
     def _read(self, text: str) -> tuple[tuple[float, ...], ...]:
@@ -287,7 +287,7 @@ class PointsEditor(Listed):
     """Edits points of time, frequency and amplitude."""
 
     def __init__(self, spec: PointsSpec, parent: QWidget) -> None:
-        names = ", ".join(column_words(one) for one in spec.columns)
+        names = ", ".join(column_label(one) for one in spec.columns)
         super().__init__(spec, parent, f"{spec.hint}. Each point: {names}; semicolons between")
         self.field = QWidget(parent)
         column = QVBoxLayout(self.field)

@@ -52,7 +52,7 @@ _ENOUGH_DIGITS = 3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ShownNumber:
+class NumberDisplay:
     """A value and what it may be.
 
     Attributes
@@ -166,7 +166,7 @@ class NumberTyping(QObject):
     def __init__(self, line: QLineEdit) -> None:
         super().__init__(line)
         self._line = line
-        self._number: ShownNumber | None = None
+        self._number: NumberDisplay | None = None
         self.problem = ""
         self._next_act = NextAct(self)
         self._next_act.came.connect(self.end)
@@ -178,7 +178,7 @@ class NumberTyping(QObject):
         """Whether a text is being typed."""
         return not self._line.isReadOnly()
 
-    def begin(self, number: ShownNumber, text: str | None) -> None:
+    def begin(self, number: NumberDisplay, text: str | None) -> None:
         """Open the line; ``text`` replaces the number, which is selected otherwise."""
         self._next_act.stop()
         self._say("")
@@ -199,7 +199,7 @@ class NumberTyping(QObject):
         self._close()
         self._next_act.wait()
 
-    def result(self, number: ShownNumber) -> float | None:
+    def result(self, number: NumberDisplay) -> float | None:
         """Value of what is typed; None, with the reason told, if it is not allowed."""
         try:
             return parse_number(self._line.text(), number.spec, number.value_si)
@@ -302,12 +302,12 @@ class NumberGestures(QObject):
         self._wheel_travel -= notches * NOTCH
         return notches
 
-    def turn(self, notches: int, number: ShownNumber, event: QWheelEvent) -> None:
+    def turn(self, notches: int, number: NumberDisplay, event: QWheelEvent) -> None:
         """Go some steps with the wheel."""
         size = _size(event.modifiers())
         self._go(Ladder(number.value_si, number.spec, size).value_si(notches), number)
 
-    def press_key(self, event: QKeyEvent, number: ShownNumber) -> None:
+    def press_key(self, event: QKeyEvent, number: NumberDisplay) -> None:
         """Go one step with a key."""
         size = COARSE if meaning_of("number", event) == "page" else _size(event.modifiers())
         direction = _DIRECTIONS[Qt.Key(event.key())]
@@ -319,12 +319,12 @@ class NumberGestures(QObject):
         if self._drag is not None:
             self._drag.ladder = None
 
-    def press(self, event: QMouseEvent, number: ShownNumber) -> None:
+    def press(self, event: QMouseEvent, number: NumberDisplay) -> None:
         """The button goes down on the number."""
         here = event.globalPosition().toPoint()
         self._drag = _Drag(last=here, start_si=number.value_si)
 
-    def move(self, event: QMouseEvent, number: ShownNumber) -> None:
+    def move(self, event: QMouseEvent, number: NumberDisplay) -> None:
         """The mouse moves while the button is held."""
         drag, here = self._drag, event.globalPosition().toPoint()
         if drag is None:
@@ -342,13 +342,13 @@ class NumberGestures(QObject):
         """The button goes up, or the press became something else."""
         self._drag = None
 
-    def give_up(self, number: ShownNumber) -> None:
+    def give_up(self, number: NumberDisplay) -> None:
         """End the drag as if it had not begun."""
         drag, self._drag = self._drag, None
         if drag is not None and number.value_si != drag.start_si:
             self.stepped.emit(drag.start_si, drag.gesture)
 
-    def _follow(self, drag: _Drag, number: ShownNumber, size: Fraction) -> None:
+    def _follow(self, drag: _Drag, number: NumberDisplay, size: Fraction) -> None:
         if drag.ladder is None or drag.ladder.size != size:
             drag.ladder, drag.position = Ladder(number.value_si, number.spec, size), 0
         steps = int(drag.travel_px / PIXELS_PER_STEP)
@@ -362,7 +362,7 @@ class NumberGestures(QObject):
         if value_si != number.value_si:
             self.stepped.emit(value_si, drag.gesture)
 
-    def _go(self, value_si: float, number: ShownNumber) -> None:
+    def _go(self, value_si: float, number: NumberDisplay) -> None:
         if value_si != number.value_si:
             self.stepped.emit(value_si, self._burst.gesture())
 
@@ -423,7 +423,7 @@ class NumberField(QLineEdit):
         widest_number: str = "",
     ) -> None:
         super().__init__(parent)
-        self._number = ShownNumber(spec=spec, value_si=clamped(0.0, spec))
+        self._number = NumberDisplay(spec=spec, value_si=clamped(0.0, spec))
         self._unit = UnitBeside(self, widest_unit)
         self._problem_beside, self._widest_number = problem_beside, widest_number
         self._typing = NumberTyping(self)
@@ -465,7 +465,7 @@ class NumberField(QLineEdit):
     def set_spec(self, spec: NumberSpec) -> None:
         """Change what is allowed, or the unit."""
         if spec != self.spec:
-            self._number = ShownNumber(spec=spec, value_si=self.value_si)
+            self._number = NumberDisplay(spec=spec, value_si=self.value_si)
             self._take_spec()
 
     def set_value(self, value_si: float) -> None:
@@ -612,7 +612,7 @@ class NumberField(QLineEdit):
         self.edited.emit(value_si, gesture)
 
     def _show(self, value_si: float) -> None:
-        self._number = ShownNumber(spec=self.spec, value_si=value_si)
+        self._number = NumberDisplay(spec=self.spec, value_si=value_si)
         if not self.editing:
             self.setText(self._number.fitting_text(self.fontMetrics(), self._unit.room_px))
             self.update()

@@ -27,13 +27,13 @@ from skinsource.design.edits.effects import (
     choices_of,
     moved_part,
     new_part,
-    part_words,
+    part_text,
     with_part,
     without_part,
 )
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
-from skinsource.specs.numbers import ListSpec, RecipeSpec
+from skinsource.specs.numbers import ListSpec, ModelSpec
 from skinsource.specs.spec import Spec
 from skinsource_gui.fields.editor import NewEditor
 from skinsource_gui.fields.grid import EditedCell, FieldGrid
@@ -50,7 +50,7 @@ class AddButton(QToolButton):
     #: Name of a kind.
     chosen = Signal(str)
 
-    def __init__(self, spec: ListSpec, of: RecipeSpec, parent: QWidget | None = None) -> None:
+    def __init__(self, spec: ListSpec, of: ModelSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._spec, self._of = spec, of
         self.setObjectName("add_part")
@@ -96,7 +96,7 @@ class PartFields(QObject):
     #: Other cells are to be shown; those that are gone will be deleted.
     rebuilt = Signal()
 
-    def __init__(self, spec: RecipeSpec, new_editor: NewEditor, parent: QObject) -> None:
+    def __init__(self, spec: ModelSpec, new_editor: NewEditor, parent: QObject) -> None:
         super().__init__(parent)
         self._spec, self._new_editor = spec, new_editor
         self._recipe: Any = None
@@ -130,7 +130,7 @@ class PartFields(QObject):
         for name, held in self._held.items():
             held.show_recipe(getattr(recipe, name))
 
-    def set_spec(self, spec: RecipeSpec) -> None:
+    def set_spec(self, spec: ModelSpec) -> None:
         """Take over the rate of another limb."""
         self._spec = spec
         specs = specs_of(self._built_for) if self._built_for else {}
@@ -159,7 +159,7 @@ class PartFields(QObject):
         gone = [cell for cell in self.cells if cell is not self._kind]
         held: dict[str, PartFields] = {}
         for name, spec in specs_of(recipe).items():
-            if isinstance(spec, RecipeSpec):
+            if isinstance(spec, ModelSpec):
                 held[name] = PartFields(self._at_rate(spec), self._new_editor, self)
                 held[name].edited.connect(partial(self._change, name))
                 held[name].rebuilt.connect(self.rebuilt)
@@ -370,7 +370,7 @@ class PartRow(QWidget):
     #: The Tab key has other stops.
     restopped = Signal()
 
-    def __init__(self, spec: RecipeSpec, new_editor: NewEditor, parent: QWidget) -> None:
+    def __init__(self, spec: ModelSpec, new_editor: NewEditor, parent: QWidget) -> None:
         super().__init__(parent)
         self._spec, self._new_editor = spec, new_editor
         self.part: Any = None
@@ -417,7 +417,7 @@ class PartRow(QWidget):
     def show_part(self, part: Any, index: int, count: int, fewest: int) -> None:
         """Show another part, the ``index``-th of ``count``, of which ``fewest`` have to stay."""
         self.part = part
-        self.title.set_words(f"{index + 1} · {part_words(part)}")
+        self.title.set_words(f"{index + 1} · {part_text(part)}")
         name = f"{self._spec.label.lower()} {index + 1}"
         for button, can in ((self._up, index > 0), (self._down, index < count - 1)):
             if button.hasFocus() and not can:
@@ -425,7 +425,7 @@ class PartRow(QWidget):
             button.setEnabled(can)
         self._remove.setEnabled(count > fewest)
         words = f"Remove {name} ({key_text(PLACE, 'remove')})"
-        self._remove.setToolTip(tooltip(words if count > fewest else stays_words(fewest)))
+        self._remove.setToolTip(tooltip(words if count > fewest else why_required(fewest)))
         self._remove.setAccessibleName(f"Remove {name}")
         if self._fields is not None:
             self._fields.show_recipe(part)
@@ -434,7 +434,7 @@ class PartRow(QWidget):
         """Show its fields, or hide them."""
         self.title.set_open(open_)
 
-    def set_spec(self, spec: RecipeSpec) -> None:
+    def set_spec(self, spec: ModelSpec) -> None:
         """Take over the rate of another limb."""
         self._spec = spec
         if self._fields is not None:
@@ -462,7 +462,7 @@ class PartRow(QWidget):
         self.restopped.emit()
 
 
-def stays_words(fewest: int) -> str:
+def why_required(fewest: int) -> str:
     """Why the last parts cannot be removed."""
     return f"At least {fewest} {'has' if fewest == 1 else 'have'} to stay"
 
@@ -616,7 +616,7 @@ class PartsEditor(QObject):
     problem_changed = Signal(str)
 
     def __init__(
-        self, spec: ListSpec, of: RecipeSpec, new_editor: NewEditor, parent: QWidget
+        self, spec: ListSpec, of: ModelSpec, new_editor: NewEditor, parent: QWidget
     ) -> None:
         super().__init__(parent)
         self._spec, self._of = spec, of
@@ -658,7 +658,7 @@ class PartsEditor(QObject):
     def set_spec(self, spec: ListSpec) -> None:
         """Take over the rate of another limb."""
         self._spec = spec
-        if isinstance(spec.of, RecipeSpec):
+        if isinstance(spec.of, ModelSpec):
             self._of = spec.of
         for row in self.rows:
             row.set_spec(self._of)
@@ -703,7 +703,7 @@ class PartsEditor(QObject):
     def _remove(self, row: PartRow) -> None:
         if len(self._value) <= self._spec.fewest:
             self.problem_changed.emit(
-                f"{self._spec.label}: {stays_words(self._spec.fewest).lower()}."
+                f"{self._spec.label}: {why_required(self._spec.fewest).lower()}."
             )
             return
         self._tell(without_part(self._value, self.rows.index(row)), None)

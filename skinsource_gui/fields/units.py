@@ -11,8 +11,8 @@ from skinsource.base.decibels import FLOOR_DB
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import sentence
 from skinsource.design.amplitudes import ARBITRARY_UNIT
-from skinsource.design.labels import span_words
-from skinsource.limbs.locations import output_words
+from skinsource.design.labels import span_label
+from skinsource.limbs.locations import output_name
 from skinsource.specs.numbers import ListSpec, NumberSpec, PointsSpec
 
 
@@ -32,12 +32,12 @@ def level_text(level_db: float, span: str) -> str:
         amount = f"{acceleration * 1e3:.3g} mm/s²"
     else:
         amount = f"{acceleration:.2e} m/s²"
-    return minus(f"{level_db:z.1f} dB re 1 m/s²  ({amount} RMS, {span_words(span)})")
+    return minus(f"{level_db:z.1f} dB re 1 m/s²  ({amount} RMS, {span_label(span)})")
 
 
 def output_text(number: int, limb: str = "") -> str:
     """Number and place of an output."""
-    place = output_words(number, limb)
+    place = output_name(number, limb)
     if place.name == f"Output {number}":
         return place.name
     name = place.name if place.kind or limb else place.short_name
@@ -418,7 +418,7 @@ def read_points(text: str, spec: PointsSpec) -> tuple[tuple[float, ...], ...]:
         One of the numbers is not allowed, a point has too few or too many, there are too few or
         too many points, or they go back.
     """
-    names = ", ".join(column_words(one) for one in spec.columns)
+    names = ", ".join(column_label(one) for one in spec.columns)
     points = []
     for row in filter(str.strip, text.split(";")):
         parts = list(filter(None, re.split(r"[,\s]+", row.strip())))
@@ -451,7 +451,7 @@ def as_known(
     return tuple((exact.get(point[0], point[0]), *point[1:]) for point in points)
 
 
-def column_words(spec: NumberSpec) -> str:
+def column_label(spec: NumberSpec) -> str:
     """What a number of a point is, and its unit: ``"time in ms"``."""
     symbol = display_unit(spec.unit).symbol
     return f"{spec.label.lower()} in {symbol}" if symbol else spec.label.lower()

@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.files import write_bytes
-from skinsource.base.job import Job, Progress, Stop, left_in_words
+from skinsource.base.job import Job, Progress, Stop, time_left_text
 from skinsource.base.quoting import sentence
 from skinsource.limbs.catalogue import load_limb
 from skinsource.limbs.own_limbs import facts_of
@@ -262,7 +262,7 @@ class AccuracyPage(QDialog):
             self._end("Cancelled. Nothing was kept.")
 
     def _follow(self, step: JobProgress) -> None:
-        left = left_in_words(step.seconds_left)
+        left = time_left_text(step.seconds_left)
         self._say(f"{step.done} of {step.total}: {step.text}{f', {left}' if left else ''}")
 
     def _take(self, rows: tuple[Row, ...]) -> None:

@@ -16,7 +16,7 @@ from skinsource.base.files import is_there
 from skinsource.design import edits
 from skinsource.design.design import Design, Input
 from skinsource.design.design_file import SUFFIX
-from skinsource.design.edits.edit import Edit, Refusal, clip_of, place_words
+from skinsource.design.edits.edit import Edit, Refusal, clip_of, location_text
 from skinsource.design.edits.inputs import usual_location
 from skinsource.design.labels import limb_word
 from skinsource.design.presets import presets
@@ -32,7 +32,7 @@ from skinsource_gui.qt.asking import may_replace
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.job_runner import JobRunner
-from skinsource_gui.state.panel import MadePanels, Panel
+from skinsource_gui.state.panel import Panel, PanelRegistry
 from skinsource_gui.state.playing import Player
 from skinsource_gui.state.preferences import InstalledLimbs, Preferences
 
@@ -55,7 +55,7 @@ def options(design: Design, view: View, place: DropPlace | None) -> tuple[tuple[
     elif view.selected_input in design.ids:
         first = design.input(view.selected_input).location
     locations = [first, *(k for k in range(1, facts_of(design.limb).n_inputs + 1) if k != first)]
-    new = [(f"new {k}", f"A new input at {place_words(k, design.limb)}") for k in locations]
+    new = [(f"new {k}", f"A new input at {location_text(k, design.limb)}") for k in locations]
     by_place = place is not None and place.location is not None and place.input_id is None
     if place is not None:
         return (*new, *found) if by_place else (*found, *new)
@@ -74,7 +74,7 @@ def _instead(design: Design, view: View) -> tuple[tuple[str, str], bool] | None:
     clip = clip_of(one, view)
     if clip is None or not isinstance(clip.waveform, Recording):
         return None
-    where = f"input {design.index_of(one.id) + 1}, at {place_words(one.location, design.limb)}"
+    where = f"input {design.index_of(one.id) + 1}, at {location_text(one.location, design.limb)}"
     # Samples without a name were taken over from another kind of waveform.
     return (f"clip {clip.id}", f"In place of the recording on {where}"), not clip.waveform.name
 
@@ -89,7 +89,7 @@ def _holds(one: Input, clip_id: int) -> bool:
 
 
 def _track(design: Design, id: int) -> tuple[str, str]:
-    where = place_words(design.input(id).location, design.limb)
+    where = location_text(design.input(id).location, design.limb)
     return f"track {id}", f"A clip on input {design.index_of(id) + 1}, at {where}"
 
 
@@ -130,7 +130,7 @@ class FileDrops(QObject):
     #: A preset, also one that is dragged from the library, `Path`, and its `DropPlace` or None.
     preset_dropped = Signal(object, object)
 
-    def __init__(self, window: QWidget, panels: MadePanels) -> None:
+    def __init__(self, window: QWidget, panels: PanelRegistry) -> None:
         super().__init__(window)
         self._window, self._panels = window, panels
         window.setAcceptDrops(True)

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource.base.errors import SkinSourceError
-from skinsource.base.job import Job, left_in_words
+from skinsource.base.job import Job, time_left_text
 from skinsource.limbs.dataset.download import fetch
 from skinsource.limbs.dataset.install import install
 from skinsource.limbs.dataset.published import published_files
@@ -135,7 +135,7 @@ class DatasetPage(QDialog):
         if job.title in INSTALLATIONS:
             self._bar.setRange(0, 1000 if progress.total else 0)
             self._bar.setValue(1000 * progress.done // max(progress.total, 1))
-            left = left_in_words(progress.seconds_left)
+            left = time_left_text(progress.seconds_left)
             self._words.setText(f"{progress.text}, {left}" if left else f"{progress.text}…")
 
     def _show_installed(self) -> None:

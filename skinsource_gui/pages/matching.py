@@ -31,7 +31,7 @@ from skinsource.lab.playing.devices import Output
 from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB
 from skinsource.lab.playing.session import Playing
 from skinsource.lab.playing.stream import Stream
-from skinsource.limbs.locations import input_words
+from skinsource.limbs.locations import input_name
 from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.qt.buttons import page_button
@@ -642,4 +642,4 @@ class MatchingPage(QDialog):
 
 
 def _words(frequency_hz: float, place: int, limb: str) -> str:
-    return f"{frequency_hz:g} Hz at place {place}, {input_words(place, limb).name}"
+    return f"{frequency_hz:g} Hz at place {place}, {input_name(place, limb).name}"

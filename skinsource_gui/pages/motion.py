@@ -33,14 +33,14 @@ from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.catalog import kinds
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
-from skinsource.specs.numbers import NumberSpec, RecipeSpec
+from skinsource.specs.numbers import ModelSpec, NumberSpec
 from skinsource.specs.spec import ChoiceSpec, Spec
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.grid import FieldGrid
 from skinsource_gui.panels.hand.layout import HandLayout, Place, paint_occupied
 from skinsource_gui.panels.hand.panel import HandDiagram
 from skinsource_gui.panels.hand.picture import drawing_of
-from skinsource_gui.plots.preview import ClipStrip, Lane, ShownClips
+from skinsource_gui.plots.preview import ClipDrawings, ClipStrip, Lane
 from skinsource_gui.qt.buttons import page_button
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
 from skinsource_gui.state.document import Document
@@ -126,7 +126,7 @@ class Draft(QObject):
     def waveform_kinds(self) -> tuple[type[Waveform], ...]:
         """What may play."""
         spec = specs_of(self.motion)["waveform"]
-        return spec.kinds() if isinstance(spec, RecipeSpec) else ()
+        return spec.kinds() if isinstance(spec, ModelSpec) else ()
 
     def lanes(self) -> tuple[Lane, ...]:
         """Its tracks as they would be added.
@@ -148,7 +148,7 @@ class Draft(QObject):
             after = after.adding(one)
         added = after.inputs[len(self._design.inputs) :]
         largest = max(abs(one.amplitude) for one in added) or 1.0
-        shown = ShownClips(self._limb.sample_rate_hz)
+        shown = ClipDrawings(self._limb.sample_rate_hz)
         return tuple(
             Lane(
                 place=one.location,
@@ -376,7 +376,7 @@ def _typed(text: str) -> tuple[int, ...] | None:
 Adapt = Callable[[str, Spec], Spec | None]
 
 
-class RecipeFields(QObject):
+class MotionFields(QObject):
     """Cells for the kind and the fields of a recipe, made anew when it is of another kind.
 
     Parameters
@@ -490,9 +490,9 @@ class MotionPage(QDialog):
         self._path = PathLayer(self.hand)
         self.path_row = PathRow()
         self.strip = ClipStrip()
-        self.motion_fields = RecipeFields(self._of_motion, self)
+        self.motion_fields = MotionFields(self._of_motion, self)
         limb = facts_of(document.design.limb)
-        self.waveform_fields = RecipeFields(
+        self.waveform_fields = MotionFields(
             lambda _, spec: spec.at_rate(limb.sample_rate_hz, limb.band_hz), self
         )
         self._summary, self._about = QLabel(), QLabel()

@@ -6,9 +6,9 @@ from PySide6.QtCore import QPoint, QRectF, QSize, Qt
 from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
-from skinsource_gui.plots.figure import Figure, WordsLabel, draw_figure, open_figure_menu
+from skinsource_gui.plots.figure import Figure, NoteLabel, draw_figure, open_figure_menu
 from skinsource_gui.qt.asking import CopyButton
-from skinsource_gui.qt.labels import output_words
+from skinsource_gui.qt.labels import how_to_select_output
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.state.panel import Panel
 
@@ -38,8 +38,8 @@ class FigurePanel(Panel):
         self.setFocusProxy(figure)
         self._found = ""
         self._copy: CopyButton | None = None
-        self._above: WordsLabel | None = None
-        self.words = WordsLabel(f"{self.name}_words")
+        self._above: NoteLabel | None = None
+        self.words = NoteLabel(f"{self.name}_words")
         self.choices = QHBoxLayout()
         self.choices.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
         self.choices.setSpacing(UNIT_PX // 2)
@@ -63,7 +63,7 @@ class FigurePanel(Panel):
     @property
     def no_outputs(self) -> str:
         """What it says while no output is selected."""
-        return output_words(self.in_sight)
+        return how_to_select_output(self.in_sight)
 
     @property
     def picture_words(self) -> str:
@@ -94,9 +94,9 @@ class FigurePanel(Panel):
         self.choices.addWidget(self._copy)
         return self._copy
 
-    def add_above(self, name: str) -> WordsLabel:
+    def add_above(self, name: str) -> NoteLabel:
         """Words above the figure, also in pictures; whoever adds them says where they stand."""
-        self._above = WordsLabel(name)
+        self._above = NoteLabel(name)
         return self._above
 
     def say_instead(self, message: str) -> None:

@@ -6,7 +6,7 @@ from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from skinsource_gui.plots.signal_view import SignalView, draw_signals
-from skinsource_gui.qt.labels import output_words
+from skinsource_gui.qt.labels import how_to_select_output
 from skinsource_gui.qt.theme import LIGHT, Theme
 from skinsource_gui.state.panel import Panel
 
@@ -33,7 +33,7 @@ class SignalPanel(Panel):
     @property
     def no_outputs(self) -> str:
         """What it says while no output is selected."""
-        return output_words(self.in_sight)
+        return how_to_select_output(self.in_sight)
 
     def show_in_sight(self, names: frozenset[str]) -> None:
         said = self._plot.plot.message == self.no_outputs

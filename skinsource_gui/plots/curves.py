@@ -22,11 +22,11 @@ from PySide6.QtGui import (
 )
 
 from skinsource.base.arrays import Floats
-from skinsource.limbs.locations import PlaceWords, output_words
+from skinsource.limbs.locations import LocationNames, output_name
 from skinsource.signals.resampling import Extremes
 from skinsource_gui.plots.ranges import (
+    CachedColumns,
     Columns,
-    KeptColumns,
     Kind,
     Points,
     Range,
@@ -167,13 +167,13 @@ class Curves:
 
 def output_names(outputs: tuple[int, ...], limb: str) -> tuple[CurveName, ...]:
     """Names of the curves of ``outputs`` of a limb."""
-    places = [output_words(output, limb) for output in outputs]
+    places = [output_name(output, limb) for output in outputs]
     return tuple(
         CurveName(number=place.number, short=_beside(place), full=place.name) for place in places
     )
 
 
-def _beside(place: PlaceWords) -> str:
+def _beside(place: LocationNames) -> str:
     """What stands beside the number; nothing where a lab gave its output no name."""
     return "" if place.short_name == f"output {place.number}" else place.short_name
 
@@ -210,7 +210,7 @@ class CurvePoints:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Seen:
+class VisibleRange:
     """What is seen of curves, in their own unit.
 
     Attributes
@@ -239,14 +239,14 @@ class Seen:
         return found if found and (found[0] < values[0] or found[1] > values[1]) else None
 
 
-def seen_of(
+def visible_range(
     curves: Curves,
     window: XWindow,
     n_drawn: int,
     row: QRectF,
     ratio: float,
-    columns: KeptColumns,
-) -> Seen:
+    columns: CachedColumns,
+) -> VisibleRange:
     """What is seen of the first curves in a row of the plot.
 
     Where the wave through them is known, it is drawn where there are two pixels and more for each
@@ -283,7 +283,9 @@ def _placed(wave: Wave, window: XWindow, n_drawn: int) -> Wave:
     return Wave(points=points, extremes=extremes)
 
 
-def course_of(found: Columns, y: Floats, wave: Wave | None, width_px: float, ratio: float) -> Seen:
+def course_of(
+    found: Columns, y: Floats, wave: Wave | None, width_px: float, ratio: float
+) -> VisibleRange:
     """What is seen of curves ``y``, (n_curves, n_points), where their columns are known.
 
     Parameters
@@ -294,21 +296,21 @@ def course_of(found: Columns, y: Floats, wave: Wave | None, width_px: float, rat
         Over how many px they go, and dots in a px.
     """
     if wave is None:
-        return Seen(line=found.points(y))
+        return VisibleRange(line=found.points(y))
     part = found.part.start, found.part.stop
     apart_px = width_px / max(part[1] - part[0], 1)
     if found.starts is not None or apart_px * ratio < _WAVE_PX:
         extremes = wave.extremes(*part)
         if extremes is None:
-            return Seen(line=found.points(y))
-        return Seen(line=found.reached(y, extremes), wave=True)
+            return VisibleRange(line=found.points(y))
+        return VisibleRange(line=found.reached(y, extremes), wave=True)
     instants, waves = wave.points(*part)
     dots = found.points(y) if apart_px >= _DOTS_PX else None
-    return Seen(line=Points(x=instants, y=waves), wave=True, dots=dots)
+    return VisibleRange(line=Points(x=instants, y=waves), wave=True, dots=dots)
 
 
 def curve_points(
-    seen: Seen, scale: ValueScale, rows: list[QRectF], ratio: float
+    seen: VisibleRange, scale: ValueScale, rows: list[QRectF], ratio: float
 ) -> tuple[CurvePoints, ...]:
     """What is drawn of each curve: in the one row there is, or in one each.
 
@@ -458,7 +460,7 @@ _SYNTHETIC = "SYNTHETIC"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Words:
+class PlotTexts:
     """Words around the curves.
 
     Attributes
@@ -477,7 +479,7 @@ class Words:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Content:
+class PlotContent:
     """Everything the layout depends on.
 
     Attributes
@@ -508,7 +510,7 @@ class Content:
     matched: str
     n_curves: int
     scaling: tuple[str, ...]
-    words: Words
+    words: PlotTexts
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -588,7 +590,7 @@ class PlotLayout:
         return QRectF(self.left, self.top + rank * height, self.right - self.left, height)
 
 
-def laid_out(content: Content, metrics: QFontMetricsF, old_left_px: float) -> PlotLayout:
+def laid_out(content: PlotContent, metrics: QFontMetricsF, old_left_px: float) -> PlotLayout:
     """Layout for ``content``; the left margin stays ``old_left_px`` if that is about right."""
     line, words = metrics.height(), content.words
     top = ceil(line) + 4
@@ -630,7 +632,7 @@ def fitting(texts: tuple[str, ...], metrics: QFontMetricsF, room_px: float) -> s
     return next((text for text in texts if metrics.horizontalAdvance(text) <= room_px), "")
 
 
-def _y_ticks(content: Content, row_px: float, line_px: float) -> tuple[Tick, ...]:
+def _y_ticks(content: PlotContent, row_px: float, line_px: float) -> tuple[Tick, ...]:
     low, high = content.scale.values
     if content.n_rows == 1:
         most, closest = row_px / (_AIRY * line_px), row_px / (_DENSE * line_px)
@@ -660,7 +662,7 @@ def _left_margin(ticks: tuple[Tick, ...], metrics: QFontMetricsF, old_px: float)
     return old_px if wanted <= old_px <= wanted + _MARGIN_SLACK_PX else wanted
 
 
-def _unit_words(content: Content, *, unread: bool) -> str:
+def _unit_words(content: PlotContent, *, unread: bool) -> str:
     parts = content.level or content.unit.symbol, content.matched
     symbol = ", ".join(filter(None, parts))
     if not unread:

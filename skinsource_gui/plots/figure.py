@@ -44,7 +44,7 @@ _FLAGS = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter | Qt.TextFla
 _NO_END_PX = 100_000
 
 
-class WordsLabel(QWidget):
+class NoteLabel(QWidget):
     """Words of less weight, in as many lines as they need; the tooltip has them too.
 
     Where four lines are too few, it counts what it leaves out: parts of the text stand between
@@ -507,7 +507,7 @@ def _write(
 _STROKE_PX, _WIDE_PX, _OUTPUT_LEGEND_GAP_PX = 3.0, 12.0, 5.0
 
 
-def legend_words(outputs: tuple[int, ...], room_px: float, painter: QPainter) -> list[str]:
+def legend_texts(outputs: tuple[int, ...], room_px: float, painter: QPainter) -> list[str]:
     """Its head, numbers of the outputs, and how many more there is no room for."""
     head = "Output" if len(outputs) == 1 else "Outputs"
     numbers = [str(one) for one in outputs]
@@ -532,7 +532,7 @@ def draw_legend(
     ``broken``: lines of the figure are, where colours begin again, and so are these strokes.
     """
     metrics, at = painter.fontMetrics(), room.left()
-    words = legend_words(outputs, room.width(), painter)
+    words = legend_texts(outputs, room.width(), painter)
     ranks = dict(zip(map(str, outputs), range(len(outputs)), strict=True))
     for word in words:
         if word in ranks:

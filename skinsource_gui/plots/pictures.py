@@ -63,10 +63,10 @@ from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec, Spec
 from skinsource.studies import scenes
 from skinsource_gui.fields.editors import FieldCell
-from skinsource_gui.fields.inputs import duration_text, told_text
+from skinsource_gui.fields.inputs import duration_text, full_label
 from skinsource_gui.fields.number_field import FINISHERS, NumberField
 from skinsource_gui.fields.units import minus
-from skinsource_gui.qt.theme import LIGHT, THEMES, Theme, on_paper, set_tone, theme_words
+from skinsource_gui.qt.theme import LIGHT, THEMES, Theme, on_paper, set_tone, theme_label
 
 #: Pixels in an inch of a page or a drawing, as in CSS.
 PER_INCH = 96
@@ -386,7 +386,7 @@ _BEHIND = re.compile(r"(?<=\d)(?:\s[^\d]*|[^\w.]*)$|[,;:.()]*$")
 Named = tuple[str, Design]
 
 
-def stimulus_words(design: Design) -> str:
+def stimulus_text(design: Design) -> str:
     """What is heard, where, how strong."""
     heard = audible_inputs(design.inputs)
     said = [_input_words(one, design) for one in heard[:_MOST_INPUTS]]
@@ -395,13 +395,13 @@ def stimulus_words(design: Design) -> str:
     return "; ".join(said) or "Silent: nothing is driven"
 
 
-def stimuli_words(named: Sequence[Named]) -> str:
+def stimuli_text(named: Sequence[Named]) -> str:
     """The stimuli of designs side by side: what they have in common once, what differs of each.
 
     Where they are made alike, numbers that differ stand beside each other, ``"Tone 50/100 Hz"``,
     in the order of their names; else each is told by itself.
     """
-    told = [stimulus_words(design) for _, design in named]
+    told = [stimulus_text(design) for _, design in named]
     if len(named) == 1:
         return told[0]
     names = [name for name, _ in named]
@@ -460,7 +460,7 @@ def _input_words(one: Input, design: Design) -> str:
 
 
 def _clip_words(clip: Clip) -> str:
-    parts = told_text(clip.waveform), duration_text(clip.duration_s)
+    parts = full_label(clip.waveform), duration_text(clip.duration_s)
     onset = f"at {clip.onset_s * 1e3:g} ms" if clip.onset_s else ""
     gain = f"gain {clip.gain:g}" if clip.gain != 1.0 else ""
     effects = _effects_words(clip)
@@ -538,7 +538,7 @@ def caption_of(
     driven = f"; predicted through {', '.join(through)}" if through else ""
     said_last = "".join(f" {one}" for one in notes)
     scaling = ", ".join(scalings)
-    return minus(f"{first}{stimuli_words(named)}. {limb}; scaling: {scaling}{driven}.{said_last}")
+    return minus(f"{first}{stimuli_text(named)}. {limb}; scaling: {scaling}{driven}.{said_last}")
 
 
 def lines_of(words: str, metrics: QFontMetricsF, room_px: float) -> list[str]:
@@ -660,7 +660,7 @@ DPI = NumberSpec(
 )
 COLOURS = ChoiceSpec(
     label="Colours",
-    options=tuple((name, theme_words(name)) for name in THEMES),
+    options=tuple((name, theme_label(name)) for name in THEMES),
     hint="Light for paper and most slides",
 )
 

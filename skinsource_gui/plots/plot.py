@@ -27,20 +27,20 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 from skinsource.design.design import Design
 from skinsource_gui.plots.axis import PlotViewBox, Stack
 from skinsource_gui.plots.curves import (
-    Content,
     Curves,
+    PlotContent,
     PlotLayout,
-    Words,
+    PlotTexts,
     curve_points,
     laid_out,
     least_size,
-    seen_of,
+    visible_range,
 )
 from skinsource_gui.plots.ranges import (
     EDGE,
-    HeldRange,
-    KeptColumns,
+    CachedColumns,
     Range,
+    SteadyRange,
     ValueScale,
     ValueUnit,
     XAxis,
@@ -563,9 +563,9 @@ class Plot(Canvas):
         self.words_font = scaled(tabular(self.font()), _TEXT)
         self.zoom: Range | None = None
         self.stacked = self.fitted = False
-        self.words, self.held = Words(), HeldRange()
-        self.columns = KeptColumns()
-        self._content: tuple[Content, XWindow] | None = None
+        self.words, self.held = PlotTexts(), SteadyRange()
+        self.columns = CachedColumns()
+        self._content: tuple[PlotContent, XWindow] | None = None
         self.crosshair = Crosshair(self, self)
         self.crosshair.moved.connect(self.reading_changed)
         self.navigation = Navigation(self, self)
@@ -613,7 +613,7 @@ class Plot(Canvas):
             self.navigation.follow_view()
             self.reading_changed.emit()
 
-    def set_words(self, words: Words) -> None:
+    def set_words(self, words: PlotTexts) -> None:
         """Words around the curves."""
         if words != self.words:
             self.words = words
@@ -716,7 +716,7 @@ class Plot(Canvas):
         n_drawn = self.curves.n_drawn(places.n_rows, stacked=self.stacked)
         rows = [places.row(rank // each if self.stacked else 0) for rank in range(n_drawn)]
         ratio = PAPER_DOTS if self._on_paper else self.devicePixelRatioF()
-        seen = seen_of(self.curves, self.x_window, n_drawn, rows[0], ratio, self.columns)
+        seen = visible_range(self.curves, self.x_window, n_drawn, rows[0], ratio, self.columns)
         fitted = self.fitted and self.zoom is not None
         if found := seen.extremes if fitted else seen.beyond(self.value_scale.values):
             self._fit(self.curves, found)
@@ -741,7 +741,7 @@ class Plot(Canvas):
         self.value_scale = ValueScale(
             values=self.value_scale.values, edge=EDGE if count > 1 else 0.0
         )
-        content = Content(
+        content = PlotContent(
             width=float(self.width()),
             height=float(self.height()),
             n_rows=count,

@@ -20,9 +20,9 @@ from skinsource.design.waveform import Waveform
 from skinsource_gui.fields.units import axis_unit
 from skinsource_gui.plots.curves import course_of
 from skinsource_gui.plots.pictures import Pictured
-from skinsource_gui.plots.ranges import KeptColumns, wave_of
+from skinsource_gui.plots.ranges import CachedColumns, wave_of
 from skinsource_gui.qt.buttons import paint_swatch
-from skinsource_gui.qt.frames import KeptPicture
+from skinsource_gui.qt.frames import CachedPicture
 from skinsource_gui.qt.theme import (
     UNIT_PX,
     current_theme,
@@ -180,7 +180,7 @@ class WaveformPreview(QWidget):
         self._colour: int | None = None
         self._flipped, self._problem = False, ""
         self._pale = False
-        self._axis, self._columns = KeptPicture(), KeptColumns()
+        self._axis, self._columns = CachedPicture(), CachedColumns()
         self.setObjectName("waveform_preview")
         self.setAccessibleName("Waveform")
         self.setFont(tabular(self.font()))
@@ -351,7 +351,7 @@ _CLIP_STRIP_TICK_SPACING_PX = 64
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class ShownClip:
+class StripClip:
     """A clip on the ruler.
 
     Attributes
@@ -373,10 +373,10 @@ class Lane:
 
     place: int
     colour: int
-    clips: tuple[ShownClip, ...]
+    clips: tuple[StripClip, ...]
 
 
-class ShownClips:
+class ClipDrawings:
     """Draws clips; what is alike is drawn once, however often it comes: some motions repeat much.
 
     Parameters
@@ -389,7 +389,7 @@ class ShownClips:
         self._rate_hz = sample_rate_hz
         self._drawn: dict[tuple[Waveform, tuple[Effect, ...], float], Floats] = {}
 
-    def of(self, clip: Clip, factor: float) -> ShownClip:
+    def of(self, clip: Clip, factor: float) -> StripClip:
         """A clip, its samples times its gain and ``factor``; those that pass 1 are not cut off."""
         key = (clip.waveform, clip.effects, clip.gain * factor)
         samples = self._drawn.get(key)
@@ -397,7 +397,7 @@ class ShownClips:
             plain = played(clip.waveform, clip.effects, self._rate_hz)
             reach = max(float(np.abs(plain).max(initial=0.0)), 1.0)
             samples = self._drawn[key] = plain * (clip.gain * factor / reach)
-        return ShownClip(start_s=clip.onset_s, duration_s=clip.duration_s, samples=samples)
+        return StripClip(start_s=clip.onset_s, duration_s=clip.duration_s, samples=samples)
 
 
 def strip_lanes(fragment: Fragment, sample_rate_hz: float) -> tuple[Lane, ...]:
@@ -412,7 +412,7 @@ def strip_lanes(fragment: Fragment, sample_rate_hz: float) -> tuple[Lane, ...]:
         (abs(lane.amplitude * clip.gain) for lane in fragment.lanes for clip in lane.clips),
         default=1.0,
     )
-    factor, shown = 1.0 / (largest or 1.0), ShownClips(sample_rate_hz)
+    factor, shown = 1.0 / (largest or 1.0), ClipDrawings(sample_rate_hz)
     return tuple(
         Lane(
             place=lane.location,
@@ -430,7 +430,7 @@ class ClipStrip(QWidget):
         super().__init__(parent)
         self._lanes: tuple[Lane, ...] = ()
         self._words = ""
-        self._picture = KeptPicture()
+        self._picture = CachedPicture()
         # Outlines of what is painted, by samples and size.
         self._outlines: dict[tuple[int, float, float], QPainterPath] = {}
         self.setObjectName("clip_strip")
@@ -510,7 +510,7 @@ class ClipStrip(QWidget):
         painter: QPainter,
         area: QRectF,
         colour: QColor,
-        clip: ShownClip,
+        clip: StripClip,
         x_of: Callable[[float], float],
     ) -> None:
         left, right = x_of(clip.start_s), x_of(clip.start_s + clip.duration_s)

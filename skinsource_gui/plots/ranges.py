@@ -31,7 +31,7 @@ _RELATIVE_TOP = 1.1
 _HEADROOM = 1.02
 
 
-class HeldRange:
+class SteadyRange:
     """Range of a value axis that follows its data without flicker.
 
     It grows at once, and shrinks only when the data need less than 60 % of it.
@@ -53,7 +53,7 @@ class HeldRange:
         self._kind = kind
         return self._range
 
-    def copied(self) -> "HeldRange":
+    def copied(self) -> "SteadyRange":
         """One that has followed the same data."""
         return copy(self)
 
@@ -612,7 +612,7 @@ def columns_of(x: Floats, shown: Range, width_px: int) -> Columns:
     return Columns(part=part, places=places, starts=starts)
 
 
-class KeptColumns:
+class CachedColumns:
     """The columns that were asked for last: an edit that keeps the axis finds them as they were.
 
     Attributes

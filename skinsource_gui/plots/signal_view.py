@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QMenu, QToolButton, QVB
 from skinsource.base.decibels import in_tables
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.job import never
-from skinsource.design.labels import limb_word, signal_words
+from skinsource.design.labels import limb_word, signal_label
 from skinsource.export.exported_design import (
     describe_levels,
     describe_played,
@@ -24,7 +24,7 @@ from skinsource.export.exported_design import (
     output_file,
 )
 from skinsource.export.tables import CsvTable
-from skinsource_gui.plots.curves import Curves, Words
+from skinsource_gui.plots.curves import Curves, PlotTexts
 from skinsource_gui.plots.legend import PEAK, LegendStrip, LegendText, along_axes
 from skinsource_gui.plots.pictures import (
     PictureOptions,
@@ -38,7 +38,7 @@ from skinsource_gui.plots.plot import Plot
 from skinsource_gui.plots.ranges import Kind, Range, XAxis
 from skinsource_gui.plots.toolbar import PlotToolbar
 from skinsource_gui.qt.keys import KEYS, key_text
-from skinsource_gui.qt.overlays import Lateness
+from skinsource_gui.qt.overlays import Staleness
 from skinsource_gui.qt.room import HeightInSight
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, current_theme, drawn_in, on_paper
 
@@ -389,7 +389,7 @@ class SignalView(QWidget):
         name: str,
         accessible_name: str,
         parent: QWidget | None = None,
-        lateness: Lateness | None = None,
+        lateness: Staleness | None = None,
     ) -> None:
         super().__init__(parent)
         self.toolbar = PlotToolbar(self)
@@ -407,9 +407,9 @@ class SignalView(QWidget):
         column.addWidget(self.legend)
         column.addWidget(self.plot, 1)
         self.exports = SignalExports(self.plot, accessible_name, self)
-        self._words = Words()
+        self._words = PlotTexts()
         self._in_menu: list[QToolButton] = []
-        self._lateness = lateness or Lateness(self)
+        self._lateness = lateness or Staleness(self)
         self._lateness.changed.connect(self._mark_stale)
         self.plot.navigation.zoom_requested.connect(self.zoom_requested)
         self.toolbar.everything_wanted.connect(self._show_everything)
@@ -439,7 +439,7 @@ class SignalView(QWidget):
         They count as up to date until `set_stale` says otherwise.
         """
         self._lateness.set_stale(False)
-        self._say(Words(synthetic=synthetic, notes=notes))
+        self._say(PlotTexts(synthetic=synthetic, notes=notes))
         self.plot.show_curves(curves)
 
     def show_message(self, message: str) -> None:
@@ -465,7 +465,7 @@ class SignalView(QWidget):
             self.plot.show_message(_COMPUTING)
         self._say(replace(self._words, stale=late))
 
-    def _say(self, words: Words) -> None:
+    def _say(self, words: PlotTexts) -> None:
         self._words = words
         self.plot.set_words(words)
 
@@ -565,5 +565,5 @@ def _lines(results: Mapping[str, Any], first: tuple[str, ...], each_axis: bool) 
 def heading_of(results: Mapping[str, Any], *, each_axis: bool = False) -> tuple[str, ...]:
     """Parts of the heading of a picture: the caption below says what is played, and how."""
     along = f"along {EACH_AXIS}"
-    words = along if each_axis else signal_words(results["axes"], results["method"])
+    words = along if each_axis else signal_label(results["axes"], results["method"])
     return limb_word(results["limb"]).title, words

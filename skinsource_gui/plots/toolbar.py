@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
 
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.room import (
-    RoomOrWords,
+    RoomOrText,
     fitting_font,
     readable_of,
     smallest_of,
@@ -69,7 +69,7 @@ class PlotToolbar(QWidget):
         self._everything.clicked.connect(self.everything_wanted)
         self._everything.setVisible(False)
         self._row.addWidget(self._everything)
-        RoomOrWords(self).changed.connect(self._fit)
+        RoomOrText(self).changed.connect(self._fit)
 
     def add_layout(self, name: str, text: str, hint: str) -> None:
         """Add one beside those that each plot has, before there are switches."""

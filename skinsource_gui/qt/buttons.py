@@ -39,7 +39,7 @@ SWATCH_PX = 24
 _ROUNDING_PX = 5
 
 
-def words_on(colour: QColor) -> QColor:
+def text_colour_on(colour: QColor) -> QColor:
     """Black or white, whichever is easier to read on ``colour`` (WCAG 2 contrast)."""
     parts = (colour.redF(), colour.greenF(), colour.blueF())
     linear = [
@@ -63,7 +63,7 @@ def paint_swatch(
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(colour)
     painter.drawRoundedRect(place.adjusted(1, 1, -1, -1), _ROUNDING_PX, _ROUNDING_PX)
-    painter.setPen(text if silent else words_on(colour))
+    painter.setPen(text if silent else text_colour_on(colour))
     painter.drawText(place, Qt.AlignmentFlag.AlignCenter, str(number))
     painter.restore()
 
@@ -181,7 +181,9 @@ class LetterButton(QAbstractButton):
         font = QFont(painter.font())
         font.setWeight(QFont.Weight.DemiBold)
         painter.setFont(font)
-        painter.setPen(words_on(fill) if fill is not None and lit else QColor(current_theme().dim))
+        painter.setPen(
+            text_colour_on(fill) if fill is not None and lit else QColor(current_theme().dim)
+        )
         painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self.text())
 
 

@@ -36,17 +36,17 @@ class ErrorLabel(FittingLabel):
             self.show_phrases(("",))
             self.setToolTip("")
         else:
-            estimate = f"· error ≈ {one_digit_up(error.estimate)}"
-            self.show_phrases((f"· {error_words(error)}", estimate, ""))
+            estimate = f"· error ≈ {rounded_up(error.estimate)}"
+            self.show_phrases((f"· {error_text(error)}", estimate, ""))
             self.setToolTip(_sentences(error))
         if error is not None and error.estimate > PROMISED:
             tone = "error" if error.estimate > VISIBLE else "warning"
         set_tone(self, tone)
 
 
-def error_words(error: TraceError) -> str:
+def error_text(error: TraceError) -> str:
     """Return estimate and bound, as short as can be."""
-    return f"error ≈ {one_digit_up(error.estimate)}, at most {one_digit_up(error.bound)}"
+    return f"error ≈ {rounded_up(error.estimate)}, at most {rounded_up(error.bound)}"
 
 
 def _sentences(error: TraceError) -> str:
@@ -60,7 +60,7 @@ def _sentences(error: TraceError) -> str:
     return "\n".join(lines)
 
 
-def one_digit_up(error: float) -> str:
+def rounded_up(error: float) -> str:
     """Round ``error`` up to one digit, so that it is never shown smaller than it is."""
     # Less than one rounding is not an error that anything in float64 could have.
     error = max(error, float(np.finfo(np.float64).eps))

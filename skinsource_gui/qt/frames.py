@@ -146,7 +146,7 @@ class PaintedAnew:
         painter.restore()
 
 
-class KeptPicture:
+class CachedPicture:
     """Remembers how something was painted, and paints it so again until it looks different."""
 
     def __init__(self) -> None:

@@ -26,14 +26,14 @@ HAND, TIMELINE, SKIN = "hand", "timeline", "skin"
 USUALLY_IN_SIGHT = frozenset({HAND, TIMELINE, SKIN})
 
 
-def add_words(in_sight: frozenset[str], what: str = "an input") -> str:
+def how_to_add(in_sight: frozenset[str], what: str = "an input") -> str:
     """How to add ``what``: an input, or a track, as the timeline calls it."""
     if HAND in in_sight:
         return f"Click a place on the hand to add {what}"
     return f"Press {shortcut_text('add_input')} to add {what}"
 
 
-def select_words(in_sight: frozenset[str]) -> str:
+def how_to_select_input(in_sight: frozenset[str]) -> str:
     """How to select an input, where there are some."""
     ways = [
         words
@@ -45,10 +45,10 @@ def select_words(in_sight: frozenset[str]) -> str:
     return f"Select an input, {' or '.join(ways)}, to edit it"
 
 
-def clip_words(in_sight: frozenset[str], *, inputs: bool) -> str:
+def how_to_select_clip(in_sight: frozenset[str], *, inputs: bool) -> str:
     """How to get at a clip; ``inputs``: whether there are some."""
     if not inputs:
-        return add_words(in_sight)
+        return how_to_add(in_sight)
     if TIMELINE in in_sight:
         return "Select a clip in the timeline to see and draw it"
     if HAND in in_sight:
@@ -56,7 +56,7 @@ def clip_words(in_sight: frozenset[str], *, inputs: bool) -> str:
     return "Show the timeline (View > Panels) to select a clip"
 
 
-def output_words(in_sight: frozenset[str]) -> str:
+def how_to_select_output(in_sight: frozenset[str]) -> str:
     """How to select outputs."""
     if SKIN in in_sight:
         return "Select outputs on the skin map"

@@ -10,7 +10,7 @@ from skinsource_gui.qt.theme import UNIT_PX
 _LATE_MS = 150
 
 
-class Lateness(QObject):
+class Staleness(QObject):
     """Whether what is drawn has been out of date for a while.
 
     Attributes
@@ -135,7 +135,7 @@ PALE = 0.45
 _RADIUS_PX = 4.0
 
 
-class Veil(OverAll):
+class StaleOverlay(OverAll):
     """Lies over all of another widget, which stays readable and can be used.
 
     Parameters

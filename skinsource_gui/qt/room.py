@@ -55,7 +55,7 @@ class LetterWidth(QObject):
 _OTHERS = (QEvent.Type.Resize, QEvent.Type.LayoutRequest, QEvent.Type.FontChange)
 
 
-class RoomOrWords(QObject):
+class RoomOrText(QObject):
     """Tells when a widget has another room, or when words in it are others, or of another size.
 
     Who follows may tell the widget's layout so: that is told again.  It ends where the same room
@@ -251,7 +251,7 @@ class ButtonRow(QWidget):
             row.addWidget(one)
         row.addStretch(1)
         self._gap_px = row.spacing()
-        RoomOrWords(self).changed.connect(self._fit)
+        RoomOrText(self).changed.connect(self._fit)
 
     def _fit(self) -> None:
         shown = [one for one in self._buttons if not one.isHidden()]
@@ -263,7 +263,7 @@ class ButtonRow(QWidget):
 # Tells how much of the height of a widget can be seen at once.
 
 
-class HeightInSight(RoomOrWords):
+class HeightInSight(RoomOrText):
     """Tells when there may be another height in sight, and how much that is.
 
     What scrolls is as high as it wants to be: its own height does not say whether it has room.
@@ -326,7 +326,7 @@ class BesideOrBelow(QWidget):
             self._rows.append(row)
             # What is left over belongs to the last group.
             self._box.addLayout(row, int(len(self._rows) == len(groups)))
-        RoomOrWords(self).changed.connect(self._fold)
+        RoomOrText(self).changed.connect(self._fold)
 
     @property
     def folded(self) -> bool:

@@ -215,7 +215,7 @@ def set_tone(widget: QWidget, tone: str) -> None:
             widget.style().polish(widget)
 
 
-def theme_words(name: str) -> str:
+def theme_label(name: str) -> str:
     """What a theme, or the choice of the system's, is called in menus and lists."""
     return "High contrast" if name == CONTRAST.name else name.capitalize()
 

@@ -10,7 +10,7 @@ from PySide6.QtCore import QEventLoop, QPoint, QRect, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontInfo, QPainter
 from PySide6.QtWidgets import QApplication, QWidget
 
-from skinsource.design.comparing import EDITED, Snapshot, shown, together
+from skinsource.design.comparing import EDITED, Snapshot, shown, with_edited
 from skinsource.design.labels import short_limb_title
 from skinsource.perception.validity import Judged, in_full, in_short
 from skinsource_gui.panels.skin.panel import SkinPanel
@@ -21,19 +21,19 @@ from skinsource_gui.plots.pictures import (
     WholePicture,
     caption_of,
     height_above,
-    stimulus_words,
+    stimulus_text,
     with_caption,
 )
 from skinsource_gui.plots.signal_view import SignalExports
 from skinsource_gui.qt.asking import CopyButton
 from skinsource_gui.qt.theme import LIGHT, Theme, apply_theme, current_theme
 from skinsource_gui.shell.appearance import Appearance
-from skinsource_gui.shell.dock_layout import staged, usual_size
+from skinsource_gui.shell.dock_layout import shown_off_screen, usual_size
 from skinsource_gui.shell.docks import Dock, PanelInUse
 from skinsource_gui.state.comparison import Judging
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Engine, on_limb, sources_of_levels, sources_shown, too_large
-from skinsource_gui.state.panel import MadePanels, Panel
+from skinsource_gui.state.panel import Panel, PanelRegistry
 
 # What maps are drawn with between outputs: what asks for it draws one.
 _MAP = "surface"
@@ -49,7 +49,7 @@ class _Shown:
     present: bool = False
 
 
-class Carrying:
+class ExportMetadata:
     """Says what goes with whatever is taken out of a panel, and hands that to all of its exits.
 
     Parameters
@@ -66,7 +66,7 @@ class Carrying:
         self,
         document: Document,
         engine: Engine,
-        panels: MadePanels,
+        panels: PanelRegistry,
         catch_up: Callable[[], None],
     ) -> None:
         self._document, self._judging, self._catch_up = document, Judging(engine), catch_up
@@ -86,7 +86,7 @@ class Carrying:
         here = shown(compared, design)
         if not compared or all(panel.needs_of_snapshots for panel in panels):
             return words
-        elsewhere = stimulus_words(design) if here is None else _words(here)
+        elsewhere = stimulus_text(design) if here is None else _words(here)
         return f"{words} Other panels: {elsewhere}."
 
     def lines(self, *panels: Panel) -> tuple[str, ...]:
@@ -120,7 +120,7 @@ class Carrying:
 
     def _compared(self, panels: Sequence[Panel]) -> list[Snapshot]:
         """Snapshots that these panels show side by side, and what is edited, as they stand."""
-        together_now = together(self._document.view.snapshots, self._document.design)
+        together_now = with_edited(self._document.view.snapshots, self._document.design)
         drawn = {
             one.number: one
             for panel in panels
@@ -196,14 +196,14 @@ class PanelPictures:
         frame: QWidget,
         document: Document,
         engine: Engine,
-        panels: MadePanels,
+        panels: PanelRegistry,
         appearance: Appearance,
         catch_up: Callable[[], None],
         docks: Mapping[str, Dock],
         in_use: PanelInUse,
     ) -> None:
         self._frame, self._panels = frame, panels
-        self._carrying = Carrying(document, engine, panels, catch_up)
+        self._carrying = ExportMetadata(document, engine, panels, catch_up)
         self._appearance, self._catch_up, self._docks = appearance, catch_up, docks
         self._in_use = in_use
 
@@ -247,7 +247,7 @@ class PanelPictures:
             with self._carrying.as_stored(), self._in_colours(theme):
                 panel.draw_picture(painter, width, height, theme)
             return
-        stage = staged(self._docks[panel.name], width, height)
+        stage = shown_off_screen(self._docks[panel.name], width, height)
         with self._carrying.as_stored(), stage as make_room:
             self._catch_up()
             # Parts that come and go with results ask for their room now.

@@ -28,7 +28,7 @@ from skinsource_gui.shell.arrangement_spec import (
     Place,
     Places,
 )
-from skinsource_gui.shell.docks import Dock, KeptKeyboard
+from skinsource_gui.shell.docks import Dock, KeyboardKeeper
 from skinsource_gui.state.panel import PREPARING, Panel
 from skinsource_gui.state.preferences import Preferences
 
@@ -235,7 +235,7 @@ class Arrangements(QObject):
         self._spec: ArrangementSpec | None = None
         self._folded: Folded | None = None
         self._room: Room | None = None
-        self.keyboard = KeptKeyboard(window, docks)
+        self.keyboard = KeyboardKeeper(window, docks)
 
     def show(self, name: str) -> None:
         """Take up the arrangement ``name``; the first one where it is not known."""
@@ -390,14 +390,14 @@ class _One:
 
 
 @dataclass(frozen=True, slots=True)
-class Standing:
+class DockPlaces:
     """Where each dock stands in the room of all, which is less where bars of the window grow."""
 
     room: QSize
     docks: Mapping[str, _One]
 
     @classmethod
-    def of(cls, docks: Mapping[str, Dock]) -> "Standing":
+    def of(cls, docks: Mapping[str, Dock]) -> "DockPlaces":
         """How it is now."""
         here = [
             dock.geometry() for dock in docks.values() if dock.in_sight and not dock.isFloating()
@@ -415,7 +415,7 @@ class Standing:
             },
         )
 
-    def is_like(self, other: "Standing") -> bool:
+    def is_like(self, other: "DockPlaces") -> bool:
         """Whether nobody has moved a dock; in a room of another size, shown or hidden one."""
         as_wide = self.room.width() == other.room.width()
         as_high = self.room.height() == other.room.height()
@@ -428,7 +428,7 @@ class Standing:
 # Whether docks stand as they were arranged, and what becomes of those that do.
 
 
-class Settling(QObject):
+class DockSizes(QObject):
     """Shares the room once panels are as wide as they will be, and knows whether they were moved.
 
     Parameters
@@ -446,7 +446,7 @@ class Settling(QObject):
         self._docks, self._arrangements = docks, arrangements
         arrangements.chosen.connect(self._begin)
         # How the docks stand where nobody has moved them; None: they may have been.
-        self._untouched: Standing | None = None
+        self._untouched: DockPlaces | None = None
         # Whether nobody had moved them before words took another size.
         self._to_refit = False
         # How high some panels must be is known once they have their width.
@@ -461,7 +461,7 @@ class Settling(QObject):
         """Whether nobody has moved a dock since they were arranged."""
         if self._settled.isActive() or self._widened.isActive():
             return True
-        now = Standing.of(self._docks)
+        now = DockPlaces.of(self._docks)
         return self._untouched is not None and now.is_like(self._untouched)
 
     def follow(self, appearance: Appearance) -> None:
@@ -498,7 +498,7 @@ class Settling(QObject):
         self._settled.start()
 
     def _note(self) -> None:
-        self._untouched = Standing.of(self._docks)
+        self._untouched = DockPlaces.of(self._docks)
 
 
 # Where the docks of a window stand: between sessions, and in the files of designs.
@@ -538,7 +538,7 @@ class DockLayout(QObject):
         super().__init__(window)
         self._window, self._docks, self._preferences = window, docks, preferences
         self._arrangements = arrangements
-        self.settling = Settling(window, docks, arrangements)
+        self.settling = DockSizes(window, docks, arrangements)
         arrangements.chosen.connect(self._note_arrangement)
         self._present: ArrangementSpec | None = None
         # By arrangement, what the user made of it.
@@ -651,7 +651,7 @@ class DockLayout(QObject):
     def restore(self) -> None:
         """Bring back the last session; its sizes only where its screen is there."""
         screen, layout = self._preferences.screen, self._preferences.layout
-        fits = not screen or screen in map(screen_words, QGuiApplication.screens())
+        fits = not screen or screen in map(screen_key, QGuiApplication.screens())
         if fits:
             self._window.restoreGeometry(self._preferences.geometry)
         # With the arrangement come its large words; where its docks were moved, they stand there.
@@ -675,7 +675,7 @@ class DockLayout(QObject):
         arrangement, content = self._before_scene or (arrangement, content)
         self._preferences.geometry, self._preferences.arrangement = geometry, arrangement
         self._preferences.layout = QByteArray(content)
-        self._preferences.screen = screen_words(self._window.screen())
+        self._preferences.screen = screen_key(self._window.screen())
         self._preferences.own_arrangements = self._own
         self._preferences.flush()
         for dock in self._docks.values():
@@ -707,7 +707,7 @@ class DockLayout(QObject):
         self.settling.refit()
 
 
-def screen_words(screen: QScreen) -> str:
+def screen_key(screen: QScreen) -> str:
     """What sizes of windows depend on: the room on a screen and its scale."""
     room = screen.availableGeometry()
     return f"{room.width()} x {room.height()} at {screen.devicePixelRatio():g}"
@@ -722,7 +722,7 @@ def usual_size(panel: Panel) -> QSize:
 
 
 @contextmanager
-def staged(dock: Dock, width: int, height: int) -> Iterator[Callable[[], None]]:
+def shown_off_screen(dock: Dock, width: int, height: int) -> Iterator[Callable[[], None]]:
     """Show the panel of a dock out of sight, for as long as it is drawn.
 
     What was never shown has no layout, and is told nothing.  Gives what makes room for all that has
@@ -768,7 +768,7 @@ def _make_room(stage: QWidget) -> None:
 # What a panel is told, and who hears it, when it is made.
 
 
-class TakingIn:
+class PanelInstaller:
     """Takes each panel into the window, after all others have met it.
 
     Parameters

@@ -38,7 +38,7 @@ from skinsource_gui.qt.room import SteadyArea
 from skinsource_gui.qt.theme import Theme, current_theme, drawn_icon
 from skinsource_gui.qt.tooltips import show_tooltip
 from skinsource_gui.shell.focus import focus_into
-from skinsource_gui.state.panel import MadePanels, Panel
+from skinsource_gui.state.panel import Panel, PanelRegistry
 
 _LINE_PX = 1.6
 
@@ -101,7 +101,7 @@ class Dock(QDockWidget):
     #: The panel came into sight, or left it.
     sight_changed = Signal()
 
-    def __init__(self, name: str, title: str, panels: MadePanels, window: QWidget) -> None:
+    def __init__(self, name: str, title: str, panels: PanelRegistry, window: QWidget) -> None:
         super().__init__(title, window)
         self._panels = panels
         self._tabbed = self._behind = False
@@ -501,7 +501,7 @@ class PanelInUse(QObject):
     """
 
     def __init__(
-        self, window: QMainWindow, docks: Mapping[str, Dock], panels: MadePanels, tabs: DockTabs
+        self, window: QMainWindow, docks: Mapping[str, Dock], panels: PanelRegistry, tabs: DockTabs
     ) -> None:
         super().__init__(window)
         self._window, self._docks, self._panels = window, docks, panels
@@ -572,7 +572,7 @@ class PanelInUse(QObject):
 # Where the keyboard goes when the panel that has it goes out of sight.
 
 
-class KeptKeyboard(QObject):
+class KeyboardKeeper(QObject):
     """Keeps the keyboard in the panels when the one that has it is hidden.
 
     Qt would give it to whatever comes next, a list of the setup bar as well as any number: the

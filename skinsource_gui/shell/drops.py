@@ -11,7 +11,7 @@ from skinsource.design.waveforms.catalog import kinds
 from skinsource_gui.panels.timeline.panel import TimelineEdits
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.panel import MadePanels, Panel
+from skinsource_gui.state.panel import Panel, PanelRegistry
 
 
 class ClipDrops(QObject):
@@ -23,7 +23,7 @@ class ClipDrops(QObject):
         All of a window, each of which gets to know whom to ask; the window is the parent.
     """
 
-    def __init__(self, panels: MadePanels, parent: QObject) -> None:
+    def __init__(self, panels: PanelRegistry, parent: QObject) -> None:
         super().__init__(parent)
         self._panels = panels
         panels.each(self._meet)

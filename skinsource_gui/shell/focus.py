@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource_gui.qt.wheel import bring_into_sight
-from skinsource_gui.state.panel import MadePanels
+from skinsource_gui.state.panel import PanelRegistry
 
 if TYPE_CHECKING:
     from skinsource_gui.panels.clip_editor.panel import ClipEditorPanel
@@ -148,7 +148,9 @@ class PanelFocus(QObject):
         Brings a panel into sight, by its name.
     """
 
-    def __init__(self, panels: MadePanels, bring: Callable[[str], None], parent: QObject) -> None:
+    def __init__(
+        self, panels: PanelRegistry, bring: Callable[[str], None], parent: QObject
+    ) -> None:
         super().__init__(parent)
         self._panels, self._bring = panels, bring
         # Where the keyboard was before a panel was shown, and which panels it came in front of.
@@ -217,7 +219,7 @@ class ClipDrawing(QObject):
         Brings that into sight, and back to where the keyboard was.
     """
 
-    def __init__(self, panels: MadePanels, focus: PanelFocus, parent: QObject) -> None:
+    def __init__(self, panels: PanelRegistry, focus: PanelFocus, parent: QObject) -> None:
         super().__init__(parent)
         self._panels, self._focus = panels, focus
 
@@ -234,7 +236,7 @@ class ClipDrawing(QObject):
 
 
 def focus_capabilities(
-    panels: MadePanels, bring: Callable[[str], None], window: QWidget
+    panels: PanelRegistry, bring: Callable[[str], None], window: QWidget
 ) -> dict[str, QObject]:
     """Those who carry it out, by the names that the table of actions has for them.
 

@@ -21,7 +21,7 @@ from skinsource.base.assets import user_folder
 from skinsource.base.crash_log import MOST_BYTES, crashed_logs, note_offered
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.files import named, read_bytes, write_bytes
-from skinsource.design.recovery import Found, LeftOver
+from skinsource.design.recovery import Found, UnsavedWork
 from skinsource_gui.pages.files.autosave import Autosave, Recovery, WorkPicture
 from skinsource_gui.pages.files.file_actions import FileActions
 from skinsource_gui.shell.dock_layout import DockLayout
@@ -35,7 +35,7 @@ _ICON = QSize(60, 90)
 _ROLE = QDialogButtonBox.ButtonRole
 
 
-def picture_of(left: LeftOver) -> QPixmap:
+def picture_of(left: UnsavedWork) -> QPixmap:
     """What the work looked like; empty where nobody knows."""
     picture = QPixmap()
     # The stubs of PySide ask for bytes, which it does not take.
@@ -47,13 +47,13 @@ def picture_of(left: LeftOver) -> QPixmap:
     return picture.scaled(_ICON, keep, smooth)
 
 
-def words_of(left: LeftOver) -> str:
+def work_description(left: UnsavedWork) -> str:
     """What is known of it, in two lines."""
     where = named(left.file) if left.file else "never saved under a name"
     return f"{left.name}, kept {left.age()}\n{where}"
 
 
-class LeftOverPage(QDialog):
+class UnsavedWorkPage(QDialog):
     """Lists left-over work with its picture and age, to be opened or discarded.
 
     Parameters
@@ -68,9 +68,9 @@ class LeftOverPage(QDialog):
 
     def __init__(
         self,
-        look: Callable[[], tuple[LeftOver, ...]],
-        open_it: Callable[[LeftOver], None],
-        discard: Callable[[LeftOver], None],
+        look: Callable[[], tuple[UnsavedWork, ...]],
+        open_it: Callable[[UnsavedWork], None],
+        discard: Callable[[UnsavedWork], None],
         parent: QWidget,
     ) -> None:
         super().__init__(parent)
@@ -78,7 +78,7 @@ class LeftOverPage(QDialog):
         self.setWindowTitle("Unsaved work of earlier sessions")
         self.resize(560, 420)
         self._look, self._open_it, self._discard = look, open_it, discard
-        self._left: tuple[LeftOver, ...] = ()
+        self._left: tuple[UnsavedWork, ...] = ()
         self._words = QLabel()
         self._words.setWordWrap(True)
         self.rows = QListWidget()
@@ -108,7 +108,7 @@ class LeftOverPage(QDialog):
         )
         self.rows.clear()
         for left in self._left:
-            item = QListWidgetItem(QIcon(picture_of(left)), words_of(left))
+            item = QListWidgetItem(QIcon(picture_of(left)), work_description(left))
             item.setSizeHint(_ICON + QSize(0, 12))
             self.rows.addItem(item)
         self.rows.setCurrentRow(0 if self._left else -1)
@@ -134,7 +134,7 @@ class LeftOverPage(QDialog):
 _LOGS = "Logs (*.log)"
 
 
-class Keeping(QObject):
+class AutosaveAndRecovery(QObject):
     """Keeps copies of unsaved work, and offers those that earlier studios left.
 
     Parameters
@@ -214,7 +214,7 @@ class Keeping(QObject):
     def show(self) -> None:
         """Open the page on unsaved work of earlier studios."""
         recovery = self.recovery
-        LeftOverPage(
+        UnsavedWorkPage(
             lambda: recovery.look().left, recovery.open, recovery.discard, self._window
         ).open()
 
@@ -257,7 +257,7 @@ def _offers(found: Found) -> tuple[list[str], list[Choice]]:
         for copy in found.set_aside
     ]
     if len(found.left) == 1:
-        left: LeftOver = found.left[0]
+        left: UnsavedWork = found.left[0]
         sentences.append(
             f"The studio ended before your work on {left.name} was saved. "
             f"A copy was kept {left.age()}."

@@ -22,7 +22,7 @@ from skinsource.base.errors import SkinSourceError
 from skinsource.base.job import Job
 from skinsource.design.design import Design
 from skinsource.design.labels import LIMBS
-from skinsource.design.signal_path import unplayable_words
+from skinsource.design.signal_path import unplayable_text
 from skinsource.design.view import View
 from skinsource.limbs.dataset.store import StoreInfo
 from skinsource_gui.qt.asking import agreed
@@ -392,7 +392,7 @@ class Reports(QObject):
 
     def show_outcome(self, outcome: Outcome) -> None:
         """Take over what the panels show now, and say which inputs it is without."""
-        words = unplayable_words((outcome.values or {}).get(UNPLAYABLE, ()))
+        words = unplayable_text((outcome.values or {}).get(UNPLAYABLE, ()))
         if words != self._impossible:
             if self._impossible and self._notice.text == self._impossible:
                 self._notice.be_quiet()

@@ -16,7 +16,7 @@ from skinsource_gui.panels.timeline.content import TimelineSettings
 from skinsource_gui.panels.traces.panel import TracesSettings
 from skinsource_gui.panels.transfer.panel import TransferSettings
 from skinsource_gui.shell.arrangement_spec import Behind, Place
-from skinsource_gui.state.panel import LatePanel, Panel
+from skinsource_gui.state.panel import LazyPanel, Panel
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,7 +36,7 @@ class PanelSpec:
         with the host of that arrangement.  Where nothing is said, at the foot of the last column.
     """
 
-    panel: LatePanel | type[Panel]
+    panel: LazyPanel | type[Panel]
     settings: type | None = None
     places: Mapping[str, Place | Behind | None] = field(default_factory=dict)
 
@@ -69,11 +69,11 @@ def _places(
 #: In the order in which the keyboard reaches them.
 PANELS: tuple[PanelSpec, ...] = (
     PanelSpec(
-        panel=LatePanel("hand", "Hand"),
+        panel=LazyPanel("hand", "Hand"),
         places=_places(design=Place(0), presentation=Place(0, 82)),
     ),
     PanelSpec(
-        panel=LatePanel("timeline", "Timeline"),
+        panel=LazyPanel("timeline", "Timeline"),
         settings=TimelineSettings,
         places=_places(
             design=Place(0, 38, at_foot=True),
@@ -81,57 +81,57 @@ PANELS: tuple[PanelSpec, ...] = (
             analysis=Behind("spectra"),
         ),
     ),
-    PanelSpec(panel=LatePanel("inspector", "Inspector"), places=_places(design=Place(2))),
+    PanelSpec(panel=LazyPanel("inspector", "Inspector"), places=_places(design=Place(2))),
     PanelSpec(
-        panel=LatePanel("frequency_and_amplitude", "Frequency and amplitude"),
+        panel=LazyPanel("frequency_and_amplitude", "Frequency and amplitude"),
         settings=ControlSettings,
         places=_places(presentation=Place(0, 18)),
     ),
     PanelSpec(
-        panel=LatePanel("skin", "Skin"),
+        panel=LazyPanel("skin", "Skin"),
         settings=SkinSettings,
         places=_places(design=Place(1), drawing=Place(0), analysis=Place(0), presentation=Place(1)),
     ),
     PanelSpec(
-        panel=LatePanel("traces", "Traces"),
+        panel=LazyPanel("traces", "Traces"),
         settings=TracesSettings,
         places=_places(design=Place(3, 50), analysis=Place(1)),
     ),
     PanelSpec(
-        panel=LatePanel("spectra", "Spectra"),
+        panel=LazyPanel("spectra", "Spectra"),
         settings=SpectraSettings,
         places=_places(design=Place(3, 50), analysis=Place(1)),
     ),
     PanelSpec(
-        panel=LatePanel("clip_editor", "Clip"),
+        panel=LazyPanel("clip_editor", "Clip"),
         places=_places(design=Behind("timeline"), drawing=Place(1), analysis=Behind("spectra")),
     ),
     # No arrangement shows these: View > Panels brings them, as tabs.
-    PanelSpec(panel=LatePanel("compare", "Compare"), places=_places()),
-    PanelSpec(panel=LatePanel("history", "History"), places=_places()),
-    PanelSpec(panel=LatePanel("library", "Library"), places=_places()),
-    PanelSpec(panel=LatePanel("actuator", "Actuator"), settings=ActuatorSettings, places=_places()),
-    PanelSpec(panel=LatePanel("playback", "Playback"), places=_places()),
-    PanelSpec(panel=LatePanel("statistics", "Statistics"), places=_places()),
+    PanelSpec(panel=LazyPanel("compare", "Compare"), places=_places()),
+    PanelSpec(panel=LazyPanel("history", "History"), places=_places()),
+    PanelSpec(panel=LazyPanel("library", "Library"), places=_places()),
+    PanelSpec(panel=LazyPanel("actuator", "Actuator"), settings=ActuatorSettings, places=_places()),
+    PanelSpec(panel=LazyPanel("playback", "Playback"), places=_places()),
+    PanelSpec(panel=LazyPanel("statistics", "Statistics"), places=_places()),
     PanelSpec(
-        panel=LatePanel("spectrogram", "Spectrogram"),
+        panel=LazyPanel("spectrogram", "Spectrogram"),
         settings=SpectrogramSettings,
         places=_places(),
     ),
-    PanelSpec(panel=LatePanel("transfer", "Transfer"), settings=TransferSettings, places=_places()),
-    PanelSpec(panel=LatePanel("main_axis", "Main axis"), places=_places()),
-    PanelSpec(panel=LatePanel("wave", "Wave"), places=_places()),
-    PanelSpec(panel=LatePanel("windowed", "Windows"), places=_places()),
-    PanelSpec(panel=LatePanel("regions", "Regions"), places=_places()),
+    PanelSpec(panel=LazyPanel("transfer", "Transfer"), settings=TransferSettings, places=_places()),
+    PanelSpec(panel=LazyPanel("main_axis", "Main axis"), places=_places()),
+    PanelSpec(panel=LazyPanel("wave", "Wave"), places=_places()),
+    PanelSpec(panel=LazyPanel("windowed", "Windows"), places=_places()),
+    PanelSpec(panel=LazyPanel("regions", "Regions"), places=_places()),
     PanelSpec(
-        panel=LatePanel("side_by_side", "Side by side"),
+        panel=LazyPanel("side_by_side", "Side by side"),
         settings=SideBySideSettings,
         places=_places(),
     ),
     PanelSpec(
-        panel=LatePanel("linearity", "Linearity"), settings=LinearitySettings, places=_places()
+        panel=LazyPanel("linearity", "Linearity"), settings=LinearitySettings, places=_places()
     ),
     PanelSpec(
-        panel=LatePanel("perception", "Perception"), settings=PerceptionSettings, places=_places()
+        panel=LazyPanel("perception", "Perception"), settings=PerceptionSettings, places=_places()
     ),
 )

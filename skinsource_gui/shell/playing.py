@@ -38,10 +38,10 @@ from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.shell.notices import Reports
 from skinsource_gui.shell.status import PreparingNote
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.panel import MadePanels, Panel
+from skinsource_gui.state.panel import Panel, PanelRegistry
 from skinsource_gui.state.playing import (
     DECIMALS,
-    Pace,
+    PlaybackPace,
     Played,
     Player,
     SoundSettings,
@@ -323,7 +323,7 @@ class Playback(QObject):
         super().__init__(window)
         self._document = document
         self.player = Player(document, preferences, self)
-        self.pace = Pace(document, self.player, self)
+        self.pace = PlaybackPace(document, self.player, self)
         self.bar, self.note = Transport(window), PreparingNote(window)
         self.matching = MatchingActions(document, preferences, self.player, window)
         self.rigs = RigPages(document, self.player.settings, window)
@@ -349,7 +349,7 @@ class Playback(QObject):
         self.rigs.end()
         self.player.end()
 
-    def connect_to(self, panels: MadePanels, reports: Reports) -> None:
+    def connect_to(self, panels: PanelRegistry, reports: Reports) -> None:
         """Show it in its panel, while that is visible, and say in ``reports`` what goes wrong."""
         player, bar = self.player, self.bar
         bar.play_wanted.connect(player.play_or_stop)

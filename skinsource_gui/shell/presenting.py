@@ -44,7 +44,7 @@ from skinsource_gui.qt.theme import UNIT_PX
 from skinsource_gui.shell.arrangement_spec import PRESENTATION
 from skinsource_gui.shell.dock_layout import Arrangements, DockLayout
 from skinsource_gui.state.document import Document
-from skinsource_gui.state.panel import MadePanels
+from skinsource_gui.state.panel import PanelRegistry
 from skinsource_gui.state.preferences import Preferences
 
 
@@ -251,7 +251,7 @@ def _is_taken(watched: QObject, meaning: str) -> bool:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Shown:
+class PresentedScene:
     """A scene once it is opened.
 
     Attributes
@@ -286,7 +286,7 @@ class Step:
     """
 
     title: str
-    open: Callable[[], Shown]
+    open: Callable[[], PresentedScene]
 
 
 def steps_of_folder(folder: Path) -> tuple[Step, ...]:
@@ -305,15 +305,15 @@ def steps_of_paper() -> tuple[Step, ...]:
     )
 
 
-def _of_file(path: Path) -> Shown:
+def _of_file(path: Path) -> PresentedScene:
     content = open_design(path)
-    return Shown(design=content.design, view=content.view, of_file=True)
+    return PresentedScene(design=content.design, view=content.view, of_file=True)
 
 
-def _of_paper(name: str) -> Shown:
+def _of_paper(name: str) -> PresentedScene:
     opened = scenes.open_scene(name)
     known = opened.scene
-    return Shown(
+    return PresentedScene(
         design=opened.design,
         view=opened.view,
         arrangement=known.arrangement,
@@ -396,7 +396,7 @@ class Presenter(QObject):
         self,
         window: QMainWindow,
         document: Document,
-        panels: MadePanels,
+        panels: PanelRegistry,
         preferences: Preferences,
         files: FileActions,
         arrangements: Arrangements,

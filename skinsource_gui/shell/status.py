@@ -19,18 +19,18 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from skinsource.base.job import left_in_words
+from skinsource.base.job import time_left_text
 from skinsource.base.work import Work
-from skinsource.design.comparing import match_words
+from skinsource.design.comparing import match_text
 from skinsource.design.design import Design, audible_inputs
 from skinsource.design.view import View
 from skinsource.engine.gains import TraceError
 from skinsource.engine.transforms import BLOCK_FFT
 from skinsource.limbs.limb import Limb
-from skinsource_gui.qt.error_label import ErrorLabel, error_words
+from skinsource_gui.qt.error_label import ErrorLabel, error_text
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.labels import FittingLabel
-from skinsource_gui.qt.overlays import Lateness
+from skinsource_gui.qt.overlays import Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.state.edit_times import EditTime, EditTimes, milliseconds, summary
 from skinsource_gui.state.engine import Engine, Outcome, Purpose, Request
@@ -124,7 +124,7 @@ class Scope:
         """Words for the status bar, from all to the least."""
         if not self.inputs:
             return ("No input yet", "No input")
-        felt = felt_words(self.inputs, self.heard)
+        felt = heard_inputs_text(self.inputs, self.heard)
         long = " · long scene, summed piece by piece" if self.streamed else ""
         return (*([f"{felt} · up to date{long}"] if long else []), f"{felt} · up to date", felt)
 
@@ -167,7 +167,7 @@ class Scope:
         )
 
 
-def felt_words(inputs: int, heard: int) -> str:
+def heard_inputs_text(inputs: int, heard: int) -> str:
     """Say how many inputs there are, and how many of them are felt."""
     words = "input" if inputs == 1 else "inputs"
     return f"{inputs} {words}" if heard == inputs else f"{heard} of {inputs} {words} felt"
@@ -406,7 +406,7 @@ class StatusLine(QWidget):
         self._work.setAccessibleName("What was computed")
         self._work.setFont(tabular(self._work.font()))
         self._heard = ""
-        self._lateness = Lateness(self)
+        self._lateness = Staleness(self)
         self._lateness.changed.connect(self._follow_lateness)
         self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS)
         self._pause.timeout.connect(self._say)
@@ -434,7 +434,7 @@ class StatusLine(QWidget):
     def show_design(self, design: Design) -> None:
         """Count the inputs of ``design``, where nothing is known of results."""
         count, heard = len(design.inputs), len(audible_inputs(design.inputs))
-        self._heard = felt_words(count, heard) if count else "No input yet"
+        self._heard = heard_inputs_text(count, heard) if count else "No input yet"
         if self.scope is None:
             self._say()
 
@@ -465,7 +465,7 @@ class StatusLine(QWidget):
         """Times of the latest edits, and the error of the traces, as a sentence or two."""
         times = self.timing.about_times() or "Nothing was edited yet."
         error = self.error.error
-        known = "" if error is None else f" Traces that are shown: {error_words(error)}."
+        known = "" if error is None else f" Traces that are shown: {error_text(error)}."
         return f"{times}{known}"
 
     def _note_times(self) -> None:
@@ -541,7 +541,7 @@ class PreparingNote(QWidget):
         row.setSpacing(UNIT_PX)
         row.addWidget(words)
         row.addWidget(self._cancel)
-        self._lateness = Lateness(self)
+        self._lateness = Staleness(self)
         self._lateness.changed.connect(self._follow)
         self.hide()
 
@@ -589,7 +589,7 @@ class MatchNote(QToolButton):
     def show_state(self, design: Design, view: View) -> None:
         """Say with what gain ``design`` is shown."""
         gain = view.match_gain(design)
-        words = match_words(gain)
+        words = match_text(gain)
         if words != self.accessibleName():
             self.setText(words)
             self.setAccessibleName(words)
@@ -664,7 +664,7 @@ class JobBar(QWidget):
         self._bar.setValue(_STEPS * progress.done // total if total else 0)
         # A bar that only moves looks full.
         self._bar.setVisible(bool(total))
-        left = left_in_words(progress.seconds_left)
+        left = time_left_text(progress.seconds_left)
         percent = f"{100 * progress.done // total} %" if total else f"{progress.text.lower()}…"
         self._percent.setText(f"{percent} · {left}" if left else percent)
         self._bar.setToolTip(progress.text)

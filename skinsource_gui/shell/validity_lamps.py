@@ -32,7 +32,7 @@ from PySide6.QtWidgets import (
 from skinsource.design import edits
 from skinsource.perception.validity import Finding, Findings
 from skinsource_gui.qt.frames import paint_focus_frame
-from skinsource_gui.qt.overlays import Lateness
+from skinsource_gui.qt.overlays import Staleness
 from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, scaled, set_tone
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import (
@@ -44,7 +44,7 @@ from skinsource_gui.state.engine import (
     sources_shown,
     too_large,
 )
-from skinsource_gui.state.panel import MadePanels
+from skinsource_gui.state.panel import PanelRegistry
 
 #: What lamps are called; the limb has words of its own beside them.
 NAMES = {
@@ -175,7 +175,7 @@ class ValidityLamps(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.findings: Findings = ()
-        self._lateness = Lateness(self)
+        self._lateness = Staleness(self)
         self._lateness.changed.connect(self._follow_lateness)
 
     @property
@@ -374,7 +374,7 @@ class Validity(QObject):
         self,
         document: Document,
         engine: Engine,
-        panels: MadePanels,
+        panels: PanelRegistry,
         status_bar: QStatusBar,
     ) -> None:
         super().__init__(document)

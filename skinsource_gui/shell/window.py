@@ -25,7 +25,7 @@ from skinsource_gui.shell.bars import SetupBar, StudioBar
 from skinsource_gui.shell.carrying import PanelPictures
 from skinsource_gui.shell.drops import ClipDrops, ClipsAndClipboard, kind_choices
 from skinsource_gui.shell.focus import ShortcutsInFields, focus_capabilities, move_focus
-from skinsource_gui.shell.keeping import Keeping
+from skinsource_gui.shell.keeping import AutosaveAndRecovery
 from skinsource_gui.shell.limb_note import LimbNote
 from skinsource_gui.shell.menus import ActionSet, RecentMenu, fill_menu_bar
 from skinsource_gui.shell.notices import FirstHints, Installations, Notice, Reports, RunningJobs
@@ -36,12 +36,12 @@ from skinsource_gui.shell.presenting import Presenter
 from skinsource_gui.shell.status import Accuracy, JobBar, MatchNote, StatusLine
 from skinsource_gui.shell.validity_lamps import Validity
 from skinsource_gui.state.comparison import Comparison
-from skinsource_gui.state.conductor import Conductor, PanelWishes
+from skinsource_gui.state.conductor import Conductor, PanelController
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import FirstPaintEngine
 from skinsource_gui.state.historian import Historian
 from skinsource_gui.state.job_runner import JobRunner, WaveletLevelling
-from skinsource_gui.state.panel import MadePanels, Panel
+from skinsource_gui.state.panel import Panel, PanelRegistry
 from skinsource_gui.state.preferences import InstalledLimbs, Preferences
 
 _LARGEST_AT_FIRST = (1600, 940)
@@ -67,7 +67,7 @@ class MainWindow(docks.ListsPanels):
         self.document = Document(design, view, self)
         self.engine = FirstPaintEngine(graphs_that_share(), self)
         self.runner = JobRunner(self)
-        self.panels = MadePanels({spec.panel.name: spec.panel for spec in PANELS})
+        self.panels = PanelRegistry({spec.panel.name: spec.panel for spec in PANELS})
         titles = {spec.panel.name: spec.panel.title for spec in PANELS}
         self.docks = {name: docks.Dock(name, titles[name], self.panels, self) for name in titles}
         self.limbs = InstalledLimbs(tuple(available_limbs), self.document, self)
@@ -86,13 +86,15 @@ class MainWindow(docks.ListsPanels):
         ShortcutsInFields(self.actions_by_name.values(), self)
         self._build()
         self.conductor = Conductor(self.document, self.engine, self.panels, self.status_line.needs)
-        PanelWishes(self.document, self.panels)
+        PanelController(self.document, self.panels)
         self.comparison.begin()
         Historian(self.document, self.panels)
         self._connect()
         self.appearance.apply()
         told = self.reports.report, self.files, preferences
-        self.panels.each(dock_layout.TakingIn(self.docks, self.do, self.reports.complain, *told))
+        self.panels.each(
+            dock_layout.PanelInstaller(self.docks, self.do, self.reports.complain, *told)
+        )
         self.layout_of_docks.restore()
         self._show_limbs()
         self._show_state()
@@ -135,7 +137,7 @@ class MainWindow(docks.ListsPanels):
         self.scenes = SceneActions(*saving, self.limbs, show, self)
         self.comparison = Comparison(self.document, self.engine, self.panels)
         kept = self.document, self.engine, self.runner, self.files, self.layout_of_docks
-        self.keeping = Keeping(*kept, self.preferences.autosave_s, self)
+        self.keeping = AutosaveAndRecovery(*kept, self.preferences.autosave_s, self)
         self.imports = ImportActions(self.document, self.preferences, self)
         self.library = LibraryActions(self.document, self)
         self.playback = Playback(self.document, self.preferences, self)

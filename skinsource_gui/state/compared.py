@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from skinsource.base.decibels import FLOOR_DB
-from skinsource.design.comparing import EDITED, Snapshot, gain_words, match_words
+from skinsource.design.comparing import EDITED, Snapshot, gain_text, match_text
 from skinsource.design.design import Design
-from skinsource.design.signal_path import unplayable_words
+from skinsource.design.signal_path import unplayable_text
 from skinsource.design.view import View
 
 #: What is said where designs are shown as loud as each other.
@@ -51,7 +51,7 @@ class Compared:
     @property
     def left_out(self) -> str:
         """What its values are without: a sentence, or ""."""
-        return unplayable_words((self.values or {}).get("unplayable_inputs", ()))
+        return unplayable_text((self.values or {}).get("unplayable_inputs", ()))
 
     @property
     def name(self) -> str:
@@ -65,20 +65,20 @@ def is_silent(compared: Compared) -> bool:
     return values is not None and float(np.max(values["output_levels_db"])) <= FLOOR_DB
 
 
-def alike_in_level(compared: Sequence[Compared], *, matched: bool) -> bool:
+def have_matching_level(compared: Sequence[Compared], *, matched: bool) -> bool:
     """Whether designs that shall be ``matched`` are: what they are matched to has a level."""
     first = min(compared, key=lambda one: one.snapshot.number, default=None)
     return matched and first is not None and not (is_silent(first) or first.problem)
 
 
-def shown_words(design: Design | None, view: View) -> str:
+def display_gain_text(design: Design | None, view: View) -> str:
     """What is said where the design in the window is shown louder or softer than it is."""
-    return "" if design is None else match_words(view.match_gain(design))
+    return "" if design is None else match_text(view.match_gain(design))
 
 
 def matched_text(compared: Sequence[Compared]) -> str:
     """By how much which of them are shown louder or softer: ``"2: −3.2 dB, matched"``; or ""."""
-    gains = [(one.name, gain_words(one.gain)) for one in compared]
+    gains = [(one.name, gain_text(one.gain)) for one in compared]
     said = ", ".join(f"{name}: {gain}" for name, gain in gains if gain)
     return f"{said}, matched" if said else ""
 

@@ -10,14 +10,14 @@ from skinsource.design import edits
 from skinsource.design.comparing import (
     Snapshot,
     loudest_db,
-    match_words,
+    match_text,
     matching_gain,
     name_of,
-    nothing_to_compare,
     other_than,
     reference,
     shown,
-    together,
+    why_no_comparison,
+    with_edited,
 )
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit, Refusal
@@ -41,7 +41,7 @@ from skinsource_gui.state.engine import (
     sources_of_levels,
     too_large,
 )
-from skinsource_gui.state.panel import MadePanels, Panel
+from skinsource_gui.state.panel import Panel, PanelRegistry
 
 
 class OnLimbs(QObject):
@@ -57,7 +57,7 @@ class OnLimbs(QObject):
         Those that name limbs are told of them, while they are visible.
     """
 
-    def __init__(self, document: Document, engine: Engine, panels: MadePanels) -> None:
+    def __init__(self, document: Document, engine: Engine, panels: PanelRegistry) -> None:
         super().__init__(document)
         self._document, self._engine = document, engine
         self._panels = panels
@@ -263,7 +263,7 @@ class Comparison(QObject):
     #: What was done, in a few words.
     done = Signal(str)
 
-    def __init__(self, document: Document, engine: Engine, panels: MadePanels) -> None:
+    def __init__(self, document: Document, engine: Engine, panels: PanelRegistry) -> None:
         super().__init__(document)
         self._document, self._engine = document, engine
         self._panels = panels
@@ -310,7 +310,7 @@ class Comparison(QObject):
         document = self._document
         other = other_than(document.view.snapshots, document.design)
         if other is None:
-            document.apply(Refusal(sentence=nothing_to_compare(document.view.snapshots)))
+            document.apply(Refusal(sentence=why_no_comparison(document.view.snapshots)))
         else:
             self.show(other.number)
 
@@ -330,7 +330,7 @@ class Comparison(QObject):
                 gain = self._gain(number)
                 outcome = edits.show_snapshot(document.design, document.view, number, gain)
                 document.apply(outcome, self._going)
-                matched = match_words(gain)
+                matched = match_text(gain)
                 if isinstance(outcome, Edit) and matched:
                     self.done.emit(f"{_named(number)} is shown {matched}. {_AS_STORED}")
                 elif isinstance(outcome, Edit) and outcome.design != asked[0]:
@@ -341,7 +341,7 @@ class Comparison(QObject):
 
     def _together(self) -> tuple[Snapshot, ...]:
         """All snapshots, and the present design as what is edited if it is none of them."""
-        return together(self._document.view.snapshots, self._document.design)
+        return with_edited(self._document.view.snapshots, self._document.design)
 
     def _follow(self) -> None:
         if not (self._visible() or self._then or self._asked):

@@ -24,7 +24,7 @@ from skinsource_gui.state.engine import (
     sources_shown,
     too_large,
 )
-from skinsource_gui.state.panel import MadePanels, Panel
+from skinsource_gui.state.panel import Panel, PanelRegistry
 
 #: Inputs that results are without: panels are told of them, whatever else they need.
 UNPLAYABLE = "unplayable_inputs"
@@ -57,7 +57,7 @@ class Conductor(QObject):
         self,
         document: Document,
         engine: Engine,
-        panels: MadePanels,
+        panels: PanelRegistry,
         also: frozenset[str] = frozenset(),
     ):
         super().__init__(document)
@@ -240,7 +240,7 @@ def _reason(error: Exception | None) -> str:
 # What panels want of the document.
 
 
-class PanelWishes(QObject):
+class PanelController(QObject):
     """Has the document do what panels want, and tells each where another one points.
 
     Parameters
@@ -251,7 +251,7 @@ class PanelWishes(QObject):
         Those who want something.
     """
 
-    def __init__(self, document: Document, panels: MadePanels) -> None:
+    def __init__(self, document: Document, panels: PanelRegistry) -> None:
         super().__init__(document)
         self._document, self._panels = document, panels
         panels.each(self._meet)

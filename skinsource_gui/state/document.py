@@ -18,13 +18,13 @@ from skinsource.limbs.own_limbs import axes_on, missing_limb, outputs_on
 from skinsource_gui.state.history import MOST_STEPS
 
 
-class StepEnd:
+class HistoryState:
     """A design and a view, of which the history keeps selections and snapshots."""
 
     def __init__(self, design: Design, view: View):
         self.design, self.view = design, view
 
-    def is_same(self, other: "StepEnd") -> bool:
+    def is_same(self, other: "HistoryState") -> bool:
         """Whether the history need not tell them apart: going on to ``other`` loses nothing."""
         mine, theirs = self.view, other.view
         same = mine.outputs == theirs.outputs and self.design == other.design
@@ -34,7 +34,7 @@ class StepEnd:
         kept = {one.number: one.design for one in theirs.snapshots}
         return all(kept.get(one.number) == one.design for one in mine.snapshots)
 
-    def is_before(self, other: "StepEnd") -> bool:
+    def is_before(self, other: "HistoryState") -> bool:
         """Whether ``other`` goes on from this one, with the same inputs and clips selected."""
         return (
             self.design is other.design
@@ -42,7 +42,7 @@ class StepEnd:
             and self.view.selected_clips == other.view.selected_clips
         )
 
-    def seen_as(self, view: View, other: "StepEnd") -> View:
+    def seen_as(self, view: View, other: "HistoryState") -> View:
         """Return ``view`` with the inputs, clips and outputs that were selected then.
 
         It has the snapshots as they were then where they differ from those of the ``other`` end of
@@ -173,11 +173,11 @@ class Document(QObject):
                 self.refused.emit(f"This design is read-only. {missing}")
                 return
         view = kept_selection(outcome.view, self._design, outcome.design)
-        before, after = StepEnd(self._design, self._view), StepEnd(outcome.design, view)
+        before, after = HistoryState(self._design, self._view), HistoryState(outcome.design, view)
         if before.is_same(after):
             self.look(view)
         else:
-            self.undo_stack.push(Swap(self, outcome.label, before, after, gesture))
+            self.undo_stack.push(ReplaceDesign(self, outcome.label, before, after, gesture))
             self.settled.emit()
         if outcome.said:
             self.told.emit(outcome.said)
@@ -272,11 +272,16 @@ class Document(QObject):
             self.title_changed.emit()
 
 
-class Swap(QUndoCommand):
+class ReplaceDesign(QUndoCommand):
     """The only undo command there is: put that design in place of this one."""
 
     def __init__(
-        self, document: Document, label: str, before: StepEnd, after: StepEnd, gesture: int | None
+        self,
+        document: Document,
+        label: str,
+        before: HistoryState,
+        after: HistoryState,
+        gesture: int | None,
     ):
         super().__init__(label)
         self._document = document
@@ -305,7 +310,7 @@ class Swap(QUndoCommand):
         return self._gesture
 
     def mergeWith(self, newer: QUndoCommand) -> bool:
-        if not isinstance(newer, Swap) or not self._after.is_before(newer._before):
+        if not isinstance(newer, ReplaceDesign) or not self._after.is_before(newer._before):
             return False
         self._after, self.at_s = newer._after, newer.at_s
         self.setText(newer.text())

@@ -5,9 +5,9 @@ from functools import partial
 from PySide6.QtCore import QObject
 
 from skinsource.base.quoting import printable
-from skinsource_gui.state.document import Document, Swap
+from skinsource_gui.state.document import Document, ReplaceDesign
 from skinsource_gui.state.history import MOST_STEPS, History, Step
-from skinsource_gui.state.panel import MadePanels, Panel
+from skinsource_gui.state.panel import Panel, PanelRegistry
 
 _FORGOTTEN = f"Before the last {MOST_STEPS} steps"
 
@@ -23,7 +23,7 @@ class Historian(QObject):
         Of which those hear of it that want to.
     """
 
-    def __init__(self, document: Document, panels: MadePanels) -> None:
+    def __init__(self, document: Document, panels: PanelRegistry) -> None:
         super().__init__(document)
         self._document = document
         self._shown: list[Panel] = []
@@ -35,7 +35,7 @@ class Historian(QObject):
         """All that can be taken back or done again now."""
         document, stack = self._document, self._document.undo_stack
         done = (stack.command(k) for k in range(stack.count()))
-        steps = tuple(Step(one.text(), one.at_s) for one in done if isinstance(one, Swap))
+        steps = tuple(Step(one.text(), one.at_s) for one in done if isinstance(one, ReplaceDesign))
         start = f"Scene: {printable(document.scene)}" if document.scene else "New design"
         if document.opened:
             start = f"Opened {document.opened.name}"

@@ -20,12 +20,12 @@ from skinsource_gui.plots.preview import PointsAtInputs
 from skinsource_gui.qt.asking import CopyButton
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.labels import USUALLY_IN_SIGHT
-from skinsource_gui.qt.overlays import Cover, Lateness, Veil
+from skinsource_gui.qt.overlays import Cover, Staleness, StaleOverlay
 from skinsource_gui.state.compared import Compared
 from skinsource_gui.state.history import History
 
 
-class TellsLateness(PointsAtInputs):
+class ShowsStaleness(PointsAtInputs):
     """Is told whether what it shows is out of date.
 
     What has been so for a while is veiled and cannot be copied; what comes into sight so, at once.
@@ -37,8 +37,8 @@ class TellsLateness(PointsAtInputs):
         self.computed: tuple[QWidget, ...] = ()
         #: Whether somebody begins to look now: what was drawn meanwhile was never seen to change.
         self.comes_into_sight = False
-        self._veils: list[Veil] = []
-        self._lateness = Lateness(self)
+        self._veils: list[StaleOverlay] = []
+        self._lateness = Staleness(self)
         self._lateness.changed.connect(self._follow_lateness)
 
     @property
@@ -59,7 +59,7 @@ class TellsLateness(PointsAtInputs):
         while self._veils:
             self._veils.pop().take_away()
         if late:
-            self._veils = [Veil(part) for part in self.computed]
+            self._veils = [StaleOverlay(part) for part in self.computed]
 
     def _follow_lateness(self, late: bool) -> None:
         for button in self.findChildren(CopyButton):
@@ -70,7 +70,7 @@ class TellsLateness(PointsAtInputs):
 # What wants to know of more designs than the one in the window.
 
 
-class ComparesDesigns(TellsLateness):
+class ComparesDesigns(ShowsStaleness):
     """Names what it needs of snapshots, and of the present design on limbs; is told while visible.
 
     Nothing is computed of either unless something is needed of it.
@@ -236,7 +236,7 @@ def _nowhere(at: QPoint | None) -> None:
 
 
 @dataclass(frozen=True, slots=True)
-class LatePanel:
+class LazyPanel:
     """What a window has to know of a panel before it is there.
 
     Called, it makes the panel: the class that has its name, with "Panel" behind, in the module
@@ -274,7 +274,7 @@ class LatePanel:
 Meet = Callable[[Panel], object]
 
 
-class MadePanels:
+class PanelRegistry:
     """Makes each panel when it first comes into sight or is asked for, and knows those it made.
 
     What has to do with panels goes through those there are, each time anew, and says with `each`
@@ -293,7 +293,7 @@ class MadePanels:
         self._meetings: list[Meet] = []
 
     @classmethod
-    def of(cls, *panels: Panel) -> "MadePanels":
+    def of(cls, *panels: Panel) -> "PanelRegistry":
         """Panels that stand already."""
         made = cls({panel.name: partial(_itself, panel) for panel in panels})
         for panel in panels:

@@ -125,7 +125,7 @@ class GainSetting(QObject):
 # The session of a player, once it plays.
 
 
-class LateSession:
+class LazySession:
     """Makes the session when it is first asked for: the studio starts without what plays.
 
     Parameters
@@ -239,7 +239,7 @@ class LiveEdits(QObject):
     failed = Signal(str)
 
     def __init__(
-        self, document: Document, session: LateSession, thread: SoundThread, parent: QObject
+        self, document: Document, session: LazySession, thread: SoundThread, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._document, self._session, self._thread = document, session, thread
@@ -424,7 +424,7 @@ class SoundSettings(QObject):
     refused = Signal(str)
 
     def __init__(
-        self, preferences: Preferences, session: LateSession, thread: SoundThread, parent: QObject
+        self, preferences: Preferences, session: LazySession, thread: SoundThread, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._preferences, self._session, self._thread = preferences, session, thread
@@ -595,7 +595,7 @@ class Player(QObject):
         super().__init__(parent)
         self._document = document
         self._thread = SoundThread(self)
-        self._session = LateSession(self._finished.emit)
+        self._session = LazySession(self._finished.emit)
         self.settings = SoundSettings(preferences, self._session, self._thread, self)
         self.edits = LiveEdits(document, self._session, self._thread, self)
         self.playhead = RunningPlayhead(document, self)
@@ -786,7 +786,7 @@ def _nothing_more(_result: object, _error: SkinSourceError | None) -> None:
 PACES = (1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)
 
 
-class Pace(QObject):
+class PlaybackPace(QObject):
     """Pause, slower, faster; follows the playhead and the slow motion of the view.
 
     Parameters

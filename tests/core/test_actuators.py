@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import skinsource as ss
-from skinsource.actuators.simulation import OUTPUTS, one_step
+from skinsource.actuators.simulation import OUTPUTS, step_matrix
 from tests.core.actuators_bench import COIL, PIEZO, RECOIL
 
 
@@ -102,7 +102,7 @@ EXTREME = {
 def test_no_step_makes_states_grow(name, rate_hz):
     equations = EXTREME[name].equations()
     n_states = len(equations.drive)
-    step = one_step(equations, 1.0 / rate_hz, "zero")[:n_states, :n_states]
+    step = step_matrix(equations, 1.0 / rate_hz, "zero")[:n_states, :n_states]
     values = np.abs(np.linalg.eigvals(step))
     # A pair of equal values, as of a free mass, is known to the root of the rounding only.
     assert values.max() <= (1 + 1e-7 if name == "no stiffness" else 1 + 1e-13)

@@ -12,7 +12,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import skinsource as ss
-from skinsource.base.arguments import finite_array, real_array, real_number, whole_number
+from skinsource.base.arguments import finite_array, integer, real_array, real_number
 from skinsource.base.errors import InvalidInputError
 
 MASKED = np.ma.masked_array([1.0, 2.0, 3.0], [False, True, False])
@@ -281,6 +281,6 @@ def test_numbers_are_named_with_what_was_found_and_expected():
     with pytest.raises(InvalidInputError, match="gap_s is 'wide', expected a finite number"):
         real_number("gap_s", "wide")
     with pytest.raises(InvalidInputError, match=r"k is 3\.5, expected a whole number from 0 to 9"):
-        whole_number("k", 3.5, 0, 9)
-    assert whole_number("k", np.float32(3.0), 0, 9) == 3
-    assert whole_number("k", 10**30, 0, 10**31) == 10**30
+        integer("k", 3.5, 0, 9)
+    assert integer("k", np.float32(3.0), 0, 9) == 3
+    assert integer("k", 10**30, 0, 10**31) == 10**30

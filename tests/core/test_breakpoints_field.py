@@ -8,7 +8,7 @@ import pytest
 from skinsource.base.errors import InvalidInputError
 from skinsource.specs.breakpoints import BreakpointsSpec
 from skinsource.specs.numbers import NumberSpec
-from skinsource.specs.spec import Misfit
+from skinsource.specs.spec import ValidationError
 
 UNIT = NumberSpec(label="Part", minimum=0.0, maximum=1.0)
 
@@ -68,5 +68,5 @@ def test_a_point_outside_what_is_allowed_is_refused_among_good_ones(point):
     # Whether others were checked before, as many or not.
     for before in (((0.0, 0.5, "smooth"),), ((0.0, 0.5, "smooth"), (0.5, 1.0, "held"))):
         assert spec.checked(before) is before
-        with pytest.raises(Misfit, match="1 to 3 points"):
+        with pytest.raises(ValidationError, match="1 to 3 points"):
             spec.checked(((0.0, 0.5, "smooth"), point))

@@ -62,10 +62,10 @@ def test_words_of_something_unknown_are_its_name():
 
 
 def test_a_signal_is_named_by_its_axes_and_unless_there_is_one_by_its_method():
-    assert labels.signal_words("xyz", "rms") == "x, y, z, RMS direction"
-    assert labels.signal_words("y", "rms") == "y"
+    assert labels.signal_label("xyz", "rms") == "x, y, z, RMS direction"
+    assert labels.signal_label("y", "rms") == "y"
 
 
 def test_a_level_says_what_it_is_the_rms_over():
-    assert labels.level_words("record") == "RMS over the whole record"
-    assert labels.level_words("loudest") == "RMS over the loudest 100 ms"
+    assert labels.level_label("record") == "RMS over the whole record"
+    assert labels.level_label("loudest") == "RMS over the loudest 100 ms"

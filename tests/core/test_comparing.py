@@ -14,17 +14,17 @@ from skinsource.design import edits
 from skinsource.design.comparing import (
     EDITED,
     Snapshot,
-    alike,
     brought_back,
     difference_db,
-    gain_words,
+    gain_text,
     louder,
     loudest_db,
     matching_gain,
-    nothing_to_compare,
     other_than,
     reference,
+    same_but_rounding,
     shown,
+    why_no_comparison,
 )
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design, save_design
@@ -83,7 +83,7 @@ def test_a_gain_of_one_changes_nothing_and_too_large_ones_are_refused():
     assert matching_gain(-12.3, -12.3) == 1.0
     assert matching_gain(FLOOR_DB, -12.3) == matching_gain(-12.3, FLOOR_DB) == 1.0
     assert matching_gain(-20.0, 0.0) == pytest.approx(10.0, rel=1e-15)
-    said = [gain_words(one) for one in (10.0, 0.5, 1.004, 0.0)]
+    said = [gain_text(one) for one in (10.0, 0.5, 1.004, 0.0)]
     assert said == ["+20.0 dB", "\N{MINUS SIGN}6.0 dB", "", ""]
     with pytest.raises(InvalidInputError):
         louder(DESIGN, 1e6)
@@ -142,7 +142,7 @@ def test_one_key_goes_to_and_fro_between_equal_ones_too_where_there_are_no_other
     assert other_than((), DESIGN) is None
     _, view = store(DESIGN, View(), 1)
     assert other_than(view.snapshots, DESIGN) is None
-    assert "is snapshot 1, and nothing else" in nothing_to_compare(view.snapshots)
+    assert "is snapshot 1, and nothing else" in why_no_comparison(view.snapshots)
     _, view = store(DESIGN, view, 2)
     design, numbers = DESIGN, []
     for _ in range(4):
@@ -224,11 +224,11 @@ def test_to_keep_a_gain_is_an_edit_of_all_amplitudes():
 
 
 def test_designs_are_alike_where_amplitudes_differ_by_rounding_alone():
-    assert alike(louder(OTHER, 1 + 1e-12), OTHER)
-    assert not alike(louder(OTHER, 1.001), OTHER)
-    assert not alike(replace(OTHER, inputs=OTHER.inputs[:1]), OTHER)
-    assert not alike(OTHER, replace(OTHER, inputs=OTHER.inputs[:1]))
-    assert not alike(DESIGN, OTHER)
+    assert same_but_rounding(louder(OTHER, 1 + 1e-12), OTHER)
+    assert not same_but_rounding(louder(OTHER, 1.001), OTHER)
+    assert not same_but_rounding(replace(OTHER, inputs=OTHER.inputs[:1]), OTHER)
+    assert not same_but_rounding(OTHER, replace(OTHER, inputs=OTHER.inputs[:1]))
+    assert not same_but_rounding(DESIGN, OTHER)
 
 
 def test_others_are_matched_to_the_lowest_number_and_what_is_edited_is_left_alone():

@@ -16,7 +16,7 @@ import pytest
 
 from skinsource.base.errors import DatasetError
 from skinsource.limbs.dataset.install import install
-from skinsource.limbs.dataset.matlab_files import refuse_scattered
+from skinsource.limbs.dataset.matlab_files import check_contiguous
 
 SEED = 20263
 #: A node of an index, and that it is one of pieces, not of names.
@@ -182,7 +182,7 @@ def test_an_array_that_was_never_written_is_refused(tmp_path):
     with h5py.File(path, "w", libver="earliest") as file:
         file.create_dataset("mask", (3, 4), "<f8")
     with pytest.raises(DatasetError, match="mask is not there"):
-        refuse_scattered(path)
+        check_contiguous(path)
 
 
 def test_an_array_of_which_a_piece_was_never_written_is_refused(tmp_path):
@@ -191,7 +191,7 @@ def test_an_array_of_which_a_piece_was_never_written_is_refused(tmp_path):
         pieces = file.create_dataset("mask", (4, 4), "<f8", chunks=(2, 4))
         pieces[:2] = 1.0
     with pytest.raises(DatasetError, match="mask has 1 pieces, expected 2"):
-        refuse_scattered(path)
+        check_contiguous(path)
 
 
 def test_two_arrays_in_one_place_are_refused(tmp_path):
@@ -200,7 +200,7 @@ def test_two_arrays_in_one_place_are_refused(tmp_path):
         for name in ("one", "other"):
             file[name] = np.arange(1000.0)
         places = [file[name].id.get_offset() for name in ("one", "other")]
-    refuse_scattered(path)
+    check_contiguous(path)
     first, second = (struct.pack("<Q", place) for place in places)
     content = path.read_bytes()
     assert content.count(second) == 1
@@ -208,7 +208,7 @@ def test_two_arrays_in_one_place_are_refused(tmp_path):
     with h5py.File(path) as file:
         assert file["other"].id.get_offset() == places[0]
     with pytest.raises(DatasetError, match="/one and /other lie in the same place"):
-        refuse_scattered(path)
+        check_contiguous(path)
 
 
 def test_an_array_in_another_file_is_refused(tmp_path):
@@ -218,7 +218,7 @@ def test_an_array_in_another_file_is_refused(tmp_path):
         external = [(str(tmp_path / "raw"), 0, 96)]
         file.create_dataset("mask", (3, 4), "<f8", external=external)
     with pytest.raises(DatasetError, match="mask lies in other files"):
-        refuse_scattered(path)
+        check_contiguous(path)
 
 
 def test_numbers_of_another_kind_are_refused(tmp_path):
@@ -229,4 +229,4 @@ def test_numbers_of_another_kind_are_refused(tmp_path):
         space = h5py.h5s.create_simple((4,))
         h5py.h5d.create(file.id, b"mask", odd, space).write(h5py.h5s.ALL, h5py.h5s.ALL, np.ones(4))
     with pytest.raises(DatasetError, match="mask holds numbers of an unknown kind"):
-        refuse_scattered(path)
+        check_contiguous(path)

@@ -13,7 +13,7 @@ from skinsource.design.edits.effects import (
     choices_of,
     moved_part,
     new_part,
-    part_words,
+    part_text,
     with_part,
     without_part,
 )
@@ -56,10 +56,10 @@ def test_what_cannot_be_chosen_is_refused_by_name():
 
 
 def test_a_part_is_called_by_its_label_or_by_what_it_plays():
-    assert part_words(B) == "Noise"
-    assert part_words(replace(B, label="soft")) == "soft"
-    assert part_words(replace(B, muted=True)) == "Noise (off)"
-    assert part_words(Reverse(on=False)) == "Reverse (off)"
+    assert part_text(B) == "Noise"
+    assert part_text(replace(B, label="soft")) == "soft"
+    assert part_text(replace(B, muted=True)) == "Noise (off)"
+    assert part_text(Reverse(on=False)) == "Reverse (off)"
 
 
 @pytest.mark.parametrize(

@@ -17,10 +17,10 @@ from skinsource.specs import image
 from skinsource.specs.models import decode, encode, specs_of
 from skinsource.specs.numbers import (
     ListSpec,
+    ModelSpec,
     NumberSpec,
     OptionalSpec,
     PointsSpec,
-    RecipeSpec,
     SamplesSpec,
 )
 from skinsource.specs.samples import Samples
@@ -82,7 +82,7 @@ VALUES = {
     PointsSpec: points,
     SamplesSpec: sound,
     OptionalSpec: lambda spec, rng: None if rng.random() < 0.5 else any_value(spec.of, rng),
-    RecipeSpec: lambda spec, rng: None,
+    ModelSpec: lambda spec, rng: None,
     Spec: lambda spec, rng: None,
 }
 

@@ -13,11 +13,11 @@ from skinsource.specs.models import decode, encode
 from skinsource.specs.numbers import (
     CurveSpec,
     ListSpec,
+    ModelSpec,
     NumberSpec,
     OptionalSpec,
     PointsSpec,
     RangeSpec,
-    RecipeSpec,
     SamplesSpec,
 )
 from skinsource.specs.samples import Samples
@@ -55,7 +55,7 @@ class Branch:
 
     name: str = fields.field(TextSpec(label="Name", longest=9))
     parts: tuple[Any, ...] = fields.field(
-        ListSpec(label="Parts", of=RecipeSpec(label="Part", kinds=kinds)), default=()
+        ListSpec(label="Parts", of=ModelSpec(label="Part", kinds=kinds)), default=()
     )
 
     def __post_init__(self):
@@ -87,7 +87,7 @@ class Everything:
     outputs: tuple[int, ...] = fields.field(
         ListSpec(label="Outputs", of=WHOLE, most=3, different=True), default=()
     )
-    inner: Any = fields.field(RecipeSpec(label="Inner", kinds=kinds), default=Leaf())
+    inner: Any = fields.field(ModelSpec(label="Inner", kinds=kinds), default=Leaf())
     sound: Samples | None = fields.field(
         OptionalSpec(label="Sound", of=SamplesSpec(label="Sound", most=10)), default=None
     )

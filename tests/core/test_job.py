@@ -5,7 +5,7 @@ from functools import partial
 import pytest
 
 from skinsource.base.errors import SkinSourceError, Stopped
-from skinsource.base.job import Job, Progress, Stop, left_in_words, never, seconds_left, stop_if
+from skinsource.base.job import Job, Progress, Stop, never, seconds_left, stop_if, time_left_text
 
 
 def count(limit: int, *, progress: Progress, stop: Stop) -> int:
@@ -67,4 +67,4 @@ def test_nothing_is_estimated_from_nothing(done: int, total: int, elapsed_s: flo
     ],
 )
 def test_time_left_is_said_in_round_numbers(seconds: float | None, words: str):
-    assert left_in_words(seconds) == words
+    assert time_left_text(seconds) == words

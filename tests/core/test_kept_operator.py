@@ -11,9 +11,9 @@ from skinsource.base.work import counting
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.surface import surface
 from skinsource.limbs.surface.surface import (
+    cached_surface_operator,
     decoded,
     encoded,
-    kept_surface_operator,
     surface_operator,
 )
 from skinsource.limbs.synthetic import load_synthetic_limb
@@ -39,7 +39,7 @@ def built(limb):
 def fetched(limb, spacing_mm=SPACING_MM):
     """The operator, and how many were built."""
     with counting() as work:
-        found = kept_surface_operator(limb, spacing_mm)
+        found = cached_surface_operator(limb, spacing_mm)
     return found, work.operators_built
 
 

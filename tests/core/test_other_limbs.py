@@ -17,7 +17,7 @@ from skinsource.engine.evaluation import evaluate
 from skinsource.engine.prediction import predict
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.limbs.limb import Limb, LimbMap
-from skinsource.limbs.locations import input_words, output_words
+from skinsource.limbs.locations import input_name, output_name
 from skinsource.signals.projection import METHODS, project_axes
 from skinsource.signals.spectra import magnitude_spectrum, rms
 
@@ -185,9 +185,9 @@ def test_a_design_for_a_limb_that_is_not_here_is_read_and_refused_where_it_is_co
 
 
 def test_places_that_have_no_name_here_are_called_by_their_number():
-    assert input_words(7).name == "Digit II, pad"
-    assert input_words(25).name == "Place 25, not on this hand"
-    assert output_words(80).short_name == "not on this limb"
+    assert input_name(7).name == "Digit II, pad"
+    assert input_name(25).name == "Place 25, not on this hand"
+    assert output_name(80).short_name == "not on this limb"
     assert (
         edits.place_input(replace(SHORT, limb="synthetic-1"), View(), 25).label
         == "Place input at 25 (not on this hand)"

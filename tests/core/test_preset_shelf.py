@@ -10,13 +10,13 @@ from hypothesis import given, settings
 from skinsource.base.errors import FileFormatError, InvalidInputError, SkinSourceError, StorageError
 from skinsource.design.clips import Clip, Fragment, Lane
 from skinsource.design.presets import presets
-from skinsource.design.presets.presets import Entry, Preset, Shelf
+from skinsource.design.presets.presets import Entry, Preset, PresetFolder
 from skinsource.design.waveforms.samples import Drawn
 from tests.core.presets_bench import named, names, recipes
 
 
 def names_on(folder) -> list[str]:
-    return [entry.preset.name for entry in presets.read_shelf(folder).entries]
+    return [entry.preset.name for entry in presets.read_preset_folder(folder).entries]
 
 
 @settings(max_examples=15)
@@ -24,7 +24,9 @@ def names_on(folder) -> list[str]:
 def test_a_preset_comes_back_from_its_file(tmp_path_factory, recipe):
     folder = tmp_path_factory.mktemp("shelf") / "not" / "there yet"
     path = presets.save_preset(folder, recipe)
-    assert presets.read_shelf(folder) == Shelf(entries=(Entry(path=path, preset=recipe),))
+    assert presets.read_preset_folder(folder) == PresetFolder(
+        entries=(Entry(path=path, preset=recipe),)
+    )
 
 
 @settings(max_examples=20)
@@ -48,7 +50,7 @@ def test_any_changed_byte_is_found(tmp_path):
     whole = path.read_bytes()
     for k in range(0, len(whole) - 1, 23):
         path.write_bytes(whole[:k] + bytes([whole[k] ^ 1]) + whole[k + 1 :])
-        shelf = presets.read_shelf(tmp_path)
+        shelf = presets.read_preset_folder(tmp_path)
         assert shelf.entries == ()
         assert path.name in shelf.faults[0].sentence
 
@@ -59,7 +61,7 @@ def test_any_changed_byte_is_found(tmp_path):
 def test_what_is_no_preset_is_named_and_left_out_and_the_others_are_there(tmp_path, content):
     presets.save_preset(tmp_path, named("Tap"))
     (tmp_path / "wrong.skinpreset").write_bytes(content)
-    shelf = presets.read_shelf(tmp_path)
+    shelf = presets.read_preset_folder(tmp_path)
     assert [entry.preset.name for entry in shelf.entries] == ["Tap"]
     assert [fault.path.name for fault in shelf.faults] == ["wrong.skinpreset"]
     assert shelf.faults[0].sentence.startswith("wrong.skinpreset: ")
@@ -67,23 +69,23 @@ def test_what_is_no_preset_is_named_and_left_out_and_the_others_are_there(tmp_pa
 
 def test_a_folder_in_place_of_a_file_is_named_and_left_out(tmp_path):
     (tmp_path / "folder.skinpreset").mkdir()
-    shelf = presets.read_shelf(tmp_path)
+    shelf = presets.read_preset_folder(tmp_path)
     assert "folder.skinpreset" in shelf.faults[0].sentence
 
 
 def test_other_files_are_nobodys_business(tmp_path):
     (tmp_path / "notes.txt").write_text("hello")
     (tmp_path / ".half.skinpreset").write_text("{")
-    assert presets.read_shelf(tmp_path) == Shelf()
-    assert presets.read_shelf(tmp_path / "absent") == Shelf()
-    assert presets.read_shelf(tmp_path / "notes.txt") == Shelf()
+    assert presets.read_preset_folder(tmp_path) == PresetFolder()
+    assert presets.read_preset_folder(tmp_path / "absent") == PresetFolder()
+    assert presets.read_preset_folder(tmp_path / "notes.txt") == PresetFolder()
 
 
 def test_more_files_than_one_reads_are_said(tmp_path, monkeypatch):
     monkeypatch.setattr("skinsource.design.presets.presets.MOST_FILES", 2)
     for name in "abc":
         presets.save_preset(tmp_path, named(name))
-    shelf = presets.read_shelf(tmp_path)
+    shelf = presets.read_preset_folder(tmp_path)
     assert len(shelf.entries) == 2
     assert "holds 3 presets, the first 2" in shelf.faults[0].sentence
 

@@ -5,9 +5,9 @@ import pytest
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.limbs.surface.operator import (
+    check_values_of_shared_places,
     first_at_same_place,
     pairs_at_same_place,
-    refuse_two_values_for_one_place,
 )
 
 
@@ -21,11 +21,11 @@ def test_two_values_for_one_place_are_refused_by_both_names():
     outputs = np.array([[np.nan, np.nan], [10, 10], [500, 20], [10, 10 + 1e-8], [700, 900]])
     pairs = pairs_at_same_place(outputs, 1000.0)
     assert pairs == ((1, 3),)
-    refuse_two_values_for_one_place(np.array([1.0, 2.0, 3.0, 2.0, 5.0]), pairs)
+    check_values_of_shared_places(np.array([1.0, 2.0, 3.0, 2.0, 5.0]), pairs)
     with pytest.raises(InvalidInputError, match=r"outputs 2 and 4 .* given 2 and 7"):
-        refuse_two_values_for_one_place(np.array([1.0, 2.0, 3.0, 7.0, 5.0]), pairs)
+        check_values_of_shared_places(np.array([1.0, 2.0, 3.0, 7.0, 5.0]), pairs)
     frames = np.zeros((5, 3))
     frames[3, 2] = -0.5
     with pytest.raises(InvalidInputError, match=r"outputs 2 and 4 .* given 0 and -0\.5"):
-        refuse_two_values_for_one_place(frames, pairs)
+        check_values_of_shared_places(frames, pairs)
     assert pairs_at_same_place(outputs, 1.0) == ()

@@ -24,7 +24,7 @@ def test_the_files_are_what_the_script_makes():
 
 
 def test_no_two_are_called_alike_and_none_is_left_out():
-    shelf = presets.read_shelf(presets.shipped_folder())
+    shelf = presets.read_preset_folder(presets.shipped_folder())
     assert shelf.faults == ()
     assert len({entry.preset.name for entry in shelf.entries}) == len(SHIPPED)
 

@@ -8,7 +8,7 @@ from skinsource.limbs.surface.outline import (
     boundary_from_table,
     densified,
     distances_inside,
-    nearest_seen,
+    nearest_visible,
     raster_unit,
     sees,
     sight_region,
@@ -123,7 +123,7 @@ def test_outside_the_raster_nothing_is_seen():
 
 def test_the_nearest_two_come_in_order_and_equals_by_number():
     outputs = np.array([[90.0, 50.0], [50.0, 90.0], [50.0, 10.0]])
-    index, distance = nearest_seen(
+    index, distance = nearest_visible(
         sight_region(SQUARE, 1.0), np.array([[100.0, 100.0], [0.0, 50.0]]), outputs
     )
     np.testing.assert_array_equal(index, [[0, 1], [1, 2]])

@@ -3,7 +3,7 @@
 import pytest
 
 from skinsource.engine.gains import TraceError
-from skinsource_gui.qt.error_label import ErrorLabel, one_digit_up
+from skinsource_gui.qt.error_label import ErrorLabel, rounded_up
 from skinsource_gui.qt.theme import LIGHT
 
 
@@ -73,5 +73,5 @@ def test_the_colour_tells_when_a_promise_is_broken(qtbot, estimate, colour, use_
     ],
 )
 def test_an_error_is_never_shown_smaller_than_it_is(error, shown):
-    assert one_digit_up(error) == shown
+    assert rounded_up(error) == shown
     assert float(shown) >= error

@@ -9,10 +9,10 @@ from skinsource.design.design import Design, track
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.view import View
 from skinsource.engine.graph import Graph
-from skinsource_gui.state.conductor import Conductor, PanelWishes
+from skinsource_gui.state.conductor import Conductor, PanelController
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.engine import Engine
-from skinsource_gui.state.panel import MadePanels, Panel
+from skinsource_gui.state.panel import Panel, PanelRegistry
 
 
 def loudness(inputs):
@@ -90,9 +90,9 @@ def stage(qtbot):
     for panel in (loud, colourful):
         panel.setParent(window)
     colourful.move(0, loud.height())
-    panels = MadePanels.of(loud, colourful)
+    panels = PanelRegistry.of(loud, colourful)
     conductor = Conductor(document, engine, panels)
-    PanelWishes(document, panels)
+    PanelController(document, panels)
     window.show()
     qtbot.waitUntil(lambda: not engine.busy)
 

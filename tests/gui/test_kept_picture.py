@@ -2,7 +2,7 @@ import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QImage, QPainter
 
-from skinsource_gui.qt.frames import KeptPicture
+from skinsource_gui.qt.frames import CachedPicture
 
 ROOM = QRectF(2, 3, 8, 6)
 
@@ -44,7 +44,7 @@ class Nothing(Dot):
 @pytest.mark.parametrize("room", [ROOM, QRectF(0, 0, 12, 12), QRectF(4, 4, 2, 2)])
 @pytest.mark.parametrize("kind", [Dot, Nothing])
 def test_a_kept_picture_looks_as_if_it_were_painted_directly(qapp, kind, room, ratio):
-    direct, kept = sheet(ratio), KeptPicture()
+    direct, kept = sheet(ratio), CachedPicture()
     painter = QPainter(direct)
     kind().paint(painter)
     painter.end()
@@ -53,7 +53,7 @@ def test_a_kept_picture_looks_as_if_it_were_painted_directly(qapp, kind, room, r
 
 
 def test_no_more_of_it_is_kept_than_what_is_painted(qapp):
-    kept = KeptPicture()
+    kept = CachedPicture()
     show(kept, Dot(), ratio=2.0)
     assert kept.kept_px == 16
     show(kept, Nothing(), ("other",))
@@ -63,7 +63,7 @@ def test_no_more_of_it_is_kept_than_what_is_painted(qapp):
 
 
 def test_it_is_painted_once_until_what_it_depends_on_changes(qapp):
-    kept, dot = KeptPicture(), Dot()
+    kept, dot = CachedPicture(), Dot()
     for _ in range(3):
         show(kept, dot, ("light", 1.5))
     assert dot.times == 1
@@ -72,7 +72,7 @@ def test_it_is_painted_once_until_what_it_depends_on_changes(qapp):
 
 
 def test_it_is_painted_anew_for_another_screen(qapp):
-    kept, dot = KeptPicture(), Dot()
+    kept, dot = CachedPicture(), Dot()
     show(kept, dot)
     sharp = show(kept, dot, ratio=2.0)
     assert dot.times == 2
@@ -80,7 +80,7 @@ def test_it_is_painted_anew_for_another_screen(qapp):
 
 
 def test_with_a_ground_it_covers_what_was_there_before(qapp):
-    image = show(KeptPicture(), Dot(), ground=QColor("blue"))
+    image = show(CachedPicture(), Dot(), ground=QColor("blue"))
     assert image.pixelColor(3, 3).name() == "#0000ff"
     assert image.pixelColor(4, 4).name() == "#ff0000"
     assert image.pixelColor(1, 1).name() == "#ffffff"
@@ -89,7 +89,7 @@ def test_with_a_ground_it_covers_what_was_there_before(qapp):
 @pytest.mark.parametrize("size", [(8, 0), (8, 0.2), (8, -3), (0, 6)])
 @pytest.mark.parametrize("ground", [None, QColor("blue")])
 def test_where_there_is_no_room_nothing_is_painted_and_next_time_all_of_it(qapp, size, ground):
-    kept, dot = KeptPicture(), Dot()
+    kept, dot = CachedPicture(), Dot()
     show(kept, dot)
     assert show(kept, dot, ground=ground, room=QRectF(4, 4, *size)) == sheet()
     assert dot.times == 1

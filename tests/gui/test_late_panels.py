@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QApplication
 
 from skinsource_gui.shell.arrangement_spec import Place
 from skinsource_gui.shell.panels import PANELS
-from skinsource_gui.state.panel import LatePanel, MadePanels, Panel
+from skinsource_gui.state.panel import LazyPanel, Panel, PanelRegistry
 
 
 def made(window):
@@ -123,7 +123,7 @@ def test_what_the_table_says_of_each_panel_its_class_says_too(qapp):
     for spec in PANELS:
         assert issubclass(spec.panel.type, Panel)
     with pytest.raises(ValueError, match="says of itself 'wave', 'Wave'; the table"):
-        LatePanel("wave", "Waves")()
+        LazyPanel("wave", "Waves")()
 
 
 def test_each_panel_is_met_once_whenever_it_is_made(qapp):
@@ -133,7 +133,7 @@ def test_each_panel_is_met_once_whenever_it_is_made(qapp):
     class Other(Panel):
         name = "other"
 
-    panels, met = MadePanels({"one": One, "other": Other}), []
+    panels, met = PanelRegistry({"one": One, "other": Other}), []
     panels["other"]
     panels.each(lambda panel: met.append(panel.name))
     assert met == ["other"]

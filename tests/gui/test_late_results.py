@@ -14,7 +14,7 @@ from skinsource.design.effects.level import Fade
 from skinsource_gui.panels.regions.panel import columns_of_people
 from skinsource_gui.panels.timeline.painting import same_clips
 from skinsource_gui.qt.asking import CopyButton
-from skinsource_gui.qt.overlays import UPDATING, Veil
+from skinsource_gui.qt.overlays import UPDATING, StaleOverlay
 from skinsource_gui.shell.panels import PANELS
 
 SELECTED = (3, 9, 15, 21)
@@ -123,7 +123,7 @@ def test_what_comes_into_sight_with_older_results_says_so_until_the_newer_ones_a
         studio.settled()
         qtbot.waitUntil(lambda one=panel: not one.late)
         assert offers(panel) == offered, name
-        assert not panel.findChildren(Veil) or not panel._veils, name
+        assert not panel.findChildren(StaleOverlay) or not panel._veils, name
         studio.hide_panel(name)
 
 
@@ -210,7 +210,7 @@ def test_what_was_in_sight_all_the_time_is_late_after_a_while(studio, qtbot):
         studio.edit_all()
         assert not panel.late
         qtbot.waitUntil(lambda: panel.late)
-        veil = panel.table.findChild(Veil)
+        veil = panel.table.findChild(StaleOverlay)
         assert veil.accessibleName() == UPDATING
         assert veil.size() == panel.table.size()
         assert not panel.copy.isEnabled()

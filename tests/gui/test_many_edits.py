@@ -1,12 +1,12 @@
 import gc
 
-from skinsource_gui.state.document import Document, Swap
+from skinsource_gui.state.document import Document, ReplaceDesign
 from skinsource_gui.state.history import MOST_STEPS
 from skinsource_gui.state.preferences import start_design
 
 
 def steps_in_memory():
-    return sum(isinstance(one, Swap) for one in gc.get_objects())
+    return sum(isinstance(one, ReplaceDesign) for one in gc.get_objects())
 
 
 def test_the_oldest_steps_are_forgotten_and_freed(qtbot):

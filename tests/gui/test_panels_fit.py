@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource_gui.panels.transfer.panel import _usable_words
-from skinsource_gui.plots.figure import WordsLabel
+from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.plots.legend import LegendStrip
 from skinsource_gui.qt.labels import SHORT_NAME
 
@@ -47,7 +47,7 @@ def cut_words(panel):
     found = []
     seen = [one for one in panel.findChildren(object) if getattr(one, "isVisible", bool)()]
     for one in seen:
-        if isinstance(one, WordsLabel):
+        if isinstance(one, NoteLabel):
             if one.shown != one.text or one.height() < one.heightForWidth(one.width()):
                 found.append(one.text)
         elif isinstance(one, QComboBox) and one.objectName() != "actuator_field":
@@ -114,7 +114,7 @@ def test_no_result_is_cut_in_a_dock_of_any_width(window, settle, qtbot):
 
 
 def test_words_take_lines_keep_them_while_read_and_count_what_does_not_fit(qtbot):
-    label = WordsLabel("words")
+    label = NoteLabel("words")
     qtbot.addWidget(label)
     line = label.heightForWidth(1000)
     label.resize(200, line)

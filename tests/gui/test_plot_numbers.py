@@ -6,8 +6,8 @@ import pytest
 from skinsource_gui.plots.curves import Curves, output_names
 from skinsource_gui.plots.ranges import (
     MOST_IN_COLUMN,
-    HeldRange,
-    KeptColumns,
+    CachedColumns,
+    SteadyRange,
     ValueScale,
     in_rows,
     linear_ticks,
@@ -23,7 +23,7 @@ from skinsource_gui.plots.ranges import (
 
 
 def test_a_range_grows_at_once_and_shrinks_only_below_60_percent():
-    held = HeldRange()
+    held = SteadyRange()
     assert held.follow(-1.0, 0.5, "amplitude") == (-1.25, 1.25)
     assert held.follow(-0.9, 0.9, "amplitude") == (-1.25, 1.25)
     assert held.follow(-0.8, 0.3, "amplitude") == (-1.25, 1.25)
@@ -33,12 +33,12 @@ def test_a_range_grows_at_once_and_shrinks_only_below_60_percent():
 
 
 def test_magnitudes_start_at_zero_and_signed_values_are_symmetric():
-    assert HeldRange().follow(0.0, 0.9, "amplitude") == (0.0, 1.0)
-    assert HeldRange().follow(-0.1, 0.9, "amplitude") == (-1.0, 1.0)
+    assert SteadyRange().follow(0.0, 0.9, "amplitude") == (0.0, 1.0)
+    assert SteadyRange().follow(-0.1, 0.9, "amplitude") == (-1.0, 1.0)
 
 
 def test_silence_keeps_the_range():
-    held = HeldRange()
+    held = SteadyRange()
     before = held.follow(-0.3, 0.3, "amplitude")
     assert held.follow(0.0, 0.0, "amplitude") == before
     loud = held.follow(-140.0, 12.0, "level")
@@ -46,7 +46,7 @@ def test_silence_keeps_the_range():
 
 
 def test_levels_span_80_db_below_a_top_that_holds_still():
-    held = HeldRange()
+    held = SteadyRange()
     low, high = held.follow(-200.0, -12.0, "level")
     assert (low, high) == (-90.0, -10.0)
     assert held.follow(-200.0, -17.0, "level") == (-90.0, -10.0)
@@ -56,7 +56,7 @@ def test_levels_span_80_db_below_a_top_that_holds_still():
 
 @pytest.mark.parametrize("peak", [5e-324, 1e-300, 1e-12, 3.7, 1e12, 1e300])
 def test_every_peak_fits_into_its_range_and_has_ticks_that_can_be_read(peak):
-    low, high = HeldRange().follow(-peak, peak, "amplitude")
+    low, high = SteadyRange().follow(-peak, peak, "amplitude")
     assert low <= -peak < peak <= high
     unit = value_unit("amplitude", low, high)
     ticks = linear_ticks(low, high, 5, unit.factor)
@@ -159,7 +159,7 @@ def test_every_column_has_its_stroke_even_where_samples_lie_on_its_edge(columns,
 
 
 def test_columns_of_an_axis_are_found_once_for_all_that_is_drawn_over_it():
-    kept, random = KeptColumns(), np.random.default_rng(4)
+    kept, random = CachedColumns(), np.random.default_rng(4)
     x = np.arange(5000) / 1300
     asked = [(x, (0.0, 3.0), 300), (x.copy(), (0.0, 3.0), 300)]
     others = [(x, (0.1, 3.0), 300), (x, (0.1, 3.0), 301), (x + 1e-9, (0.1, 3.0), 301)]
@@ -174,7 +174,7 @@ def test_columns_of_an_axis_are_found_once_for_all_that_is_drawn_over_it():
 
 
 def test_a_long_axis_is_known_again_only_as_the_very_same():
-    kept, x = KeptColumns(), np.arange(800_000) / 1300
+    kept, x = CachedColumns(), np.arange(800_000) / 1300
     for axis, made in ((x, 1), (x, 1), (x.copy(), 2), (x, 3)):
         kept.of(axis, (0.0, 600.0), 500)
         assert kept.made == made
@@ -189,7 +189,7 @@ def test_values_never_reach_beyond_their_row():
 
 @pytest.mark.parametrize("peak", [5e-324, 1e-300, 1e300])
 def test_no_value_is_too_small_or_too_large_to_be_drawn(peak):
-    scale = ValueScale(values=HeldRange().follow(-peak, peak, "amplitude"))
+    scale = ValueScale(values=SteadyRange().follow(-peak, peak, "amplitude"))
     heights = scale.heights(np.array([-peak, 0.0, peak]))
     assert heights[1] == 0.5
     assert 0 <= heights[0] < 0.5 < heights[2] <= 1

@@ -14,7 +14,7 @@ from skinsource.design.view import View
 from skinsource.export.tables import export_levels
 from skinsource.limbs.catalogue import available_limbs
 from skinsource_gui import __main__ as start
-from skinsource_gui.app.app import GarbageCollector, take_over_collection
+from skinsource_gui.app.app import GarbageCollector, manage_garbage_collection
 from skinsource_gui.qt import system_libraries
 from skinsource_gui.qt.late_modules import UNCALLED
 from skinsource_gui.shell.window import MainWindow
@@ -309,7 +309,7 @@ def shows_something(panel):
 def test_what_stands_at_the_start_is_not_looked_through_again():
     owner = QObject()
     try:
-        take_over_collection(owner)
+        manage_garbage_collection(owner)
         assert gc.get_freeze_count() > 0
         assert not gc.isenabled()
         assert len(owner.findChildren(GarbageCollector)) == 1

@@ -6,7 +6,7 @@ from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QStyleOptionViewItem, QToolButton
 
 from skinsource.export.stimulus_export.preparing import ChannelOverview
-from skinsource_gui.pages.stimulus.page import words_of
+from skinsource_gui.pages.stimulus.page import channel_lines
 from skinsource_gui.panels.compare.card import fitted_level
 from skinsource_gui.panels.history.panel import StepDelegate, StepsModel
 from skinsource_gui.panels.skin.map import NoteLine
@@ -95,7 +95,7 @@ def test_the_sheet_of_an_export_writes_a_minus(qapp):
         rms=0.25,
         clipped=0,
     )
-    assert words_of(one)[1] == "peak −6.0 dB, RMS −12.0 dB"
+    assert channel_lines(one)[1] == "peak −6.0 dB, RMS −12.0 dB"
 
 
 def test_a_limb_that_others_installed_is_told_of(window, monkeypatch):

@@ -15,7 +15,7 @@ os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 
 from skinsource.limbs.catalogue import available_limbs
 from skinsource.readers.reading_process import resident_bytes
-from skinsource_gui.app.app import make_application, take_over_collection
+from skinsource_gui.app.app import make_application, manage_garbage_collection
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences, start_design
 from tests.gui.monkey.monkey import Monkey
@@ -37,7 +37,7 @@ def main() -> None:
             preferences=Preferences(folder / "studio.ini"),
             available_limbs=available_limbs(),
         )
-        take_over_collection(window)
+        manage_garbage_collection(window)
         window.resize(1366, 728)
         window.show()
         window.do("arrange_design")

@@ -22,7 +22,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import BAND_HZ, MOST_PLACES, Band
 from skinsource.base.quoting import quoted
 from skinsource.specs import fields
-from skinsource.specs.numbers import ListSpec, NumberSpec, OptionalSpec, RecipeSpec
+from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec, OptionalSpec
 from skinsource.specs.spec import SwitchSpec, TextSpec
 
 PLACE = OptionalSpec(
@@ -33,11 +33,11 @@ PLACE = OptionalSpec(
 NAME = TextSpec(label="Actuator", longest=100, one_line=True)
 ACTUATORS = ListSpec(
     label="Actuators",
-    of=RecipeSpec(label="Actuator", kinds=lambda: (ActuatorAt,)),
+    of=ModelSpec(label="Actuator", kinds=lambda: (ActuatorAt,)),
     most=256,
 )
 EQUALISER = OptionalSpec(
-    label="Equaliser", of=RecipeSpec(label="Equaliser", kinds=lambda: EQUALISERS)
+    label="Equaliser", of=ModelSpec(label="Equaliser", kinds=lambda: EQUALISERS)
 )
 RIG = TextSpec(label="Rig", longest=100, one_line=True)
 ON = SwitchSpec(label="Predict through the actuator")

@@ -15,17 +15,17 @@ from skinsource.base.json_text import MAX_TEXT_BYTES
 from skinsource.base.quoting import quoted
 from skinsource.specs import fields, models
 from skinsource.specs.codec import from_plain_text
-from skinsource.specs.numbers import OptionalSpec, RecipeSpec
+from skinsource.specs.numbers import ModelSpec, OptionalSpec
 from skinsource.specs.spec import Address, SwitchSpec, TextSpec
 
 #: Every kind that moves, in the order in which a user meets them.
 KINDS = (VoiceCoil, RecoilVoiceCoil, Piezo, MeasuredResponse)
 Model = VoiceCoil | RecoilVoiceCoil | Piezo | MeasuredResponse
 
-MODEL: RecipeSpec = RecipeSpec(label="Model", kinds=lambda: KINDS)
-_ANY = RecipeSpec(label="Model", kinds=lambda: (*KINDS, ResponseShape))
-_LIMITS = RecipeSpec(label="Limits", kinds=lambda: (Limits,))
-_THERMAL = OptionalSpec(label="Warming", of=RecipeSpec(label="Warming", kinds=lambda: (Thermal,)))
+MODEL: ModelSpec = ModelSpec(label="Model", kinds=lambda: KINDS)
+_ANY = ModelSpec(label="Model", kinds=lambda: (*KINDS, ResponseShape))
+_LIMITS = ModelSpec(label="Limits", kinds=lambda: (Limits,))
+_THERMAL = OptionalSpec(label="Warming", of=ModelSpec(label="Warming", kinds=lambda: (Thermal,)))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

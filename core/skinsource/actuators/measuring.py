@@ -11,7 +11,7 @@ import scipy
 from numpy.typing import ArrayLike
 
 from skinsource.actuators.measured_response import MeasuredResponse
-from skinsource.base.arguments import finite_array, positive_number, real_number, whole_number
+from skinsource.base.arguments import finite_array, integer, positive_number, real_number
 from skinsource.base.arrays import Complexes, Floats, Indices
 from skinsource.base.errors import InvalidInputError, RecordingError
 from skinsource.base.files import named
@@ -170,7 +170,7 @@ def exponential_sweep(
     InvalidInputError
         They do not go together.
     """
-    rate_hz = whole_number("sample_rate_hz", sample_rate_hz, 1, 10**7)
+    rate_hz = integer("sample_rate_hz", sample_rate_hz, 1, 10**7)
     first_hz, last_hz = (real_number("band_hz", one) for one in band_hz)
     if not 0.0 < first_hz < last_hz < rate_hz / 2.0:
         raise InvalidInputError(

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from skinsource.actuators.actuator import Actuator
 from skinsource.actuators.simulation import ActuatorMotion
-from skinsource.base.arguments import finite_array, whole_number
+from skinsource.base.arguments import finite_array, integer
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import LARGEST_VELOCITY_M_PER_S
@@ -71,7 +71,7 @@ class Limits:
         fields.check(self)
 
 
-def limit_words(name: str) -> str:
+def limit_text(name: str) -> str:
     """What a field of `Limits` is called in the middle of a sentence."""
     label = _spec_of(name).label
     return label if label[1].isupper() else label[0].lower() + label[1:]
@@ -196,8 +196,8 @@ def predicted(
     InvalidInputError
         The voltage is none, or there are not as many actuators as channels.
     """
-    rate_hz = whole_number("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ)
-    least_hz = whole_number("least_rate_hz", least_rate_hz, 1, MAX_RATE_HZ)
+    rate_hz = integer("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ)
+    least_hz = integer("least_rate_hz", least_rate_hz, 1, MAX_RATE_HZ)
     rows = finite_array("voltage", voltage, "finite numbers in V, (n_channels, n_times)")
     if rows.ndim not in (1, 2) or not rows.shape[-1]:
         raise InvalidInputError(
@@ -247,7 +247,7 @@ class Breach:
 
     def __str__(self) -> str:
         found, limit = (with_unit(self.name, one) for one in (self.found, self.limit))
-        return f"{limit_words(self.name)}: {found}, expected at most {limit}"
+        return f"{limit_text(self.name)}: {found}, expected at most {limit}"
 
 
 def breaches(prediction: Prediction, limits: Limits) -> tuple[Breach, ...]:

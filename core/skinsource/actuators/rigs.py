@@ -18,14 +18,7 @@ from numpy.typing import ArrayLike
 
 from skinsource.actuators.catalog import MODEL, Model, names, profile, shape_names
 from skinsource.actuators.measured_response import MeasuredResponse
-from skinsource.actuators.prediction import (
-    Breach,
-    Limits,
-    Thermal,
-    breaches,
-    limit_words,
-    predicted,
-)
+from skinsource.actuators.prediction import Breach, Limits, Thermal, breaches, limit_text, predicted
 from skinsource.base.arguments import finite_array
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import FileFormatError, InvalidInputError
@@ -35,7 +28,7 @@ from skinsource.base.published import MOST_PLACES
 from skinsource.base.quoting import quoted, sentence
 from skinsource.specs import fields, models
 from skinsource.specs.codec import from_plain_text, to_plain_text
-from skinsource.specs.numbers import SMALLEST, ListSpec, NumberSpec, OptionalSpec, RecipeSpec
+from skinsource.specs.numbers import SMALLEST, ListSpec, ModelSpec, NumberSpec, OptionalSpec
 from skinsource.specs.spec import Address, ChoiceSpec, TextSpec
 
 __all__ = [
@@ -117,7 +110,7 @@ class RigChannel:
     measured: MeasuredResponse | None = fields.field(
         OptionalSpec(
             label="Measured response",
-            of=RecipeSpec(label="Measured response", kinds=lambda: (MeasuredResponse,)),
+            of=ModelSpec(label="Measured response", kinds=lambda: (MeasuredResponse,)),
         ),
         None,
     )
@@ -125,10 +118,10 @@ class RigChannel:
     delay_s: float = fields.number(0.0, DELAY)
     measured_on: str = fields.text("", DATE)
     limits: Limits = fields.field(
-        RecipeSpec(label="Limits", kinds=lambda: (Limits,)), factory=Limits
+        ModelSpec(label="Limits", kinds=lambda: (Limits,)), factory=Limits
     )
     thermal: Thermal | None = fields.field(
-        OptionalSpec(label="Warming", of=RecipeSpec(label="Warming", kinds=lambda: (Thermal,))),
+        OptionalSpec(label="Warming", of=ModelSpec(label="Warming", kinds=lambda: (Thermal,))),
         None,
     )
 
@@ -169,7 +162,7 @@ TITLE = TextSpec(label="Title", longest=100, one_line=True)
 NOTE = TextSpec(label="Note", longest=5000)
 CHANNELS = ListSpec(
     label="Channels",
-    of=RecipeSpec(label="Channel", kinds=lambda: (RigChannel,)),
+    of=ModelSpec(label="Channel", kinds=lambda: (RigChannel,)),
     most=MAX_CHANNELS,
 )
 
@@ -441,7 +434,7 @@ def highest_gain(
         breach = one.breach
         allowed = 0.0 if breach.name in _OF_TIME else _LOUDER * breach.limit / breach.found
         if allowed < found.factor:
-            found = Margin(allowed, f"place {one.place}: {limit_words(breach.name)}")
+            found = Margin(allowed, f"place {one.place}: {limit_text(breach.name)}")
     if repeated:
         for place in places:
             channel = rig.channel_of(place)

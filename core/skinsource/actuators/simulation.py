@@ -77,7 +77,7 @@ def simulated(
     found = np.zeros((len(OUTPUTS), samples.size))
     found[-1, :1] = equations.passed_a_per_v * samples[:1]
     if samples.size > 1:
-        _fill(found[:, 1:], samples, one_step(equations, step_s, hold))
+        _fill(found[:, 1:], samples, step_matrix(equations, step_s, hold))
     if not np.isfinite(found).all():
         raise InvalidInputError(
             "the motion is beyond all floating-point numbers; lower the voltage, or move the "
@@ -97,7 +97,7 @@ def samples_of(voltage: ArrayLike, hold: Hold) -> Floats:
     return samples
 
 
-def one_step(equations: Equations, step_s: float, hold: Hold) -> Floats:
+def step_matrix(equations: Equations, step_s: float, hold: Hold) -> Floats:
     """States and outputs after a step, from the states before it and the voltages on both sides.
 
     Of the shape (n_states + 4, n_states + 2).

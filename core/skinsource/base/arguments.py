@@ -115,7 +115,7 @@ def positive_number(name: str, value: object) -> float:
     return found
 
 
-def whole_number(name: str, value: object, least: int, most: int) -> int:
+def integer(name: str, value: object, least: int, most: int) -> int:
     """Return ``value`` as an int; 5.0 is one, True is none.
 
     Raises

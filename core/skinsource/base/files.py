@@ -21,7 +21,7 @@ _NAME = re.compile(r"\..+\.[0-9a-f]{8}\.part", re.DOTALL)
 _A_DAY_S = 24 * 3600.0
 
 
-def temporary_beside(path: Path) -> Path:
+def temporary_name(path: Path) -> Path:
     """Return a new name beside ``path`` for what shall replace it."""
     return path.parent / f".{path.name}.{secrets.token_hex(4)}.part"
 
@@ -37,11 +37,11 @@ def sweep(folder: Path) -> None:
             if _NAME.fullmatch(entry.name):
                 with suppress(OSError):
                     about = entry.stat(follow_symlinks=False)
-                    if stat.S_ISREG(about.st_mode) and is_left_over(entry.name, about, now):
+                    if stat.S_ISREG(about.st_mode) and is_stale_temporary(entry.name, about, now):
                         Path(entry.path).unlink()
 
 
-def is_left_over(name: str, about: os.stat_result, now_s: float) -> bool:
+def is_stale_temporary(name: str, about: os.stat_result, now_s: float) -> bool:
     """Whether something is one's own temporary one, and nobody has written to it for a day."""
     owner = getattr(os, "getuid", lambda: about.st_uid)()
     own = _NAME.fullmatch(name) is not None and about.st_uid == owner
@@ -194,7 +194,7 @@ def replacing(path: Path) -> Iterator[Path]:
         target = _link_followed(path)
         mode = _writing_mode_of(target)
         sweep(target.parent)
-        temporary = temporary_beside(target)
+        temporary = temporary_name(target)
         _create(temporary, private=mode is not None)
     try:
         with explained(path):
@@ -322,7 +322,7 @@ def replacing_folder(path: Path, mark: str, kept: str = "") -> Iterator[Path]:
     _refuse_foreign(path, mark)
     with explained(path):
         _sweep(path.parent)
-        temporary = temporary_beside(path)
+        temporary = temporary_name(path)
         temporary.mkdir()
     try:
         with explained(path):
@@ -338,7 +338,7 @@ def replacing_folder(path: Path, mark: str, kept: str = "") -> Iterator[Path]:
             flush_folder(temporary)
             _refuse_foreign(path, mark)
             if path.exists():
-                old = temporary_beside(path)
+                old = temporary_name(path)
                 path.replace(old)
                 temporary.replace(path)
                 shutil.rmtree(old, ignore_errors=True)
@@ -369,7 +369,7 @@ def _sweep(folder: Path) -> None:
         for one in folder.iterdir():
             with suppress(OSError):
                 about = one.lstat()
-                if stat.S_ISDIR(about.st_mode) and is_left_over(one.name, about, now):
+                if stat.S_ISDIR(about.st_mode) and is_stale_temporary(one.name, about, now):
                     shutil.rmtree(one, ignore_errors=True)
 
 

@@ -87,7 +87,7 @@ def seconds_left(done: int, total: int, elapsed_s: float) -> float | None:
     return elapsed_s * max(total - done, 0) / done
 
 
-def left_in_words(seconds: float | None) -> str:
+def time_left_text(seconds: float | None) -> str:
     """Words such as "about 5 s left", "about 3 min left"; empty where nothing is known.
 
     Rounded up to whole seconds below ten, to fives below a minute, to minutes and half hours: a

@@ -59,8 +59,8 @@ def axes_of(measured: Axes, axes: Axes) -> Axes:
     missing = [axis for axis in axes if axis not in measured]
     if missing:
         raise InvalidInputError(
-            f"axes is {quoted(axes)}, but this limb measures along {words(measured)} only. Choose "
-            f"{quoted(measured)}, or another limb."
+            f"axes is {quoted(axes)}, but this limb measures along {axes_text(measured)} only. "
+            f"Choose {quoted(measured)}, or another limb."
         )
     return axes
 
@@ -70,7 +70,7 @@ def axis_numbers(axes: Axes, measured: Axes = ALL_AXES) -> tuple[int, ...]:
     return tuple(measured.index(axis) for axis in axes_of(measured, axes))
 
 
-def words(axes: str) -> str:
+def axes_text(axes: str) -> str:
     """Axes in a sentence: "x and z"."""
     return f"{', '.join(axes[:-1])} and {axes[-1]}" if len(axes) > 1 else axes
 

@@ -14,12 +14,12 @@ from skinsource.design.amplitudes import amplitude_note, amplitude_text, is_gain
 from skinsource.design.clips import Clip
 from skinsource.design.design import Design, Input, audible_inputs
 from skinsource.design.design_file import open_design
-from skinsource.design.labels import SCALINGS, level_words, limb_word, signal_words, word_of
+from skinsource.design.labels import SCALINGS, level_label, limb_word, signal_label, word_of
 from skinsource.design.view import View, view_on
 from skinsource.engine.evaluation import evaluate
 from skinsource.export.map_files import export_map, export_map_picture
 from skinsource.export.tables import export_levels, export_traces
-from skinsource.limbs.locations import input_words, output_words
+from skinsource.limbs.locations import input_name, output_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.perception.validity import Judged, in_short
 
@@ -116,7 +116,7 @@ def _about_input(one: Input, design: Design) -> list[str]:
     if not is_gain(design, one):
         strength = f"amplitude {strength}"
     return [
-        f"  {one.id:3}  place {one.location}, {input_words(one.location, design.limb).name}: "
+        f"  {one.id:3}  place {one.location}, {input_name(one.location, design.limb).name}: "
         f"{strength}{curve}{marks}",
         *(f"       from {clip.onset_s:g} s: {_about_clip(clip)}" for clip in one.clips),
     ]
@@ -130,10 +130,10 @@ def _about_clip(clip: Clip) -> str:
 
 def _levels(design: Design, view: View, levels_db: Floats) -> list[str]:
     lines = [
-        f"levels    {level_words(view.span)}; {signal_words(view.axes, view.method)}",
+        f"levels    {level_label(view.span)}; {signal_label(view.axes, view.method)}",
         "  output  dB re 1 m/s²  place",
     ]
     for number, level_db in enumerate(levels_db.tolist(), start=1):
-        place = output_words(number, design.limb).name
+        place = output_name(number, design.limb).name
         lines.append(f"  {number:6}  {level_db:12.1f}  {place}".rstrip())
     return lines

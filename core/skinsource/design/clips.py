@@ -13,7 +13,7 @@ from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.playing import LONGEST_S, placed, played, played_s
 from skinsource.design.waveform import Waveform, first_kind, known_kinds
 from skinsource.specs import fields
-from skinsource.specs.numbers import ListSpec, NumberSpec, RecipeSpec
+from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec
 from skinsource.specs.spec import SwitchSpec, TextSpec
 
 # A waveform on a track: from when on, how strong, through which effects.
@@ -31,10 +31,10 @@ GAIN = NumberSpec(
     step=0.05,
     hint="How strong beside the other clips of its track; a negative gain turns the polarity",
 )
-WAVEFORM = RecipeSpec(label="Waveform", kinds=known_kinds)
+WAVEFORM = ModelSpec(label="Waveform", kinds=known_kinds)
 EFFECT_LIST = ListSpec(
     label="Effects",
-    of=RecipeSpec(label="Effect", kinds=effect_kinds),
+    of=ModelSpec(label="Effect", kinds=effect_kinds),
     most=MAX_EFFECTS,
 )
 MUTED = SwitchSpec(label="Mute", hint="A muted clip is silent")
@@ -111,7 +111,7 @@ PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_PLACES, whole=True)
 AMPLITUDE = NumberSpec(label="Amplitude", minimum=-1000.0, maximum=1000.0)
 OFFSET = NumberSpec(label="Tracks below the first", minimum=0, maximum=MAX_TRACKS, whole=True)
 CLIPS = ListSpec(
-    label="Clips", of=RecipeSpec(label="Clip", kinds=lambda: (Clip,)), fewest=1, most=MAX_CLIPS
+    label="Clips", of=ModelSpec(label="Clip", kinds=lambda: (Clip,)), fewest=1, most=MAX_CLIPS
 )
 
 
@@ -140,7 +140,7 @@ class Lane:
 
 LANES = ListSpec(
     label="Lanes",
-    of=RecipeSpec(label="Lane", kinds=lambda: (Lane,)),
+    of=ModelSpec(label="Lane", kinds=lambda: (Lane,)),
     fewest=1,
     most=MAX_TRACKS,
 )

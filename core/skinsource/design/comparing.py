@@ -17,7 +17,7 @@ from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.locations import DIGITS, OUTPUTS
 from skinsource.limbs.own_limbs import facts_of, own_limb_names
 from skinsource.specs import fields
-from skinsource.specs.numbers import NumberSpec, RecipeSpec
+from skinsource.specs.numbers import ModelSpec, NumberSpec
 
 # How levels of two designs differ, and what makes them alike.
 
@@ -52,15 +52,15 @@ def matching_gain(loudest_db: float, reference_db: float) -> float:
     return float(10.0 ** ((reference_db - loudest_db) / 20.0))
 
 
-def gain_words(gain: float) -> str:
+def gain_text(gain: float) -> str:
     """What a factor is in dB, "+3.2 dB"; empty where it is none to a tenth of a dB."""
     by_db = round(20.0 * math.log10(gain), 1) if gain > 0 else 0.0
     return f"{by_db:+.1f} dB".replace("-", "\N{MINUS SIGN}") if by_db else ""
 
 
-def match_words(gain: float) -> str:
+def match_text(gain: float) -> str:
     """What axes say of results that are shown with a factor, "−3.2 dB, matched"; or nothing."""
-    words = gain_words(gain)
+    words = gain_text(gain)
     return f"{words}, matched" if words else ""
 
 
@@ -119,7 +119,7 @@ def end_db(*differences_db: ArrayLike) -> float:
 MOST_BESIDE = 4
 
 
-def limbs_beside(limb: str) -> tuple[str, ...]:
+def related_limbs(limb: str) -> tuple[str, ...]:
     """Names of the limbs that belong beside ``limb``, at most four, itself among them.
 
     Of a published or synthetic limb the four of its kind; of an own limb the others that a lab
@@ -259,7 +259,7 @@ class Snapshot:
     """
 
     number: int = fields.number(EDITED, NUMBER)
-    design: Design = fields.field(RecipeSpec(label="Design", kinds=lambda: (Design,)))
+    design: Design = fields.field(ModelSpec(label="Design", kinds=lambda: (Design,)))
     gain: float = fields.number(1.0, GAIN)
 
     def __post_init__(self) -> None:
@@ -287,7 +287,7 @@ def louder(design: Design, gain: float) -> Design:
     return replace(design, inputs=inputs)
 
 
-def alike(design: Design, other: Design) -> bool:
+def same_but_rounding(design: Design, other: Design) -> bool:
     """Whether they are the same, but for the rounding of amplitudes."""
     if len(design.inputs) != len(other.inputs):
         return False
@@ -304,7 +304,7 @@ def shown(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None:
     return next((one for one in reversed(snapshots) if one.design == design), None)
 
 
-def together(snapshots: Sequence[Snapshot], design: Design) -> tuple[Snapshot, ...]:
+def with_edited(snapshots: Sequence[Snapshot], design: Design) -> tuple[Snapshot, ...]:
     """Return all snapshots, and ``design`` as what is edited if it is none of them."""
     if shown(snapshots, design) is not None:
         return tuple(snapshots)
@@ -331,7 +331,7 @@ def name_of(number: int) -> str:
     return "what was edited" if number == EDITED else f"snapshot {number}"
 
 
-def nothing_to_compare(snapshots: Sequence[Snapshot]) -> str:
+def why_no_comparison(snapshots: Sequence[Snapshot]) -> str:
     """Say why `other_than` found nothing, and what can be done."""
     if not snapshots:
         return "Store the design with Ctrl+1 to Ctrl+4, change it, and press X to go to and fro."

@@ -17,11 +17,11 @@ from skinsource.specs import fields
 from skinsource.specs.numbers import (
     CurveSpec,
     ListSpec,
+    ModelSpec,
     NumberSpec,
     OptionalSpec,
     Range,
     RangeSpec,
-    RecipeSpec,
 )
 from skinsource.specs.spec import ChoiceSpec, SwitchSpec, TextSpec
 
@@ -52,7 +52,7 @@ LICENCE = TextSpec(label="Licence", longest=2_000)
 
 # Which places there are is a matter of the limb, which says so when it is asked for one.
 PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_PLACES, whole=True)
-CLIPS = ListSpec(label="Clips", of=RecipeSpec(label="Clip", kinds=lambda: (Clip,)), most=MAX_CLIPS)
+CLIPS = ListSpec(label="Clips", of=ModelSpec(label="Clip", kinds=lambda: (Clip,)), most=MAX_CLIPS)
 GAIN_CURVE = CurveSpec(
     label="Gain curve",
     hint="What all clips of the track are multiplied with, over the time of the design",
@@ -69,14 +69,14 @@ COLOUR = NumberSpec(label="Colour", minimum=0, maximum=_MOST, whole=True)
 LIMB = TextSpec(label="Limb", longest=200, one_line=True)
 LIMB_DIGEST = TextSpec(label="Digest of the limb", longest=64, one_line=True)
 INPUTS = ListSpec(
-    label="Inputs", of=RecipeSpec(label="Input", kinds=lambda: (Input,)), most=MAX_INPUTS
+    label="Inputs", of=ModelSpec(label="Input", kinds=lambda: (Input,)), most=MAX_INPUTS
 )
 MARKERS = ListSpec(
-    label="Markers", of=RecipeSpec(label="Marker", kinds=lambda: (Marker,)), most=MAX_MARKERS
+    label="Markers", of=ModelSpec(label="Marker", kinds=lambda: (Marker,)), most=MAX_MARKERS
 )
 LOOP = RangeSpec(label="Loop", unit="s", minimum=0.0, maximum=LATEST_S)
 ACTUATION = OptionalSpec(
-    label="Actuators", of=RecipeSpec(label="Actuators", kinds=lambda: (Actuation,))
+    label="Actuators", of=ModelSpec(label="Actuators", kinds=lambda: (Actuation,))
 )
 SCALING = ChoiceSpec(
     label="Scaling", options=tuple((word.name, word.title) for word in labels.SCALINGS)

@@ -24,7 +24,7 @@ from skinsource.design.design import Design
 from skinsource.design.view import View
 from skinsource.specs import fields, image, models
 from skinsource.specs.codec import check_version
-from skinsource.specs.numbers import RecipeSpec
+from skinsource.specs.numbers import ModelSpec
 from skinsource.specs.spec import Address, BytesSpec
 
 SUFFIX = ".skinsource"
@@ -41,8 +41,8 @@ _MAX_LAYOUT_BYTES = 2**20
 class DesignFile:
     """What a file holds: the design, the view on it, and the window's arrangement."""
 
-    design: Design = fields.field(RecipeSpec(label="Design", kinds=lambda: (Design,)))
-    view: View = fields.field(RecipeSpec(label="View", kinds=lambda: (View,)), default=View())
+    design: Design = fields.field(ModelSpec(label="Design", kinds=lambda: (Design,)))
+    view: View = fields.field(ModelSpec(label="View", kinds=lambda: (View,)), default=View())
     layout: bytes = fields.field(
         BytesSpec(label="Arrangement", longest=_MAX_LAYOUT_BYTES), default=b""
     )

@@ -13,7 +13,7 @@ from skinsource.base.work import counted
 from skinsource.design.clips import Clip
 from skinsource.design.labels import SCALINGS, limb_word, word_of
 from skinsource.design.signal_path import drive_of_clips
-from skinsource.limbs.locations import input_words
+from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.limbs.scaling import Scaling
 
@@ -125,7 +125,7 @@ def _axis(top: float, end_s: float) -> list[str]:
 _MOST_TRACKS, _MOST_CLIPS = 20, 40
 
 
-class Shown(Protocol):
+class DesignDisplay(Protocol):
     """What is shown of a design, which shows itself by this."""
 
     @property
@@ -149,7 +149,7 @@ class Shown(Protocol):
         """What all of them play."""
 
 
-def html_of(design: Shown, heard: Collection[int], amplitudes: Sequence[str]) -> str:
+def html_of(design: DesignDisplay, heard: Collection[int], amplitudes: Sequence[str]) -> str:
     """Return a piece of HTML that needs nothing else.
 
     Parameters
@@ -177,7 +177,7 @@ def html_of(design: Shown, heard: Collection[int], amplitudes: Sequence[str]) ->
     return "".join(parts)
 
 
-def _table(design: Shown, amplitudes: Sequence[str]) -> str:
+def _table(design: DesignDisplay, amplitudes: Sequence[str]) -> str:
     rows = [
         (one.location, amplitude, clip)
         for one, amplitude in zip(design.inputs[:_MOST_TRACKS], amplitudes, strict=False)
@@ -202,4 +202,4 @@ def _limb(name: str) -> str:
 
 def _place(location: int, limb: str) -> str:
     here = 1 <= location <= facts_of(limb).n_inputs
-    return f"{location} {input_words(location, limb).short_name}" if here else f"place {location}"
+    return f"{location} {input_name(location, limb).short_name}" if here else f"place {location}"

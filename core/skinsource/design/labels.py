@@ -207,7 +207,7 @@ def short_limb_title(name: str) -> str:
     return title.partition(" (")[0] if name in PUBLISHED else title
 
 
-def signal_words(axes: str, method: str) -> str:
+def signal_label(axes: str, method: str) -> str:
     """How accelerations become one signal: ``"x, y, z, principal axis"``; one axis has no method.
 
     >>> signal_words("z", "pca")
@@ -223,11 +223,11 @@ def signal_words(axes: str, method: str) -> str:
     return f"{title}, {how[:1].lower() if how[1:2].islower() else how[:1]}{how[1:]}"
 
 
-def span_words(span: str) -> str:
+def span_label(span: str) -> str:
     """What a level is the RMS over, within a sentence: ``"loudest 100 ms"``."""
     return word_of(SPANS, span).title.lower()
 
 
-def level_words(span: str) -> str:
+def level_label(span: str) -> str:
     """What a level is: ``"RMS over the whole record"``."""
-    return f"RMS over the {span_words(span)}"
+    return f"RMS over the {span_label(span)}"

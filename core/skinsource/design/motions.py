@@ -24,7 +24,7 @@ from skinsource.design.waveforms.periodic import Saw, Square, Triangle
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource.specs import fields
-from skinsource.specs.numbers import ListSpec, NumberSpec, RecipeSpec
+from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec
 
 __all__ = [
     "MOTIONS",
@@ -90,7 +90,7 @@ class Motion(Protocol):
 MAX_PATH = 100
 
 PATH = ListSpec(label="Path", of=PLACE, fewest=2, most=MAX_PATH, hint="Places, in their order")
-WAVEFORM = RecipeSpec(label="Waveform", kinds=kinds, hint="What plays at each place")
+WAVEFORM = ModelSpec(label="Waveform", kinds=kinds, hint="What plays at each place")
 START = NumberSpec(
     label="Start", unit="s", minimum=0.0, maximum=600.0, step=0.005, hint="When it begins"
 )
@@ -125,7 +125,7 @@ def in_ms(time_s: float) -> str:
     return f"{1e3 * time_s:.4g} ms"
 
 
-def beside(spacing_s: float, duration_s: float) -> str:
+def gap_text(spacing_s: float, duration_s: float) -> str:
     """What lies between two that follow each other: an overlap, a pause, or nothing."""
     if abs(gap_s := spacing_s - duration_s) < 1e-9:
         return "one right after the other"
@@ -237,7 +237,7 @@ class Alternation:
         n, burst_s = self.rounds * len(self.path), self.waveform.duration_s
         whole_s = (n - 1) * self.spacing_s + burst_s
         return (
-            f"{counted(n, 'burst')} of {in_ms(burst_s)}, {beside(self.spacing_s, burst_s)}; "
+            f"{counted(n, 'burst')} of {in_ms(burst_s)}, {gap_text(self.spacing_s, burst_s)}; "
             f"{in_ms(whole_s)} in all"
         )
 
@@ -310,7 +310,7 @@ class ApparentMotion:
         whole_s = (len(self.path) - 1) * self.spacing_s + burst_s
         return (
             f"{len(self.path)} bursts of {in_ms(burst_s)}, one every {in_ms(self.spacing_s)}, "
-            f"{beside(self.spacing_s, burst_s)}; {in_ms(whole_s)} in all"
+            f"{gap_text(self.spacing_s, burst_s)}; {in_ms(whole_s)} in all"
         )
 
     def tracks(self) -> tuple[Input, ...]:
@@ -590,7 +590,7 @@ class TapSequence:
 #: Waveforms with one frequency and a phase.
 _PERIODIC = (Tone, Square, Saw, Triangle)
 
-PERIODIC = RecipeSpec(
+PERIODIC = ModelSpec(
     label="Waveform", kinds=lambda: _PERIODIC, hint="What plays at all places, with its phase"
 )
 DISTANCE = NumberSpec(

@@ -26,7 +26,7 @@ from skinsource.design.waveforms.samples import Recording
 from skinsource.readers import limits
 from skinsource.readers.reader import Block, Found, Series, dft321
 from skinsource.readers.reading_process import ReadingProcess
-from skinsource.readers.timestamps import at_steady_rate, pace_of
+from skinsource.readers.timestamps import at_steady_rate, sample_clock
 from skinsource.readers.units import UNITS, differentiated
 from skinsource.signals.resampling import by_ratio
 from skinsource.specs.samples import Samples
@@ -250,7 +250,7 @@ def _at_one_rate(
         if choice.rate_hz is None:
             raise InvalidInputError("the file does not say its sample rate; type it in")
         return signal, Fraction(choice.rate_hz).limit_denominator(10_000)
-    pace = pace_of(stamps_s)
+    pace = sample_clock(stamps_s)
     if pace.steady:
         return signal, pace.rate_hz
     notes.append(pace.note)

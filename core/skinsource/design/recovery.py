@@ -128,7 +128,7 @@ _MINUTE_S, _HOUR_S, _DAY_S = 60, 3600, 86_400
 
 
 @dataclass(frozen=True, slots=True)
-class LeftOver:
+class UnsavedWork:
     """What one studio left.
 
     Attributes
@@ -156,7 +156,7 @@ class LeftOver:
 
     def age(self) -> str:
         """How old the newest copy is, in words."""
-        return age_words(time.time() - self.kept_s)
+        return age_text(time.time() - self.kept_s)
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,7 +171,7 @@ class Found:
         Where copies lie now whose opening never ended.
     """
 
-    left: tuple[LeftOver, ...] = ()
+    left: tuple[UnsavedWork, ...] = ()
     set_aside: tuple[Path, ...] = ()
 
 
@@ -186,7 +186,7 @@ def find(folder: Path) -> Found:
     folder
         The user's data folder.
     """
-    left: list[LeftOver] = []
+    left: list[UnsavedWork] = []
     aside: list[Path] = []
     for place in _places(folder / FOLDER):
         copies = []
@@ -232,7 +232,7 @@ def set_aside(copy: Path) -> Path | None:
     return None
 
 
-def discard(left: LeftOver) -> None:
+def discard(left: UnsavedWork) -> None:
     """Delete what was left; what cannot be deleted is offered again."""
     for copy in left.copies:
         for path in (copy, copy.with_suffix(PICTURE), _mark(copy)):
@@ -241,7 +241,7 @@ def discard(left: LeftOver) -> None:
     _remove_empty(left.copies[0].parent)
 
 
-def age_words(seconds: float) -> str:
+def age_text(seconds: float) -> str:
     """Words such as "3 minutes ago"."""
     for unit_s, noun in ((_DAY_S, "day"), (_HOUR_S, "hour"), (_MINUTE_S, "minute")):
         count = int(seconds // unit_s)
@@ -299,10 +299,10 @@ def _written_s(path: Path) -> float:
         return 0.0
 
 
-def _left_over(place: Path, copies: list[Path]) -> LeftOver:
+def _left_over(place: Path, copies: list[Path]) -> UnsavedWork:
     numbered = _NUMBERED.fullmatch(copies[0].name)
     name = numbered[1] if numbered else copies[0].stem
-    return LeftOver(name, tuple(copies), _file_of(place), _written_s(copies[0]))
+    return UnsavedWork(name, tuple(copies), _file_of(place), _written_s(copies[0]))
 
 
 def _file_of(place: Path) -> Path | None:

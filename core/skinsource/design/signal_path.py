@@ -187,7 +187,7 @@ def first_unusable(samples: Floats) -> tuple[int, ...] | None:
 # Drives that an actuator can follow.
 
 
-def refuse_unfollowed(
+def check_drive(
     actuation: Actuation | None,
     drive: Drive,
     sample_rate_hz: float,
@@ -367,7 +367,7 @@ class UnplayableInput:
         return first_sentence(self.problem)
 
 
-def unplayable_words(unplayable: Sequence[UnplayableInput]) -> str:
+def unplayable_text(unplayable: Sequence[UnplayableInput]) -> str:
     """One sentence on inputs that cannot be played; empty where there are none."""
     if not unplayable:
         return ""

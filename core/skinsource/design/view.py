@@ -14,8 +14,8 @@ from skinsource.signals.analysis.windows import MOST_WINDOWS
 from skinsource.signals.loudest_window import Span
 from skinsource.signals.projection import Method
 from skinsource.specs import fields
-from skinsource.specs.numbers import ListSpec, NumberSpec, Range, RangeSpec, RecipeSpec
-from skinsource.specs.spec import ChoiceSpec, Misfit, PlainSpec, SwitchSpec
+from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec, Range, RangeSpec
+from skinsource.specs.spec import ChoiceSpec, PlainSpec, SwitchSpec, ValidationError
 
 #: A value of one field of a panel's settings.
 Plain = None | bool | int | float | str | tuple[float, ...]
@@ -80,7 +80,7 @@ PANELS = PlainSpec(label="Settings of panels")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class SnapshotSpec(RecipeSpec):
+class SnapshotSpec(ModelSpec):
     """A snapshot: it was looked through when it was made, and cannot have changed since.
 
     A view is made anew at each look.
@@ -89,7 +89,7 @@ class SnapshotSpec(RecipeSpec):
     def checked(self, value: Any) -> Any:
         """Return ``value`` itself."""
         if not isinstance(value, Snapshot):
-            raise Misfit("a Snapshot")
+            raise ValidationError("a Snapshot")
         return value
 
 

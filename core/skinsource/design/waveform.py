@@ -112,7 +112,7 @@ CYCLES = NumberSpec(
 )
 
 
-def take_lists(recipe: object, *names: str) -> None:
+def lists_to_tuples(recipe: object, *names: str) -> None:
     """Turn lists and arrays in these fields into tuples, as scripts may hand them over."""
     for name in names:
         object.__setattr__(recipe, name, _as_tuples(getattr(recipe, name)))
@@ -127,7 +127,7 @@ def _as_tuples(value: Any) -> Any:
     return tuple(tuple(part) if isinstance(part, list | np.ndarray) else part for part in value)
 
 
-def refuse_length(kind: str, duration_s: float, what_next: str) -> None:
+def check_waveform_duration(kind: str, duration_s: float, what_next: str) -> None:
     """Refuse a recipe that lasts longer than any waveform may.
 
     Raises

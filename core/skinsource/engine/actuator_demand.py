@@ -240,7 +240,7 @@ class Demand:
     leaves_velocity: bool = False
 
 
-def place_looked_at(placed: Sequence[Placed], selected_input: int | None) -> int | None:
+def demand_location(placed: Sequence[Placed], selected_input: int | None) -> int | None:
     """Place of the selected input, else of the first that plays."""
     for one in placed:
         if one.voice.id == selected_input:
@@ -281,7 +281,7 @@ def demand_of(
     band_hz
         Of the limb; None: not known.
     """
-    place, model = place_looked_at(placed, selected_input), settings.model
+    place, model = demand_location(placed, selected_input), settings.model
     if place is None:
         return Demand(place=None)
     if model is None:

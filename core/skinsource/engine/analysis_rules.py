@@ -12,7 +12,7 @@ from skinsource.base.arrays import Floats
 from skinsource.base.job import Stop, stop_if
 from skinsource.base.published import Band
 from skinsource.design.panel_settings import SpectrogramSettings, settings_of
-from skinsource.design.signal_path import Drive, UnplayableInput, Voice, unplayable_words
+from skinsource.design.signal_path import Drive, UnplayableInput, Voice, unplayable_text
 from skinsource.design.view import View
 from skinsource.engine import level_rules
 from skinsource.engine.actuator_demand import (
@@ -48,10 +48,10 @@ from skinsource.perception.validity import (
     Finding,
     Findings,
     are_probe_accelerations,
+    drive_findings,
     fastest_probe,
-    found_in_drives,
-    found_in_outputs,
-    found_in_setup,
+    noise_findings,
+    setup_findings,
 )
 from skinsource.signals.analysis.noise import (
     LEAST_ABOVE_NOISE_DB,
@@ -597,7 +597,7 @@ def validity(
     places = [place for place, _ in place_drives]
     return (
         *_left_out(unplayable_inputs),
-        *found_in_drives(
+        *drive_findings(
             place_drives,
             limb_data.sample_rate_hz,
             scaling,
@@ -607,8 +607,8 @@ def validity(
             # Where a lab put its outputs is another matter.
             spatial_limit_hz=SPATIAL_LIMIT_HZ if limb_data.name in PUBLISHED else None,
         ),
-        found_in_outputs(above_noise_db, synthetic=synthetic, silent=not place_drives),
-        *found_in_setup(synthetic=synthetic, scaling=scaling, places=places),
+        noise_findings(above_noise_db, synthetic=synthetic, silent=not place_drives),
+        *setup_findings(synthetic=synthetic, scaling=scaling, places=places),
     )
 
 
@@ -627,7 +627,7 @@ def fastest_probe_m_per_s(
 
 def _left_out(unplayable: tuple[UnplayableInput, ...]) -> Findings:
     """Say that a prediction is not of all inputs, wherever its numbers are taken."""
-    words = unplayable_words(unplayable)
+    words = unplayable_text(unplayable)
     if not words:
         return ()
     sentence = f"{words} The prediction leaves out what cannot be played."

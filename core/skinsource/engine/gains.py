@@ -17,7 +17,7 @@ from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, never, stop_if
 from skinsource.base.work import tally
-from skinsource.design.signal_path import Drive, UnitVoice, Voice, refuse_unfollowed
+from skinsource.design.signal_path import Drive, UnitVoice, Voice, check_drive
 from skinsource.engine.drives import ClipWaveforms, Drives, PlacedChains
 from skinsource.engine.memory import GAINS_BYTES, Memory
 from skinsource.engine.spectra import (
@@ -455,7 +455,7 @@ def checked_voice(
             limb.check_place(unit.location)
             if actuation is not None:
                 actuation.at(unit.location)
-        refuse_unfollowed(actuation, drive, limb.sample_rate_hz, limb.band_hz, unit.location)
+        check_drive(actuation, drive, limb.sample_rate_hz, limb.band_hz, unit.location)
     except InvalidInputError as error:
         if not leave_out:
             raise

@@ -26,13 +26,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import check_input_location
 from skinsource.base.quoting import quoted
 from skinsource.base.work import tally
-from skinsource.design.signal_path import (
-    LARGEST,
-    Drive,
-    drive_of,
-    first_unusable,
-    refuse_unfollowed,
-)
+from skinsource.design.signal_path import LARGEST, Drive, check_drive, drive_of, first_unusable
 from skinsource.engine.drives import active_samples
 from skinsource.engine.gains import exceeds_rounding, unit_gains
 from skinsource.engine.memory import PREDICT_BYTES, PREDICT_GAINS_BYTES, Memory, room_for
@@ -264,7 +258,7 @@ def superposed(
     return pieces
 
 
-def caused_by_one(
+def single_response(
     responses: Floats | ResponseSpectrum,
     drive: Complexes,
     shape: tuple[int, int, int],
@@ -446,7 +440,7 @@ def _through(
     """The same through actuators, from time 0 on."""
     through = actuated_limb(limb, actuation, scaling)
     for one, place in zip(samples, places, strict=True):
-        refuse_unfollowed(actuation, drive_of(one), limb.sample_rate_hz, limb.band_hz, place)
+        check_drive(actuation, drive_of(one), limb.sample_rate_hz, limb.band_hz, place)
     vibration = predict(through, samples, places, amplitudes, scaling)
     return vibration[..., through.lead_samples :]
 
@@ -535,10 +529,10 @@ def _alone(
     known = _remembered().of_one(limb, place, scaling, n_fft)
     if known is None:
         taps, largest_tap = bounded_taps(limb, place, scaling)
-        vibration, largest = caused_by_one(taps, played[0], shape, n_fft)
+        vibration, largest = single_response(taps, played[0], shape, n_fft)
         energies = _energies(taps, largest_tap)
     else:
-        vibration, largest = caused_by_one(known, played[0], shape, n_fft)
+        vibration, largest = single_response(known, played[0], shape, n_fft)
         energies = iter([float(known.norms.energies.max())])
     gain = drive.factor
     if scaling == "upstream" and any(

@@ -19,7 +19,7 @@ from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.limbs.scaling import Scaling
 from skinsource.limbs.surface.operator import SurfaceOperator
-from skinsource.limbs.surface.surface import kept_surface_operator
+from skinsource.limbs.surface.surface import cached_surface_operator
 
 _Actuated = tuple[ref[Limb], Actuation, Scaling]
 
@@ -71,7 +71,7 @@ class Shared:
     def surface(self, limb_data: Limb, stop: Stop) -> SurfaceOperator:
         """Operator from outputs to the pixels of the map."""
         return self._surfaces.get(
-            ref(limb_data), lambda: kept_surface_operator(limb_data, stop=stop)
+            ref(limb_data), lambda: cached_surface_operator(limb_data, stop=stop)
         )
 
 

@@ -12,7 +12,7 @@ from skinsource.actuators.actuation import Actuation
 from skinsource.actuators.catalog import load, names
 from skinsource.actuators.equalising import Equaliser, equalised, followed_band
 from skinsource.actuators.rigs import Rig, RigChannel
-from skinsource.base.arguments import one_of, real_number, whole_number
+from skinsource.base.arguments import integer, one_of, real_number
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
@@ -25,7 +25,7 @@ from skinsource.design.effects.playing import played
 from skinsource.design.signal_path import Part, drive_played, placed_chain
 from skinsource.limbs.catalogue import load_limb
 from skinsource.limbs.limb import Limb
-from skinsource.limbs.locations import input_words
+from skinsource.limbs.locations import input_name
 from skinsource.limbs.scaling import Scaling
 from skinsource.signals.resampling import MAX_RATE_HZ, PASSED_SHARE, by_ratio
 from skinsource.signals.sampling import NEAR, band_limited_delay
@@ -167,7 +167,7 @@ def in_order(stimulus: Stimulus, outputs: Sequence[int]) -> Stimulus:
         A number that no channel has, a channel that is named twice, or one that is left out.
     """
     known = len(stimulus.channels)
-    numbers = [whole_number("Channel map", number, 0, known) for number in outputs]
+    numbers = [integer("Channel map", number, 0, known) for number in outputs]
     used = [number for number in numbers if number]
     if len(numbers) > MOST_OUTPUTS or sorted(used) != list(range(1, known + 1)):
         raise InvalidInputError(
@@ -403,7 +403,7 @@ def _made(
 ) -> Stimulus:
     """What ``heard`` plays."""
     if sample_rate_hz is not None:
-        sample_rate_hz = whole_number("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ)
+        sample_rate_hz = integer("sample_rate_hz", sample_rate_hz, 1, MAX_RATE_HZ)
     limb = load_limb(design.limb) if limb is None else limb
     for one in heard:
         check_input_location(one.location, limb.n_inputs)
@@ -451,7 +451,7 @@ def _channels(heard: tuple[Input, ...], per: str, limb: str) -> tuple[Channel, .
         Channel(
             number=number,
             place=group[0].location,
-            title=input_words(group[0].location, limb).name,
+            title=input_name(group[0].location, limb).name,
             inputs=tuple(one.id for one in group),
         )
         for number, group in enumerate(together.values(), start=1)

@@ -181,7 +181,7 @@ class StreamedVibration:
 # The vibration by all voices, for the outputs that are looked at.
 
 
-def one_by_one(signals: Floats, stop: Stop) -> Complexes:
+def exact_transforms(signals: Floats, stop: Stop) -> Complexes:
     """Transforms over exactly the samples of long signals, (..., n_times // 2 + 1).
 
     One after the other: each takes much memory, and a tenth of a second.
@@ -238,7 +238,7 @@ class Vibration:
     ) -> Complexes:
         """Their transforms over exactly n_times samples, (n_outputs, n_axes, n_times // 2 + 1)."""
         if self.streamed is not None:
-            return one_by_one(self.streamed.traces(outputs, axes, stop), stop)
+            return exact_transforms(self.streamed.traces(outputs, axes, stop), stop)
         return self._summed_spectra(outputs, axes, lambda spectra: spectra)
 
     def projected_transforms(self, outputs: tuple[int, ...], projection: Projection) -> Complexes:

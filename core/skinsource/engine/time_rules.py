@@ -9,7 +9,7 @@ import numpy as np
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, stop_if
-from skinsource.base.published import axis_numbers, words
+from skinsource.base.published import axes_text, axis_numbers
 from skinsource.base.quoting import quoted
 from skinsource.engine.moments import Projection
 from skinsource.engine.spectra import TotalSpectrum
@@ -239,7 +239,7 @@ def z_axis(limb: Limb) -> tuple[int, ...]:
     """
     if "z" not in limb.axes:
         raise InvalidInputError(
-            f"{limb.name} was measured along {words(limb.axes)}, and not along z: look at its "
+            f"{limb.name} was measured along {axes_text(limb.axes)}, and not along z: look at its "
             "magnitude or its sliding RMS."
         )
     return axis_numbers("z", limb.axes)

@@ -13,7 +13,7 @@ from skinsource.engine.gains import (
     trace_error_of,
 )
 from skinsource.engine.moments import Moments, Projection, without_main_axis
-from skinsource.engine.streaming import Vibration, one_by_one
+from skinsource.engine.streaming import Vibration, exact_transforms
 from skinsource.engine.transforms import forward
 from skinsource.limbs.limb import Limb
 from skinsource.signals.projection import Method
@@ -94,7 +94,7 @@ def selected_spectra(
     magnitude is not, and the traces of a long response are at hand: those are transformed.
     """
     if vibration.streamed is not None:
-        transforms = one_by_one(selected_traces, stop)
+        transforms = exact_transforms(selected_traces, stop)
     elif selected_projection.directions is None:
         transforms = forward(selected_traces, vibration.n_times)
     else:

@@ -29,7 +29,7 @@ from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.streaming import StreamedVibration
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling
-from skinsource.perception.validity import words_of as finding_words_of
+from skinsource.perception.validity import findings_lines as finding_words_of
 from skinsource.version import __version__
 
 if TYPE_CHECKING:
@@ -153,7 +153,9 @@ def describe_played(
             f"input at place {one.location}: amplitude {one.amplitude!r}, "
             f"{counted(len(one.clips), 'clip')}{curve}{muted}{solo}"
         )
-        lines += [f"  clip of the input at place {one.location}: {words_of(x)}" for x in one.clips]
+        lines += [
+            f"  clip of the input at place {one.location}: {clip_description(x)}" for x in one.clips
+        ]
     return lines
 
 
@@ -162,7 +164,7 @@ def _named(one: ActuatorAt) -> str:
     return f"{where}, {one.actuator}" if one.actuator else where
 
 
-def words_of(clip: Clip) -> str:
+def clip_description(clip: Clip) -> str:
     """A clip in words: what it plays, from when on, through what."""
     gain = "" if clip.gain == 1.0 else f", gain {clip.gain!r}"
     through = "".join(f", {one}" for one in clip.effects if one.on)
@@ -242,7 +244,7 @@ def listed(outputs: tuple[int, ...]) -> str:
     return f"outputs {', '.join(map(str, outputs))}"
 
 
-def refuse_if_worse(error: TraceError | None, largest_error: float) -> None:
+def check_accuracy(error: TraceError | None, largest_error: float) -> None:
     """Raise `TooInaccurateError` where the estimate is not at most ``largest_error``."""
     if error is not None and not error.estimate <= largest_error and largest_error < math.inf:
         raise TooInaccurateError(

@@ -21,8 +21,8 @@ from skinsource.export.exported_design import (
     about_error,
     about_levels,
     about_method,
+    check_accuracy,
     output_file,
-    refuse_if_worse,
 )
 from skinsource.export.tables import CsvTable
 from skinsource.limbs.surface.operator import SurfaceOperator
@@ -148,7 +148,7 @@ def _map_of(
     wanted = exported.values({"surface", "surface_levels_db", "output_rms"})
     loudest = int(np.argmax(wanted["output_rms"])) + 1
     error = exported.error((loudest,), view.axes)
-    refuse_if_worse(error, largest_error)
+    check_accuracy(error, largest_error)
     about = [
         *about_design(exported),
         about_axes(exported),

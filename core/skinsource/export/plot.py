@@ -18,7 +18,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.extras import package_of_extra
 from skinsource.base.quoting import quoted
 from skinsource.design.design import Design, audible_inputs
-from skinsource.design.labels import signal_words
+from skinsource.design.labels import signal_label
 from skinsource.design.view import View
 from skinsource.engine.evaluation import evaluate
 from skinsource.limbs.catalogue import load_limb
@@ -452,7 +452,7 @@ _LEGEND = 0.3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Row:
+class PlotRow:
     """One row of a drawing.
 
     Attributes
@@ -486,7 +486,7 @@ def common_size(rows: Sequence[Floats]) -> float:
 
 def draw_rows(
     ax: Any,
-    rows: Sequence[Row],
+    rows: Sequence[PlotRow],
     *,
     labels: Sequence[str] = (),
     colours: Sequence[str] = COLOURS,
@@ -728,10 +728,10 @@ def _reached(one: Mapping[str, Any], time_s: Floats, first: int, end: int) -> tu
 
 def _rows(
     x: Floats, curves: Sequence[Floats], outputs: Sequence[int], normalised: bool
-) -> list[Row]:
+) -> list[PlotRow]:
     size = None if normalised else common_size(curves)
     return [
-        Row(
+        PlotRow(
             label=f"Output {number}",
             x=x,
             curves=np.stack([one[rank] for one in curves]),
@@ -745,8 +745,8 @@ def _time_words(view: View) -> str:
     return "Time (ms), pre-trigger delay removed" if view.delay_removed else "Time (ms)"
 
 
-def _scale_words(rows: Sequence[Row], normalised: bool, view: View) -> str:
-    what = signal_words(view.axes, view.method)
+def _scale_words(rows: Sequence[PlotRow], normalised: bool, view: View) -> str:
+    what = signal_label(view.axes, view.method)
     if normalised:
         return f"{what}; each row relative to its peak"
     return f"{what}; a row is {rows[0].size:.3g} m/s² high"

@@ -29,12 +29,12 @@ from skinsource.export.exported_design import (
     about_error,
     about_levels,
     about_method,
+    check_accuracy,
     listed,
     output_file,
-    refuse_if_worse,
 )
 from skinsource.limbs.extent import Extent
-from skinsource.limbs.locations import output_words
+from skinsource.limbs.locations import output_name
 from skinsource.perception.validity import listed as judging_listed
 
 # So many are written in a few milliseconds.
@@ -128,7 +128,7 @@ def export_traces(
     exported = ExportedDesign(design, view, progress, stop)
     checked = exported.holdable(view.outputs, view.axes)
     error = exported.error(checked, view.axes)
-    refuse_if_worse(error, largest_error)
+    check_accuracy(error, largest_error)
     shift = "removed from" if view.delay_removed else "contained in"
     what = "the traces" if checked == view.outputs else f"the traces of {listed(checked)}"
     about = [
@@ -169,7 +169,7 @@ def export_levels(
     wanted = exported.values({"output_rms", "output_levels_db"})
     loudest = int(np.argmax(wanted["output_rms"])) + 1
     error = exported.error((loudest,), view.axes)
-    refuse_if_worse(error, largest_error)
+    check_accuracy(error, largest_error)
     about = [
         *about_design(exported),
         about_axes(exported),
@@ -190,7 +190,7 @@ def export_levels(
 
 def _side_and_place(output: int, limb: str) -> tuple[str, str]:
     """Side and place of an output; no side where a limb has outputs of its own."""
-    words = output_words(output, limb)
+    words = output_name(output, limb)
     return {"volar": "palm", "dorsal": "back"}.get(words.kind, ""), words.name
 
 
@@ -241,7 +241,7 @@ def export_windows(
     rms, extents = wanted["rms_of_windows"], wanted["extents_of_windows"]
     loudest = int(np.argmax(rms.max(axis=0, initial=0.0))) + 1
     error = exported.error((loudest,), view.axes)
-    refuse_if_worse(error, largest_error)
+    check_accuracy(error, largest_error)
     windows = wanted["windows"]
     about = [
         *about_design(exported),
@@ -389,7 +389,7 @@ def export_field(
                     kept[..., array.n_times : array.n_times + block.shape[-1]] = block[rows]
                     array.add(block)
             error = exported.error_of(kept, checked)
-            refuse_if_worse(error, largest_error)
+            check_accuracy(error, largest_error)
             what = (
                 "the field"
                 if checked == exported.all_outputs

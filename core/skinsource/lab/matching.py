@@ -12,7 +12,7 @@ from typing import Literal, get_args
 import numpy as np
 
 from skinsource.actuators.rigs import Rig
-from skinsource.base.arguments import one_of, real_number, whole_number
+from skinsource.base.arguments import integer, one_of, real_number
 from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.base.files import is_there, named, read_bytes, write_bytes
 from skinsource.base.lock import Lock
@@ -108,11 +108,11 @@ class Procedure:
         for frequency_hz in (*self.frequencies_hz, self.reference_hz):
             real_number("a frequency", frequency_hz, least=_LOWEST_HZ, most=_HIGHEST_HZ)
         for place in (*self.places, self.reference_place):
-            whole_number("a place", place, 1, MOST_PLACES)
+            integer("a place", place, 1, MOST_PLACES)
         real_number("amplitude", self.amplitude, least=1e-6, most=MOST_AMPLITUDE)
         real_number("duration_s", self.duration_s, least=0.05, most=10.0)
         real_number("pause_s", self.pause_s, least=0.05, most=10.0)
-        whole_number("seed", self.seed, 0, _MOST_SEED)
+        integer("seed", self.seed, 0, _MOST_SEED)
         if len(self) > _MOST_TRIALS:
             raise InvalidInputError(
                 f"{len(self)} matches, expected at most {_MOST_TRIALS}. Leave some frequencies or "
@@ -316,21 +316,19 @@ def _match(row: list[str]) -> Match:
     return Match(
         person=check_person(cell["person"]),
         frequency_hz=real_number("frequency_hz", _number(cell, "frequency_hz"), least=1e-3),
-        place=whole_number("place", _whole(cell, "place"), 1, MOST_PLACES),
+        place=integer("place", _whole(cell, "place"), 1, MOST_PLACES),
         direction=one_of("direction", cell["direction"], DIRECTIONS),
         start_db=real_number("start_db", _number(cell, "start_db")),
         matched_db=real_number(
             "matched_db", _number(cell, "matched_db"), least=LOWEST_DB, most=HIGHEST_DB
         ),
         reference_hz=real_number("reference_hz", _number(cell, "reference_hz"), least=1e-3),
-        reference_place=whole_number(
-            "reference_place", _whole(cell, "reference_place"), 1, MOST_PLACES
-        ),
+        reference_place=integer("reference_place", _whole(cell, "reference_place"), 1, MOST_PLACES),
         amplitude=real_number(
             "amplitude", _number(cell, "amplitude"), least=1e-6, most=MOST_AMPLITUDE
         ),
-        trial=whole_number("trial", _whole(cell, "trial"), 1, _MOST),
-        seed=whole_number("seed", _whole(cell, "seed"), 0, _MOST),
+        trial=integer("trial", _whole(cell, "trial"), 1, _MOST),
+        seed=integer("seed", _whole(cell, "seed"), 0, _MOST),
     )
 
 

@@ -15,7 +15,7 @@ from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.base.quoting import quoted
 from skinsource.limbs import limb_layout
 from skinsource.limbs.limb import LimbFacts
-from skinsource.limbs.limb_layout import hull_around, points_of, refusal
+from skinsource.limbs.limb_layout import hull_around, limb_file_error, points_of
 from skinsource.limbs.own_limbs import OwnLimb, facts_of, install_limb, own_limb_path
 from skinsource.readers.readers import reader_of
 from skinsource.readers.reading_process import ReadingProcess
@@ -57,7 +57,7 @@ class LimbSource:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Prepared:
+class PreparedLimb:
     """A limb whose responses have not been read yet: ``request`` asks the child for them."""
 
     limb: OwnLimb
@@ -94,7 +94,7 @@ def import_limb(
         ``stop`` said so; nothing is left behind.
     """
     with ReadingProcess() as process:
-        found = prepared(source, process, stop=stop)
+        found = prepare_limb(source, process, stop=stop)
         if not replace:
             _refuse_taken(found.limb.name)
         responses = _responses(source.responses, found, process, stop)
@@ -114,7 +114,9 @@ def _refuse_taken(name: str) -> None:
         )
 
 
-def prepared(source: LimbSource, process: ReadingProcess, *, stop: Stop = never) -> Prepared:
+def prepare_limb(
+    source: LimbSource, process: ReadingProcess, *, stop: Stop = never
+) -> PreparedLimb:
     """Read all but the responses, and check it; raises as `import_limb`."""
     path = source.responses
     about = process.ask(path, {"do": "limb"}, stop=stop)["limb"]
@@ -144,7 +146,7 @@ def prepared(source: LimbSource, process: ReadingProcess, *, stop: Stop = never)
     values["n_taps"] = shape[3]
     try:
         _complete(values, shape)
-        return Prepared(limb=OwnLimb(**values), request=request)
+        return PreparedLimb(limb=OwnLimb(**values), request=request)
     except InvalidInputError as error:
         raise InvalidInputError(f"{named(Path(path.name))}: {error}") from error
 
@@ -227,7 +229,7 @@ def _of_layout(path: Path, header: dict[str, Any]) -> dict[str, Any]:
 
 def _either(path: Path, header: dict[str, Any], name: str, first: str, second: str) -> bool:
     if header[name] not in (first, second):
-        raise refusal(
+        raise limb_file_error(
             path,
             f"the attribute {quoted(name)} is {quoted(header[name])}",
             f"{first} or {second}",
@@ -283,7 +285,7 @@ def _complete(values: dict[str, Any], shape: tuple[int, int, int, int]) -> None:
 
 
 def _responses(
-    path: Path, found: Prepared, process: ReadingProcess, stop: Stop
+    path: Path, found: PreparedLimb, process: ReadingProcess, stop: Stop
 ) -> Iterator[Floats]:
     for block in process.stream(path, found.request, stop=stop):
         rows = found.limb.n_outputs * len(found.limb.axes)

@@ -26,7 +26,7 @@ from skinsource.readers.readers import reader_of
 _ADVICE = "docs/limbs.md says what a limb consists of."
 
 
-def refusal(path: Path, found: str, expected: str) -> RecordingError:
+def limb_file_error(path: Path, found: str, expected: str) -> RecordingError:
     """The error that names the file, what was found and expected, and where to look."""
     return RecordingError(f"{named(Path(path.name))}: {found}, expected {expected}. {_ADVICE}")
 
@@ -73,7 +73,9 @@ def is_limb_file(path: Path) -> bool:
             return True
         if any(name in file.attrs for name in _ONLY_OF_LIMBS):
             found = _text(file, path, "format", None)
-            raise refusal(path, f"the attribute 'format' is {quoted(found)}", quoted(FORMAT))
+            raise limb_file_error(
+                path, f"the attribute 'format' is {quoted(found)}", quoted(FORMAT)
+            )
         return False
 
 
@@ -88,7 +90,7 @@ def header_of(path: Path) -> dict[str, Any]:
     with files.File(path, "r", locking=False) as file:
         version = _number(file, path, "format_version", None)
         if version != VERSION:
-            raise refusal(path, f"format_version is {version:g}", f"{VERSION}")
+            raise limb_file_error(path, f"format_version is {version:g}", f"{VERSION}")
         header: dict[str, Any] = {name: _text(file, path, name, TEXTS[name]) for name in TEXTS}
         header |= {name: _number(file, path, name, NUMBERS[name]) for name in NUMBERS}
         header["band_hz"] = _band(file, path)
@@ -96,7 +98,9 @@ def header_of(path: Path) -> dict[str, Any]:
         header["shape"] = [int(n) for n in responses.shape]
         group = files.own_member(file, "map", files.Group)
         if group is None:
-            raise refusal(path, "it has no group 'map'", "one with outline, inputs and outputs")
+            raise limb_file_error(
+                path, "it has no group 'map'", "one with outline, inputs and outputs"
+            )
         header["hand_length"] = _number(group, path, "hand_length", header["hand_length_mm"])
         for name, field in _POINTS.items():
             points = np.asarray(_dataset(group, path, name, 2, _MOST_ROWS)[()], np.float64)
@@ -182,14 +186,14 @@ def _responses(file: Any, path: Path) -> Any:
 def _dataset(group: Any, path: Path, name: str, n_dimensions: int, longest: int) -> Any:
     found = files.own_member(group, name, files.Dataset)
     if found is None:
-        raise refusal(path, f"it has no dataset {quoted(name)}", "one of numbers")
+        raise limb_file_error(path, f"it has no dataset {quoted(name)}", "one of numbers")
     reason = reason_against(found, path.stat().st_size)
     if reason:
-        raise refusal(path, f"{quoted(name)} cannot be read: {reason}", "plain numbers")
+        raise limb_file_error(path, f"{quoted(name)} cannot be read: {reason}", "plain numbers")
     shape = tuple(int(n) for n in found.shape)
     if len(shape) != n_dimensions or not all(1 <= n <= longest for n in shape):
         expected = "(n, 2)" if n_dimensions == 2 else "(inputs, outputs, axes, taps)"
-        raise refusal(path, f"{quoted(name)} has shape {shape}", expected)
+        raise limb_file_error(path, f"{quoted(name)} has shape {shape}", expected)
     return found
 
 
@@ -198,7 +202,9 @@ def _text(group: Any, path: Path, name: str, default: str | None) -> str:
     if isinstance(value, bytes):
         value = value.decode("utf-8", "replace")
     if not isinstance(value, str) or len(value) > _LONGEST_TEXT:
-        raise refusal(path, f"the attribute {quoted(name)} is {quoted(value)}", "a short text")
+        raise limb_file_error(
+            path, f"the attribute {quoted(name)} is {quoted(value)}", "a short text"
+        )
     return value
 
 
@@ -206,7 +212,9 @@ def _number(group: Any, path: Path, name: str, default: float | None) -> float:
     value = _attribute(group, path, name, default)
     array = np.asarray(value)
     if array.size != 1 or array.dtype.kind not in "iufb" or not np.isfinite(array).all():
-        raise refusal(path, f"the attribute {quoted(name)} is {quoted(value)}", "one number")
+        raise limb_file_error(
+            path, f"the attribute {quoted(name)} is {quoted(value)}", "one number"
+        )
     return float(array.reshape(-1)[0])
 
 
@@ -216,17 +224,21 @@ def _band(group: Any, path: Path) -> list[float] | None:
         return None
     array = np.asarray(value)
     if array.shape != (2,) or array.dtype.kind not in "iuf" or not np.isfinite(array).all():
-        raise refusal(path, f"the attribute 'band_hz' is {quoted(value)}", "two frequencies")
+        raise limb_file_error(
+            path, f"the attribute 'band_hz' is {quoted(value)}", "two frequencies"
+        )
     return [float(one) for one in array]
 
 
 def _attribute(group: Any, path: Path, name: str, default: Any) -> Any:
     if name not in group.attrs:
         if default is None:
-            raise refusal(path, f"it has no attribute {quoted(name)}", "one")
+            raise limb_file_error(path, f"it has no attribute {quoted(name)}", "one")
         return default
     if group.attrs.get_id(name).get_storage_size() > 4 * _LONGEST_TEXT:
-        raise refusal(path, f"the attribute {quoted(name)} is very long", "a text or a number")
+        raise limb_file_error(
+            path, f"the attribute {quoted(name)} is very long", "a text or a number"
+        )
     value = group.attrs[name]
     if isinstance(value, np.ndarray) and value.size == 1:
         value = value.reshape(-1)[0]
@@ -240,7 +252,9 @@ def _names(group: Any, path: Path, name: str) -> list[str]:
         return []
     shape = found.shape
     if shape is None or len(shape) != 1 or shape[0] > _MOST_NAMES or found.dtype.kind not in "SO":
-        raise refusal(path, f"'names/{name}' is no list of texts", "one text for each place")
+        raise limb_file_error(
+            path, f"'names/{name}' is no list of texts", "one text for each place"
+        )
     values = found[()]
     return [
         one.decode("utf-8", "replace") if isinstance(one, bytes) else str(one) for one in values
@@ -274,7 +288,7 @@ def arrays_of(path: Path) -> list[dict[str, Any]]:
             if len(one.array.shape) in (3, 4) and np.dtype(one.array.dtype).kind in _KINDS
         ]
         if not found:
-            raise refusal(
+            raise limb_file_error(
                 path,
                 f"it holds no array of 3 or 4 dimensions. {' '.join(members.notes)}".rstrip(" ."),
                 "responses: inputs, outputs, axes and taps in some order",
@@ -317,7 +331,7 @@ def array_blocks(path: Path, name: str, order: str) -> Iterator[Floats]:
         array = _chosen(path, members, name)
         shape = tuple(int(n) for n in array.shape)
         if sorted(order) != sorted(ORDER_LETTERS.replace("a", "") if len(shape) == 3 else "ioat"):
-            raise refusal(
+            raise limb_file_error(
                 path,
                 f"the order of its {len(shape)} dimensions is {quoted(order)}",
                 "i, o, a and t, each once (without a where there are three)",
@@ -338,14 +352,14 @@ def _chosen(path: Path, members: Members, name: str) -> Any:
     named = [one for one in offered if one.name == name] if name else offered
     if not named:
         names = ", ".join(quoted(one.name) for one in offered[:10]) or "none"
-        raise refusal(path, f"it has no array {quoted(name)}", f"one of {names}")
+        raise limb_file_error(path, f"it has no array {quoted(name)}", f"one of {names}")
     return max(named, key=lambda one: int(np.prod(one.array.shape))).array
 
 
 def _opened(path: Path) -> AbstractContextManager[Members]:
     file_format = reader_of(path).name
     if file_format not in _OPENED:
-        raise refusal(path, f"it is a {file_format} file", "NPY, NPZ, MATLAB or HDF5")
+        raise limb_file_error(path, f"it is a {file_format} file", "NPY, NPZ, MATLAB or HDF5")
     return _OPENED[file_format](path)
 
 
@@ -367,9 +381,11 @@ def points_of(path: Path) -> dict[str, Any]:
         try:
             line = outline_of(content)
         except ValueError as error:
-            raise refusal(path, str(error), "an SVG file with a path") from error
+            raise limb_file_error(path, str(error), "an SVG file with a path") from error
         if len(line) > _POINTS_MOST_ROWS or not np.isfinite(line).all():
-            raise refusal(path, f"its line has {len(line)} points", f"at most {_POINTS_MOST_ROWS}")
+            raise limb_file_error(
+                path, f"its line has {len(line)} points", f"at most {_POINTS_MOST_ROWS}"
+            )
         return {"points": line.tolist(), "names": [], "y_down": True}
     rows = _rows(path, content)
     points, names = [], []
@@ -390,9 +406,9 @@ def _rows(path: Path, content: bytes) -> list[list[str]]:
     try:
         found = [row for row in read if row]
     except csv.Error as error:
-        raise refusal(path, f"it is no table ({error})", "rows of x and y") from error
+        raise limb_file_error(path, f"it is no table ({error})", "rows of x and y") from error
     if not 1 <= len(found) <= _POINTS_MOST_ROWS:
-        raise refusal(
+        raise limb_file_error(
             path, f"it has {len(found)} rows", f"1 to {_POINTS_MOST_ROWS} rows of x and y"
         )
     return found
@@ -413,11 +429,13 @@ def _point(path: Path, row: list[str], x: int, y: int, number: int) -> list[floa
     try:
         found = [float(one) for one in cells]
     except ValueError as error:
-        raise refusal(
+        raise limb_file_error(
             path, f"row {number} has {quoted(','.join(cells))}", "two numbers, x and y"
         ) from error
     if not np.isfinite(found).all():
-        raise refusal(path, f"row {number} has {quoted(','.join(cells))}", "two finite numbers")
+        raise limb_file_error(
+            path, f"row {number} has {quoted(','.join(cells))}", "two finite numbers"
+        )
     return found
 
 

@@ -191,7 +191,7 @@ def _output_places() -> tuple[OutputPlace, ...]:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class PlaceWords:
+class LocationNames:
     """What a place is called, whether or not it is one of those named here.
 
     Attributes
@@ -243,7 +243,7 @@ def output_place(number: int) -> OutputPlace:
     return OUTPUTS[number - 1]
 
 
-def input_words(number: int, limb: str = "") -> PlaceWords:
+def input_name(number: int, limb: str = "") -> LocationNames:
     """What input place ``number`` is called; a limb may have places that are not named here.
 
     Of a limb that is missing nobody knows more of a place than its number.
@@ -255,19 +255,19 @@ def input_words(number: int, limb: str = "") -> PlaceWords:
     if (facts.own and 1 <= number <= facts.n_inputs) or facts.missing:
         return _own_words(number, facts.input_names, "Place", "place")
     if facts.own or not 1 <= number <= len(INPUTS):
-        return PlaceWords(
+        return LocationNames(
             number=number,
             name=f"Place {number}, not on this hand",
             short_name="not on this hand",
             kind="",
         )
     place = INPUTS[number - 1]
-    return PlaceWords(
+    return LocationNames(
         number=number, name=place.name, short_name=place.short_name, kind=place.contact
     )
 
 
-def output_words(number: int, limb: str = "") -> PlaceWords:
+def output_name(number: int, limb: str = "") -> LocationNames:
     """What output place ``number`` is called; a limb may have places that are not named here.
 
     >>> output_words(80).name
@@ -277,17 +277,19 @@ def output_words(number: int, limb: str = "") -> PlaceWords:
     if (facts.own and 1 <= number <= facts.n_outputs) or facts.missing:
         return _own_words(number, facts.output_names, "Output", "output")
     if facts.own or not 1 <= number <= len(OUTPUTS):
-        return PlaceWords(
+        return LocationNames(
             number=number, name="Not on this limb", short_name="not on this limb", kind=""
         )
     place = OUTPUTS[number - 1]
-    return PlaceWords(number=number, name=place.name, short_name=place.short_name, kind=place.side)
+    return LocationNames(
+        number=number, name=place.name, short_name=place.short_name, kind=place.side
+    )
 
 
-def _own_words(number: int, names: tuple[str, ...], long: str, short: str) -> PlaceWords:
+def _own_words(number: int, names: tuple[str, ...], long: str, short: str) -> LocationNames:
     """What a place of an imported limb is called; by its number where the lab gave no name."""
     given = names[number - 1] if names else ""
-    return PlaceWords(
+    return LocationNames(
         number=number,
         name=given or f"{long} {number}",
         short_name=given or f"{short} {number}",

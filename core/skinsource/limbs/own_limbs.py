@@ -12,7 +12,7 @@ from typing import IO, Any
 
 import numpy as np
 
-from skinsource.base.arguments import one_of, real_array, real_number, whole_number
+from skinsource.base.arguments import integer, one_of, real_array, real_number
 from skinsource.base.arrays import Floats
 from skinsource.base.assets import user_folder
 from skinsource.base.errors import (
@@ -24,7 +24,7 @@ from skinsource.base.errors import (
 )
 from skinsource.base.files import explained, is_file, make_folder, named, replacing
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
-from skinsource.base.published import AXES, BAND_HZ, Axes, Band, axes_of, words
+from skinsource.base.published import AXES, BAND_HZ, Axes, Band, axes_of, axes_text
 from skinsource.base.quoting import printable, quoted
 from skinsource.base.work import counted
 from skinsource.limbs.limb import PUBLISHED, Limb, LimbFacts, LimbMap
@@ -107,7 +107,7 @@ class OwnLimb:
         self._put(title=_line("title", self.title, _LONGEST_TITLE))
         self._put(note=_line("note", self.note, _LONGEST_NOTE))
         one_of("axes", self.axes, AXES)
-        self._put(n_taps=whole_number("n_taps", self.n_taps, 1, MOST_TAPS))
+        self._put(n_taps=integer("n_taps", self.n_taps, 1, MOST_TAPS))
         for name, least, most, unit in (
             ("sample_rate_hz", LEAST_RATE_HZ, MOST_RATE_HZ, "Hz"),
             ("pre_trigger_delay_s", 0.0, 10.0, "s"),
@@ -676,7 +676,7 @@ def _read(name: str, path: Path, _state: tuple[int, ...]) -> tuple[LimbFacts, Li
         title=held.title or name,
         sentence=f"{hand}, imported: {counted(held.n_inputs, 'place')}, "
         f"{counted(held.n_outputs, 'output')} along "
-        f"{words(held.axes)}, {held.sample_rate_hz:g} Hz{_band_words(held.band_hz)}.",
+        f"{axes_text(held.axes)}, {held.sample_rate_hz:g} Hz{_band_words(held.band_hz)}.",
         n_inputs=held.n_inputs,
         n_outputs=held.n_outputs,
         n_taps=held.n_taps,

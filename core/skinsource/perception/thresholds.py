@@ -207,6 +207,6 @@ class PerceptionSettings:
         return found if len(found) > 1 and rising and sound else ()
 
 
-def held(table: ThresholdTable) -> tuple[float, ...]:
+def settings_table(table: ThresholdTable) -> tuple[float, ...]:
     """A table as settings hold it."""
     return tuple(number for pair in table for number in pair)

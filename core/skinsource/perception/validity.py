@@ -67,7 +67,7 @@ class Finding:
 Findings = tuple[Finding, ...]
 
 
-def words_of(findings: Findings) -> list[str]:
+def findings_lines(findings: Findings) -> list[str]:
     """A line for each condition that is not kept, for the head of a file."""
     said = {"left": "CAUTION", "unknown": "unknown"}
     return [
@@ -160,7 +160,9 @@ def _sentences(one: Judged) -> list[str]:
 
 def _lines(one: Judged) -> list[str]:
     note = [f"NOTE on the limb: {one.note}"] if one.note else []
-    return note + ([f"validity: {_UNJUDGED}"] if one.findings is None else words_of(one.findings))
+    return note + (
+        [f"validity: {_UNJUDGED}"] if one.findings is None else findings_lines(one.findings)
+    )
 
 
 # How fast a probe moves whose acceleration is known.
@@ -254,7 +256,7 @@ class _Drive:
     energy: float
 
 
-def found_in_drives(
+def drive_findings(
     drives: Sequence[tuple[int, Floats]],
     sample_rate_hz: float,
     scaling: Scaling,
@@ -296,7 +298,7 @@ def found_in_drives(
     )
 
 
-def found_in_outputs(above_noise_db: Floats | None, *, synthetic: bool, silent: bool) -> Finding:
+def noise_findings(above_noise_db: Floats | None, *, synthetic: bool, silent: bool) -> Finding:
     """Return what is found of the noise in the outputs.
 
     Parameters
@@ -334,7 +336,7 @@ def found_in_outputs(above_noise_db: Floats | None, *, synthetic: bool, silent: 
     )
 
 
-def found_in_setup(*, synthetic: bool, scaling: Scaling, places: Sequence[int]) -> Findings:
+def setup_findings(*, synthetic: bool, scaling: Scaling, places: Sequence[int]) -> Findings:
     """Return what is found in the choice of limb and scaling.
 
     Parameters

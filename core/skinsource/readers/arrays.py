@@ -19,7 +19,7 @@ from numpy.lib import format as npy
 from skinsource.base import files
 from skinsource.base.quoting import printable, quoted
 from skinsource.readers import limits
-from skinsource.readers.reader import Block, Found, Series, refusal, unknown_series
+from skinsource.readers.reader import Block, Found, Series, reading_error, unknown_series_error
 from skinsource.readers.units import time_unit_s, unit_named
 
 _RATE_NAMES = re.compile(
@@ -75,7 +75,7 @@ def look(path: Path, file_format: str, opened: Open) -> Found:
         rate = stated_rate(members)
         if not offered:
             left_out = " ".join(members.notes) or "It holds no array of numbers."
-            raise refusal(
+            raise reading_error(
                 path,
                 f"nothing in it can be played: {left_out.rstrip('.')}",
                 "a list of real numbers",
@@ -100,7 +100,7 @@ def blocks(path: Path, keys: Sequence[str], start: int, stop: int, opened: Open)
         chosen = []
         for key in keys:
             if key not in places:
-                raise unknown_series(path, key)
+                raise unknown_series_error(path, key)
             chosen.append(places[key])
         stop = min([stop, *(one.n_samples for one, *_ in chosen)])
         for at in range(start, stop, limits.BLOCK):
@@ -215,7 +215,7 @@ def opened_npy(path: Path) -> Iterator[Members]:
     if header.dtype.hasobject:
         members.leave_out("the array", "it holds Python objects")
     elif header.n_bytes > there:
-        raise refusal(
+        raise reading_error(
             path,
             f"its header promises {header.n_bytes} bytes and {there} are there",
             "all of them",
@@ -241,7 +241,9 @@ def opened_npz(path: Path) -> Iterator[Members]:
     with zipfile.ZipFile(path) as archive:
         infos = archive.infolist()
         if len(infos) > _MOST_MEMBERS:
-            raise refusal(path, f"it holds {len(infos)} files", f"at most {_MOST_MEMBERS}", _AGAIN)
+            raise reading_error(
+                path, f"it holds {len(infos)} files", f"at most {_MOST_MEMBERS}", _AGAIN
+            )
         for info in infos:
             if info.is_dir() or not info.filename.endswith(".npy"):
                 continue
@@ -256,7 +258,7 @@ def opened_npz(path: Path) -> Iterator[Members]:
                 members.leave_out(name, "it holds Python objects")
                 continue
             if start + header.n_bytes != info.file_size:
-                raise refusal(
+                raise reading_error(
                     path,
                     f"the header of {quoted(name)} promises {header.n_bytes} bytes and "
                     f"{info.file_size - start} are there",
@@ -292,7 +294,7 @@ class _Packed:
             content = file.read(header.n_bytes)
             file.read(1)  # at its end the checksum is looked at
         if len(content) != header.n_bytes:
-            raise refusal(self._path, "it ends too early", f"{header.n_bytes} bytes", _AGAIN)
+            raise reading_error(self._path, "it ends too early", f"{header.n_bytes} bytes", _AGAIN)
         flat = np.frombuffer(content, header.dtype)
         return flat.reshape(header.shape, order="F" if header.fortran_order else "C")
 
@@ -307,7 +309,7 @@ def _header(path: Path, file: IO[bytes]) -> _Header:
     version = npy.read_magic(file)
     read = {(1, 0): npy.read_array_header_1_0, (2, 0): npy.read_array_header_2_0}.get(version)
     if read is None:
-        raise refusal(
+        raise reading_error(
             path,
             f"its NPY version is {version[0]}.{version[1]}",
             "1.0 or 2.0",
@@ -315,7 +317,7 @@ def _header(path: Path, file: IO[bytes]) -> _Header:
         )
     shape, fortran_order, dtype = read(file)
     if any(n < 0 for n in shape):
-        raise refusal(path, f"its shape is {quoted(shape)}", "lengths of 0 or more", _AGAIN)
+        raise reading_error(path, f"its shape is {quoted(shape)}", "lengths of 0 or more", _AGAIN)
     return _Header(tuple(int(n) for n in shape), bool(fortran_order), dtype)
 
 
@@ -350,7 +352,7 @@ def check_elements(path: Path) -> None:
         header = file.read(HEADER_BYTES)
         order = {b"IM": "<", b"MI": ">"}.get(header[126:128])
         if len(header) < HEADER_BYTES or order is None:
-            raise refusal(
+            raise reading_error(
                 path, "it has no MATLAB header", "MATLAB v5, v7 or v7.3", _MATLAB_FILE_AGAIN
             )
         unpacked = 0
@@ -359,11 +361,13 @@ def check_elements(path: Path) -> None:
             if not tag:
                 return
             if len(tag) < 8:
-                raise refusal(path, "it ends within a tag", "whole elements", _MATLAB_FILE_AGAIN)
+                raise reading_error(
+                    path, "it ends within a tag", "whole elements", _MATLAB_FILE_AGAIN
+                )
             kind, length = struct.unpack(f"{order}II", tag)
             after = file.tell() + length
             if kind not in (_MATRIX, _COMPRESSED) or after > size:
-                raise refusal(
+                raise reading_error(
                     path,
                     f"an element of kind {kind} declares {length} bytes and {size - file.tell()} "
                     "are left",
@@ -374,23 +378,29 @@ def check_elements(path: Path) -> None:
                 unpacked += _unpacked_bytes(path, file, length, order)
                 _check_size(path, unpacked, size)
             file.seek(after)
-    raise refusal(path, f"it has over {_MOST_ELEMENTS} variables", "fewer", _MATLAB_FILE_AGAIN)
+    raise reading_error(
+        path, f"it has over {_MOST_ELEMENTS} variables", "fewer", _MATLAB_FILE_AGAIN
+    )
 
 
 def _unpacked_bytes(path: Path, file: IO[bytes], length: int, order: str) -> int:
     beginning = zlib.decompressobj().decompress(file.read(min(length, 4096)), 8)
     if len(beginning) < 8:
-        raise refusal(path, "a variable cannot be unpacked", "whole variables", _MATLAB_FILE_AGAIN)
+        raise reading_error(
+            path, "a variable cannot be unpacked", "whole variables", _MATLAB_FILE_AGAIN
+        )
     kind, inner = struct.unpack(f"{order}II", beginning)
     if kind != _MATRIX:
-        raise refusal(path, f"a variable is of kind {kind}", f"kind {_MATRIX}", _MATLAB_FILE_AGAIN)
+        raise reading_error(
+            path, f"a variable is of kind {kind}", f"kind {_MATRIX}", _MATLAB_FILE_AGAIN
+        )
     return int(inner)
 
 
 def _check_size(path: Path, unpacked: int, size: int) -> None:
     suspicious = unpacked > limits.SUSPICIOUS_BYTES and unpacked > limits.MOST_RATIO * size
     if unpacked > limits.MOST_BYTES or suspicious:
-        raise refusal(
+        raise reading_error(
             path,
             f"it would unpack to {unpacked} bytes",
             f"at most {limits.MOST_BYTES}, and {limits.MOST_RATIO} times its own size",

@@ -9,7 +9,14 @@ import numpy as np
 
 from skinsource.base.files import is_file
 from skinsource.readers import limits
-from skinsource.readers.reader import Block, Found, Series, check_rate, refusal, unknown_series
+from skinsource.readers.reader import (
+    Block,
+    Found,
+    Series,
+    check_rate,
+    reading_error,
+    unknown_series_error,
+)
 
 # Bits of a sample that float32 holds all of.
 _WIDE = ("PCM_32", "DOUBLE", "ALAC_32")
@@ -47,7 +54,7 @@ def blocks(path: Path, keys: Sequence[str], start: int, stop: int) -> Iterator[B
         frames, channels, _ = _checked(path, sound)
         for key in keys:
             if not (key.isdecimal() and int(key) < channels):
-                raise unknown_series(path, key)
+                raise unknown_series_error(path, key)
         chosen = [int(key) for key in keys]
         kind: Any = "float64" if sound.subtype in _WIDE else "float32"
         sound.seek(min(start, frames))
@@ -56,7 +63,7 @@ def blocks(path: Path, keys: Sequence[str], start: int, stop: int) -> Iterator[B
         while left > 0:
             part = sound.read(min(step, left), dtype=kind, always_2d=True)
             if not len(part):
-                raise refusal(path, "it ends too early", f"{frames} samples", _AGAIN)
+                raise reading_error(path, "it ends too early", f"{frames} samples", _AGAIN)
             left -= len(part)
             yield np.ascontiguousarray(part[:, chosen].T)
 
@@ -65,24 +72,26 @@ def _opened(path: Path) -> Any:
     import soundfile  # noqa: PLC0415  10 ms, which only readers of sound files wait for
 
     if not is_file(path):
-        raise refusal(path, "it is no regular file", "a sound file", "Choose a file.")
+        raise reading_error(path, "it is no regular file", "a sound file", "Choose a file.")
     return soundfile.SoundFile(str(path))
 
 
 def _checked(path: Path, sound: Any) -> tuple[int, int, float]:
     if sound.format not in _FORMATS:
-        raise refusal(
+        raise reading_error(
             path, f"it is {sound.format}", "WAV, FLAC, AIFF or OGG", "Save it as WAV first."
         )
     rate_hz = check_rate(path, sound.samplerate)
     if not 1 <= sound.channels <= limits.MOST_CHANNELS:
-        raise refusal(
+        raise reading_error(
             path, f"it has {sound.channels} channels", f"1 to {limits.MOST_CHANNELS}", _AGAIN
         )
     frames = int(sound.frames)
     # Packed sound takes a few bits at least; libsndfile believes the header of some files.
     if not 1 <= frames <= max(path.stat().st_size, 1) * 4096:
-        raise refusal(path, f"it has {frames} samples", "at least one that is in the file", _AGAIN)
+        raise reading_error(
+            path, f"it has {frames} samples", "at least one that is in the file", _AGAIN
+        )
     return frames, sound.channels, rate_hz
 
 

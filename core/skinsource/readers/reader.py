@@ -155,7 +155,7 @@ class Reader:
     blocks: Callable[[Path, Sequence[str], int, int], Iterator[Block]]
 
 
-def refusal(path: Path, found: str, expected: str, advice: str) -> RecordingError:
+def reading_error(path: Path, found: str, expected: str, advice: str) -> RecordingError:
     """The error that names the file, what is wrong with it, what was expected, and what to do."""
     return RecordingError(f"{named(Path(path.name))}: {found}, expected {expected}. {advice}")
 
@@ -163,7 +163,7 @@ def refusal(path: Path, found: str, expected: str, advice: str) -> RecordingErro
 def check_rate(path: Path, rate_hz: float) -> float:
     """Return a rate that a file states; refuse one that no recording has."""
     if not limits.LEAST_RATE_HZ <= rate_hz <= limits.MOST_RATE_HZ:  # also refuses NaN
-        raise refusal(
+        raise reading_error(
             path,
             f"its sample rate is {rate_hz:g} Hz",
             f"{limits.LEAST_RATE_HZ:g} to {limits.MOST_RATE_HZ:g} Hz",
@@ -172,9 +172,9 @@ def check_rate(path: Path, rate_hz: float) -> float:
     return float(rate_hz)
 
 
-def unknown_series(path: Path, key: str) -> RecordingError:
+def unknown_series_error(path: Path, key: str) -> RecordingError:
     """The file has changed, or somebody else asks."""
-    return refusal(
+    return reading_error(
         path, f"it has no signal {key!r:.80}", "one that it offered", "Open the file again."
     )
 

@@ -14,7 +14,7 @@ from skinsource.base.arrays import Floats
 from skinsource.base.quoting import printable, quoted
 from skinsource.base.work import counted
 from skinsource.readers import limits
-from skinsource.readers.reader import Block, Found, Series, refusal, unknown_series
+from skinsource.readers.reader import Block, Found, Series, reading_error, unknown_series_error
 from skinsource.readers.timestamps import stated_rate_hz
 from skinsource.readers.units import split_heading, time_unit_s, unit_named
 
@@ -179,7 +179,7 @@ def look(path: Path) -> Found:
     with _opened(path) as (file, layout):
         rows, cut_off = _count(path, file, layout)
     if not rows:
-        raise refusal(path, "no row of numbers", "at least one", _ADVICE)
+        raise reading_error(path, "no row of numbers", "at least one", _ADVICE)
     names = [printable(name) for name in layout.names]
     times = [time_unit_s(*pair) for pair in zip(layout.names, layout.units, strict=True)]
     series = tuple(
@@ -211,7 +211,7 @@ def blocks(path: Path, keys: Sequence[str], start: int, stop: int) -> Iterator[B
         columns = len(layout.names)
         for key in keys:
             if not (key.isdecimal() and int(key) < columns):
-                raise unknown_series(path, key)
+                raise unknown_series_error(path, key)
         chosen = [int(key) for key in keys]
         at_once = max(limits.BLOCK // columns, 1)
         lines: list[str] = []
@@ -237,7 +237,7 @@ def _opened(path: Path) -> Iterator[tuple[TextIO, TextLayout]]:
     """Open a table, behind the lines before its numbers."""
     size = path.stat().st_size
     if size > limits.MOST_TEXT_BYTES:
-        raise refusal(
+        raise reading_error(
             path,
             f"{size} bytes of text",
             f"at most {limits.MOST_TEXT_BYTES}",
@@ -251,10 +251,10 @@ def _opened(path: Path) -> Iterator[tuple[TextIO, TextLayout]]:
     # Cut as files are read below: some more characters end lines elsewhere.
     lines = list(io.StringIO(text, newline=None))
     if "\0" in text:
-        raise refusal(path, "it is no text", "a table of numbers", "Choose another file.")
+        raise reading_error(path, "it is no text", "a table of numbers", "Choose another file.")
     layout = layout_of(lines if whole and len(lines) < 2 else lines[: -1 if len(lines) > 1 else 1])
     if layout is None:
-        raise refusal(path, "no rows of numbers were found", "a table of numbers", _ADVICE)
+        raise reading_error(path, "no rows of numbers were found", "a table of numbers", _ADVICE)
     with path.open(encoding=encoding, errors="replace") as file:
         for _ in range(layout.header_lines):
             _line(path, file)
@@ -274,7 +274,7 @@ def _encoding(head: bytes) -> str:
 def _line(path: Path, file: TextIO) -> str:
     line = file.readline(_LONGEST_LINE)
     if len(line) >= _LONGEST_LINE:
-        raise refusal(
+        raise reading_error(
             path, f"a line of more than {_LONGEST_LINE} characters", "a row of numbers", _ADVICE
         )
     return line
@@ -322,7 +322,7 @@ def _parsed(path: Path, lines: list[str], first_line: int, layout: TextLayout) -
         if len(cells) != columns or None in values:
             wrong = [cell for cell, value in zip(cells, values, strict=True) if value is None]
             found_words = quoted(wrong[0]) if wrong else counted(len(cells), "cell")
-            raise refusal(
+            raise reading_error(
                 path,
                 f"about line {first_line + k} holds {found_words}",
                 f"{columns} numbers",

@@ -23,7 +23,7 @@ _MOST_DIGITS = 10
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Pace:
+class SampleClock:
     """How stamps follow each other.
 
     Attributes
@@ -41,7 +41,7 @@ class Pace:
     note: str = ""
 
 
-def pace_of(stamps_s: Floats) -> Pace:
+def sample_clock(stamps_s: Floats) -> SampleClock:
     """Look at time stamps, (n,), n >= 2, in s.
 
     Raises
@@ -76,12 +76,12 @@ def pace_of(stamps_s: Floats) -> Pace:
     step = 1.0 / float(exact)
     # A rounded stamp is half a last digit off; so is the first one, which the others are held to.
     if deviation <= max(_STEADY * step, 1.1 * quantum):
-        return Pace(rate_hz=exact, steady=True)
+        return SampleClock(rate_hz=exact, steady=True)
     note = (
         f"The time stamps are not steady: steps of {steps.min() * 1e3:.4g} to "
         f"{steps.max() * 1e3:.4g} ms. Between them a cubic spline was taken."
     )
-    return Pace(rate_hz=Fraction(ceil(rate)), steady=False, note=note)
+    return SampleClock(rate_hz=Fraction(ceil(rate)), steady=False, note=note)
 
 
 def at_steady_rate(values: Floats, stamps_s: Floats, rate_hz: Fraction) -> Floats:

@@ -11,13 +11,7 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from skinsource.base.arguments import (
-    finite_array,
-    one_of,
-    positive_number,
-    real_number,
-    whole_number,
-)
+from skinsource.base.arguments import finite_array, integer, one_of, positive_number, real_number
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import BAND_HZ, SAMPLE_RATE_HZ, Band
@@ -71,7 +65,7 @@ def window(name: WindowName, n: int) -> Floats:
         Length in samples, 0 or more.
     """
     one_of("window", name, WINDOWS)
-    n = whole_number("n", n, 0, MAX_SAMPLES)
+    n = integer("n", n, 0, MAX_SAMPLES)
     return window_at(name, np.arange(n), n)
 
 
@@ -228,7 +222,7 @@ def white_noise(
             f"sample rate of {rate_hz:g} Hz); higher noise would alias"
         )
     low, high = band.tolist()
-    seed = whole_number("seed", seed, 0, _LARGEST_SEED)
+    seed = integer("seed", seed, 0, _LARGEST_SEED)
     shift = shift_of(shift_s, rate_hz)
     n = sample_count(duration_s, sample_rate_hz)
     spectrum = scipy.fft.rfft(np.random.default_rng(seed).standard_normal(n)) if n else np.zeros(0)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from skinsource.base.arguments import finite_array, one_of, whole_number
+from skinsource.base.arguments import finite_array, integer, one_of
 from skinsource.base.arrays import Integers
 
 # Rounding to whole numbers that never wraps round and counts what it cuts off.
@@ -105,7 +105,7 @@ def quantised(samples: ArrayLike, kind: str, *, dither_seed: int | None = None) 
     found = KINDS[one_of("kind", kind, tuple(KINDS))]
     seed = None
     if dither_seed is not None:
-        seed = whole_number("dither_seed", dither_seed, 0, _LARGEST_SEED)
+        seed = integer("dither_seed", dither_seed, 0, _LARGEST_SEED)
     full_scale = found.most if seed is None else found.most - 1
     values = np.empty(wanted.shape, found.dtype)
     clipped = np.zeros(wanted.shape[0], np.int64)

@@ -11,7 +11,7 @@ import scipy
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import ArrayLike, NDArray
 
-from skinsource.base.arguments import real_array, whole_number
+from skinsource.base.arguments import integer, real_array
 from skinsource.base.arrays import Floats, Indices
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Stop, never, stop_if
@@ -177,7 +177,7 @@ def resample(samples: ArrayLike, from_hz: int, to_hz: int) -> Floats:
         A rate is not a whole number, a sample is not finite, or the result would be too long.
     """
     rates = [
-        whole_number(name, rate, 1, MAX_RATE_HZ)
+        integer(name, rate, 1, MAX_RATE_HZ)
         for name, rate in (("from_hz", from_hz), ("to_hz", to_hz))
     ]
     return by_ratio(samples, Fraction(rates[1], rates[0]), min(rates))

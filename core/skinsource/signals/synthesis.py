@@ -86,7 +86,7 @@ def burst(samples: Floats, window: WindowName, sample_rate_hz: float, shift_s: f
     return samples
 
 
-def refuse_aliases(name: str, frequency_hz: float, sample_rate_hz: float) -> None:
+def check_below_half_rate(name: str, frequency_hz: float, sample_rate_hz: float) -> None:
     """Refuse a frequency that samples of this rate cannot hold.
 
     Raises

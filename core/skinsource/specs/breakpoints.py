@@ -9,7 +9,7 @@ from typing import Any, Literal, Self, get_args
 
 from skinsource.base.json_text import Tree
 from skinsource.specs.numbers import NumberSpec
-from skinsource.specs.spec import Address, Misfit, Spec
+from skinsource.specs.spec import Address, Spec, ValidationError
 
 #: How a curve goes on: by a line, smoothly without passing its points, or as it is.
 Segment = Literal["straight", "smooth", "held"]
@@ -85,7 +85,7 @@ class BreakpointsSpec(Spec):
         """
         expected = _expected(self)
         if not isinstance(value, tuple) or not 1 <= len(value) <= self.most:
-            raise Misfit(expected)
+            raise ValidationError(expected)
         # While one of many points is dragged, the others are those that were checked before.
         before = _checked.get(self, ())
         known = before if len(before) == len(value) else (_NO_POINT,) * len(value)
@@ -94,11 +94,11 @@ class BreakpointsSpec(Spec):
                 point if point is same or self._is_kept(point) else self._point(point, expected)
                 for point, same in zip(value, known, strict=True)
             )
-        except Misfit:
-            raise Misfit(expected) from None
+        except ValidationError:
+            raise ValidationError(expected) from None
         x = [point[0] for point in points]
         if x != sorted(x):
-            raise Misfit(expected)
+            raise ValidationError(expected)
         # What is as it was keeps its identity.
         points = value if all(map(is_, points, value)) else points
         if len(_checked) >= _MOST_CHECKED:
@@ -141,10 +141,10 @@ class BreakpointsSpec(Spec):
 
     def _point(self, point: Any, expected: str) -> Breakpoint:
         if not isinstance(point, Sequence) or isinstance(point, str) or not 2 <= len(point) <= 4:
-            raise Misfit(expected)
+            raise ValidationError(expected)
         segment = point[2] if len(point) > 2 else SEGMENTS[0]
         if not isinstance(segment, str) or segment not in SEGMENTS:
-            raise Misfit(expected)
+            raise ValidationError(expected)
         x, y = float(self.x.checked(point[0])), float(self.y.checked(point[1]))
         slope = point.slope if isinstance(point, SlopedPoint) else None
         slope = point[3] if len(point) == 4 else slope

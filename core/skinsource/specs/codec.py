@@ -40,7 +40,7 @@ def check_version(version: Any, *readable: int) -> None:
 _REFERENCE = "$samples"
 
 
-def taken_out(tree: Tree) -> tuple[Tree, dict[str, Samples]]:
+def without_samples(tree: Tree) -> tuple[Tree, dict[str, Samples]]:
     """Return the tree with names in place of samples, and the samples by name."""
     found: dict[str, Samples] = {}
 
@@ -111,7 +111,7 @@ def to_text(tree: Tree, format: str) -> str:
     InvalidInputError
         It holds so much that it could not be read again.
     """
-    content, samples = taken_out(tree)
+    content, samples = without_samples(tree)
     body = {
         "content": content,
         "samples": {digest: _as_tree(one) for digest, one in samples.items()},

@@ -26,7 +26,7 @@ from skinsource.base import files
 from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.base.json_text import MAX_TEXT_BYTES, Tree, dumped, loaded
 from skinsource.base.quoting import quoted
-from skinsource.specs.codec import put_back, taken_out
+from skinsource.specs.codec import put_back, without_samples
 from skinsource.specs.samples import Samples
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ def to_image(tree: Tree, version: int) -> bytes:
     InvalidInputError
         It holds so much that it could not be opened again.
     """
-    content, samples = taken_out(tree)
+    content, samples = without_samples(tree)
     about = {
         digest: {"count": one.values.size, "sample_rate_hz": one.sample_rate_hz, "unit": one.unit}
         for digest, one in samples.items()

@@ -9,7 +9,7 @@ from typing import Any
 from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.base.json_text import Tree
 from skinsource.base.quoting import printable, quoted
-from skinsource.specs.spec import Address, Misfit, Spec
+from skinsource.specs.spec import Address, Spec, ValidationError
 
 #: Name in a tree under which a recipe says what it is.
 KIND = "kind"
@@ -50,7 +50,7 @@ def check(recipe: Any) -> None:
             continue
         try:
             kept = spec.checked(value)
-        except Misfit as misfit:
+        except ValidationError as misfit:
             raise InvalidInputError(
                 f"{kind.__name__}.{name} is {quoted(value)}, expected {misfit}"
             ) from None
@@ -156,7 +156,7 @@ def _specs_and_defaults(kind: type) -> tuple[tuple[str, Spec, Any], ...]:
 def _sound(spec: Spec, default: Any) -> Any:
     """The default if it is kept as it is."""
     if default is not dataclasses.MISSING:
-        with suppress(Misfit):
+        with suppress(ValidationError):
             if spec.checked(default) is default:
                 return default
     return dataclasses.MISSING

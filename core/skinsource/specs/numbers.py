@@ -12,7 +12,7 @@ from skinsource.base.json_text import Tree
 from skinsource.base.published import BAND_HZ, Band
 from skinsource.specs.models import decode, encode, nesting
 from skinsource.specs.samples import MAX_SAMPLES, Samples
-from skinsource.specs.spec import MAX_DEPTH, Address, Misfit, Spec
+from skinsource.specs.spec import MAX_DEPTH, Address, Spec, ValidationError
 
 #: As the minimum of what has to be above 0 and has no other bound.
 SMALLEST = 5e-324
@@ -97,17 +97,17 @@ class NumberSpec(Spec):
     def checked(self, value: Any) -> float | int:
         """Return a plain ``float`` or ``int``, so that files hold what memory holds."""
         if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
-            raise Misfit(self.expected)
+            raise ValidationError(self.expected)
         # The range first: a whole number beyond all floats cannot be asked whether it is finite.
         if not self.minimum <= value <= self.maximum or value in (-np.inf, np.inf):
-            raise Misfit(self.expected)
+            raise ValidationError(self.expected)
         if not self.whole:
             try:
                 return float(value)
             except OverflowError:
-                raise Misfit(self.expected) from None
+                raise ValidationError(self.expected) from None
         if value != int(value):
-            raise Misfit(self.expected)
+            raise ValidationError(self.expected)
         return int(value)
 
 
@@ -135,13 +135,13 @@ class RangeSpec(Spec):
         end = NumberSpec(label=self.label, minimum=self.minimum, maximum=self.maximum)
         expected = f"None or two finite numbers, low < high, each {end.expected}"
         if not isinstance(value, tuple) or len(value) != 2:
-            raise Misfit(expected)
+            raise ValidationError(expected)
         try:
             low, high = (end.checked(one) for one in value)
-        except Misfit:
-            raise Misfit(expected) from None
+        except ValidationError:
+            raise ValidationError(expected) from None
         if not low < high:
-            raise Misfit(expected)
+            raise ValidationError(expected)
         return low, high
 
     def encoded(self, value: Range | None) -> Tree:
@@ -178,12 +178,12 @@ class CurveSpec(Spec):
             f"y {self.y.expected}"
         )
         if not isinstance(value, tuple) or not self.fewest <= len(value) <= self.most:
-            raise Misfit(expected)
+            raise ValidationError(expected)
         if not all(isinstance(point, tuple) and len(point) == 2 for point in value):
-            raise Misfit(expected)
+            raise ValidationError(expected)
         points = tuple((self.x.checked(x), self.y.checked(y)) for x, y in value)
         if any(after[0] < before[0] for before, after in pairwise(points)):
-            raise Misfit(expected)
+            raise ValidationError(expected)
         return points
 
     def encoded(self, value: tuple[tuple[float, float], ...]) -> Tree:
@@ -219,9 +219,9 @@ class PointsSpec(Spec):
         names = ", ".join(f"{one.label.lower()} {one.expected}" for one in self.columns)
         expected = f"{self.fewest} to {self.most} points ({names}), the first never falling"
         if not isinstance(value, tuple) or not self.fewest <= len(value) <= self.most:
-            raise Misfit(expected)
+            raise ValidationError(expected)
         if not all(isinstance(one, tuple) and len(one) == len(self.columns) for one in value):
-            raise Misfit(expected)
+            raise ValidationError(expected)
         try:
             points = tuple(
                 tuple(
@@ -229,10 +229,10 @@ class PointsSpec(Spec):
                 )
                 for one in value
             )
-        except Misfit:
-            raise Misfit(expected) from None
+        except ValidationError:
+            raise ValidationError(expected) from None
         if any(after[0] < before[0] for before, after in pairwise(points)):
-            raise Misfit(expected)
+            raise ValidationError(expected)
         return points
 
     def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "PointsSpec":
@@ -273,8 +273,8 @@ class OptionalSpec(Spec):
             return None
         try:
             return self.of.checked(value)
-        except Misfit as misfit:
-            raise Misfit(f"None or {misfit}") from None
+        except ValidationError as misfit:
+            raise ValidationError(f"None or {misfit}") from None
 
     def encoded(self, value: Any) -> Tree:
         """Return ``None`` for ``None``."""
@@ -317,13 +317,13 @@ class ListSpec(Spec):
         """Return a tuple of the parts as they are kept."""
         many = f"{self.fewest} to {self.most}{' different' if self.different else ''} parts"
         if not isinstance(value, tuple) or not self.fewest <= len(value) <= self.most:
-            raise Misfit(f"a tuple of {many}")
+            raise ValidationError(f"a tuple of {many}")
         try:
             parts = tuple(self.of.checked(part) for part in value)
-        except Misfit as misfit:
-            raise Misfit(f"a tuple of {many}, each {misfit}") from None
+        except ValidationError as misfit:
+            raise ValidationError(f"a tuple of {many}, each {misfit}") from None
         if self.different and len(set(parts)) < len(parts):
-            raise Misfit(f"a tuple of {many}")
+            raise ValidationError(f"a tuple of {many}")
         # What is as it was keeps its identity.
         return value if all(a is b for a, b in zip(parts, value, strict=True)) else parts
 
@@ -352,7 +352,7 @@ class ListSpec(Spec):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class RecipeSpec(Spec):
+class ModelSpec(Spec):
     """A recipe of one of several kinds.
 
     Attributes
@@ -372,12 +372,12 @@ class RecipeSpec(Spec):
     def checked(self, value: Any) -> Any:
         """Return ``value`` itself."""
         if not isinstance(value, self.kinds()):
-            raise Misfit(f"one of {', '.join(kind.__name__ for kind in self.kinds())}")
+            raise ValidationError(f"one of {', '.join(kind.__name__ for kind in self.kinds())}")
         if self.depth(value) > MAX_DEPTH:
-            raise Misfit(f"recipes within recipes at most {MAX_DEPTH} deep")
+            raise ValidationError(f"recipes within recipes at most {MAX_DEPTH} deep")
         return value
 
-    def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "RecipeSpec":
+    def at_rate(self, sample_rate_hz: float, band_hz: Band | None = BAND_HZ) -> "ModelSpec":
         """The same, for a limb of this rate: what its fields allow follows from that."""
         return replace(self, rate_hz=sample_rate_hz, band_hz=band_hz)
 
@@ -423,7 +423,7 @@ class SamplesSpec(Spec):
     def checked(self, value: Any) -> Samples:
         """Return ``value`` itself."""
         if not isinstance(value, Samples) or value.values.size > self.most:
-            raise Misfit(f"Samples, at most {self.most} of them")
+            raise ValidationError(f"Samples, at most {self.most} of them")
         if self.unit is not None and value.unit != self.unit:
-            raise Misfit(f"Samples in {self.unit or 'no unit'}")
+            raise ValidationError(f"Samples in {self.unit or 'no unit'}")
         return value

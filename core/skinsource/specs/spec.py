@@ -41,7 +41,7 @@ class Address:
         return "/".join(self.names[-8:]) or "the content"
 
 
-class Misfit(InvalidInputError):
+class ValidationError(InvalidInputError):
     """A value does not fit a specification; the text says what was expected."""
 
 
@@ -125,7 +125,7 @@ class PlainSpec(Spec):
     def checked(self, value: Any) -> Any:
         """Return ``value`` itself."""
         if _parts(value, _MAX_DEPTH) > _MAX_PARTS:
-            raise Misfit(f"at most {_MAX_PARTS} parts")
+            raise ValidationError(f"at most {_MAX_PARTS} parts")
         return value
 
     def encoded(self, value: Any) -> Tree:
@@ -142,13 +142,13 @@ class PlainSpec(Spec):
 def _parts(value: Any, depth: int) -> int:
     if isinstance(value, tuple):
         if depth == 0:
-            raise Misfit(f"tuples in tuples at most {_MAX_DEPTH} deep")
+            raise ValidationError(f"tuples in tuples at most {_MAX_DEPTH} deep")
         return 1 + sum(_parts(part, depth - 1) for part in value)
     sound = value is None or isinstance(value, bool)
     sound = sound or (isinstance(value, int) and abs(value) < 2**63)
     sound = sound or (isinstance(value, float) and isfinite(value))
     if not sound and not (isinstance(value, str) and _can_be_written(value)):
-        raise Misfit(_EXPECTED)
+        raise ValidationError(_EXPECTED)
     return 1
 
 
@@ -175,7 +175,7 @@ class ChoiceSpec(Spec):
     def checked(self, value: Any) -> str:
         """Return the name."""
         if not isinstance(value, str) or value not in dict(self.options):
-            raise Misfit(f"one of {', '.join(option for option, _ in self.options)}")
+            raise ValidationError(f"one of {', '.join(option for option, _ in self.options)}")
         return value
 
 
@@ -186,7 +186,7 @@ class SwitchSpec(Spec):
     def checked(self, value: Any) -> bool:
         """Return a plain ``bool``."""
         if not isinstance(value, bool | np.bool_):
-            raise Misfit("True or False")
+            raise ValidationError("True or False")
         return bool(value)
 
 
@@ -215,13 +215,13 @@ class TextSpec(Spec):
             f"{'one line' if self.one_line else 'a text'} of at most {self.longest} characters"
         )
         if not isinstance(value, str) or len(value) > self.longest:
-            raise Misfit(expected)
+            raise ValidationError(expected)
         if self.one_line and "".join(value.splitlines()) != value:
-            raise Misfit(expected)
+            raise ValidationError(expected)
         try:
             value.encode()
         except UnicodeEncodeError:  # half of a pair: no file can hold it
-            raise Misfit(expected) from None
+            raise ValidationError(expected) from None
         if self.reader is not None:
             self.reader(value)
         return str(value)
@@ -242,7 +242,7 @@ class BytesSpec(Spec):
     def checked(self, value: Any) -> bytes:
         """Return ``value`` itself."""
         if not isinstance(value, bytes) or len(value) > self.longest:
-            raise Misfit(f"at most {self.longest} bytes")
+            raise ValidationError(f"at most {self.longest} bytes")
         return value
 
     def encoded(self, value: bytes) -> Tree:

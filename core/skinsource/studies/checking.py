@@ -19,7 +19,7 @@ from skinsource.base.files import named
 from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.base.published import N_AXES, N_OUTPUTS, Axes, Band
 from skinsource.base.quoting import printable, quoted
-from skinsource.design.comparing import alike, louder
+from skinsource.design.comparing import louder, same_but_rounding
 from skinsource.design.design import Design, Input, audible_inputs
 from skinsource.design.labels import AXES, limb_word, word_of
 from skinsource.design.view import View
@@ -28,7 +28,7 @@ from skinsource.engine.quantities import new_graph, sources
 from skinsource.export.exported_design import describe_played, output_file
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.perception.validity import Findings, words_of
+from skinsource.perception.validity import Findings, findings_lines
 from skinsource.readers.reading_process import ReadingProcess
 from skinsource.signals.analysis.noise import QUIET_SHARE, quiet_rms
 from skinsource.signals.analysis.statistics import band_rms, dominant_frequency
@@ -440,7 +440,7 @@ def _condition_details(
         f"recording: {'none' if recorded is None else printable(recorded.path.name)}",
         *describe_played(*played),
         f"axes: {word_of(AXES, axes).both}",
-        *words_of(findings),
+        *findings_lines(findings),
     )
 
 
@@ -626,7 +626,7 @@ def strengths_of(designs: Sequence[Design]) -> tuple[float, ...]:
         scaled = [louder(plain[0], one / found[0]) for one in found]
     except InvalidInputError:
         return ()
-    if not all(alike(one, other) for one, other in zip(scaled, plain, strict=True)):
+    if not all(same_but_rounding(one, other) for one, other in zip(scaled, plain, strict=True)):
         return ()
     ordered = sorted(found)
     different = 1 + sum(

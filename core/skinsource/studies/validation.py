@@ -23,7 +23,7 @@ from skinsource.base.work import counted
 from skinsource.readers import limits
 from skinsource.readers.reader import Found, Series
 from skinsource.readers.reading_process import ReadingProcess
-from skinsource.readers.timestamps import pace_of
+from skinsource.readers.timestamps import sample_clock
 from skinsource.signals.analysis.statistics import band_rms
 from skinsource.signals.resampling import resample
 
@@ -427,7 +427,7 @@ def _from_instants(
 def _rate_of_times(reader: ReadingProcess, file: Path, times: Series, stop: Stop) -> float:
     stamps = reader.read(file, [times.key], 0, times.n_samples, stop=stop).astype(np.float64)[0]
     try:
-        pace = pace_of(stamps * times.time_unit_s)
+        pace = sample_clock(stamps * times.time_unit_s)
     except InvalidInputError as error:
         raise _refusal(file, str(error)) from error
     if not pace.steady:

@@ -16,7 +16,7 @@ from skinsource.base.quoting import sentence
 from skinsource.design import recovery
 from skinsource.design.design import Design
 from skinsource.design.design_file import DesignFile, open_design
-from skinsource.design.recovery import Found, LeftOver, Session
+from skinsource.design.recovery import Found, Session, UnsavedWork
 from skinsource.design.view import View
 from skinsource_gui.plots.small_map import SmallMap, SmallMaps, paint_small_map
 from skinsource_gui.qt.theme import LIGHT
@@ -256,7 +256,7 @@ class Recovery(QObject):
         super().__init__(parent)
         self._document, self._engine, self._folder = document, engine, folder
         self._may_lose_changes, self._keep_now = may_lose_changes, keep_now
-        self._opening: tuple[LeftOver, Path] | None = None
+        self._opening: tuple[UnsavedWork, Path] | None = None
         self._survived = QTimer(self, singleShot=True, interval=_SURVIVED_AFTER_MS)
         self._survived.timeout.connect(self._adopt)
         engine.rested.connect(self._settle)
@@ -265,7 +265,7 @@ class Recovery(QObject):
         """What there is to be opened now; nothing of it is."""
         return recovery.find(self._folder)
 
-    def open(self, left: LeftOver) -> None:
+    def open(self, left: UnsavedWork) -> None:
         """Open the newest copy that can be; those that cannot be are set aside, and named."""
         if not self._may_lose_changes():
             return
@@ -292,7 +292,7 @@ class Recovery(QObject):
             return
         self.failed.emit(" ".join(bad))
 
-    def discard(self, left: LeftOver) -> None:
+    def discard(self, left: UnsavedWork) -> None:
         """Delete it; where that is not possible, it is offered again."""
         recovery.discard(left)
 

@@ -172,7 +172,7 @@ def measured_curves(found: ChannelMeasurement, channel: RigChannel) -> Curves:
     )
 
 
-def beside_the_model(found: ChannelMeasurement, channel: RigChannel) -> tuple[str, ...]:
+def model_difference_text(found: ChannelMeasurement, channel: RigChannel) -> tuple[str, ...]:
     """How far the gain is from that of the model, as a sentence; nothing without a model."""
     model = model_of(channel)
     if model is None:
@@ -385,7 +385,7 @@ class MeasurePage(QDialog):
         self._running, self.found = False, found
         self.plot.show_measured(found, self._channel)
         if found is not None:
-            self._say(" ".join((*found.lines, *beside_the_model(found, self._channel))))
+            self._say(" ".join((*found.lines, *model_difference_text(found, self._channel))))
         else:
             self._say("Stopped." if isinstance(error, Stopped) else str(error))
         self._show_state()

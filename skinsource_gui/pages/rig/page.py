@@ -35,7 +35,7 @@ from skinsource.design import edits
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.signal_path import actuation_of_rig
-from skinsource.limbs.locations import input_words
+from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec, OptionalSpec
@@ -157,7 +157,7 @@ class ChannelFields(QObject):
 
 def title_of(channel: RigChannel, limb: str) -> str:
     """Words for a channel in a list; places are called what the limb calls them."""
-    return f"{channel.place} · {input_words(channel.place, limb).name}, output {channel.output}"
+    return f"{channel.place} · {input_name(channel.place, limb).name}, output {channel.output}"
 
 
 def _cell(name: str, spec: Spec) -> FieldCell:

@@ -32,10 +32,10 @@ from skinsource.export.stimulus_export.preparing import (
     ChannelOverview,
     Overview,
     overview_of,
-    prepared,
+    prepare_stimulus,
 )
 from skinsource_gui.pages.stimulus.form import Order, StimulusForm, recall, remembered
-from skinsource_gui.qt.overlays import PALE, Lateness
+from skinsource_gui.qt.overlays import PALE, Staleness
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone, tabular
 from skinsource_gui.state.engine import LatestWins
 
@@ -71,7 +71,9 @@ class ChannelsView(QWidget):
     def show_overview(self, overview: Overview | None, colours: Mapping[int, int]) -> None:
         """Paint ``overview``; ``colours`` has the number of the colour of each input."""
         self._overview, self._colours, self._pale = overview, colours, False
-        words = [line for one in overview.channels for line in words_of(one)] if overview else []
+        words = (
+            [line for one in overview.channels for line in channel_lines(one)] if overview else []
+        )
         self.setAccessibleDescription("; ".join(words))
         self.updateGeometry()
         self.update()
@@ -94,7 +96,7 @@ class ChannelsView(QWidget):
                 self._paint_picture(painter, one, area)
 
     def _paint_words(self, painter: QPainter, one: ChannelOverview, top: float) -> None:
-        title, peak, clipped = (*words_of(one), "")[:3]
+        title, peak, clipped = (*channel_lines(one), "")[:3]
         room = QRectF(0, top, _WORDS_PX - UNIT_PX, _ROW_PX / 3)
         left = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
         painter.setFont(tabular(self.font()))
@@ -152,7 +154,7 @@ def joined(extremes: Floats) -> Floats:
     return met
 
 
-def words_of(one: ChannelOverview) -> list[str]:
+def channel_lines(one: ChannelOverview) -> list[str]:
     """Lines on a channel: what it is, how strong, and what would be cut off."""
     title = one.title if one.place is None else f"Place {one.place}, {one.title}"
     peak = "silent" if one.peak == 0.0 else f"peak {20.0 * np.log10(one.peak):z.1f} dB"
@@ -195,7 +197,7 @@ class PreparingRow(QWidget):
         # What stands beside it stays where it is.
         policy.setRetainSizeWhenHidden(True)
         self.setSizePolicy(policy)
-        self.lateness = Lateness(self)
+        self.lateness = Staleness(self)
         self.lateness.changed.connect(self.setVisible)
         self.begin()
         self.hide()
@@ -248,7 +250,7 @@ class PreparingWorker(LatestWins):
         def stop() -> bool:
             return self.outdated
 
-        made = prepared(
+        made = prepare_stimulus(
             self._design,
             Path(f"stimulus{order.format.suffix}"),
             order.format,
@@ -462,8 +464,8 @@ def summary_of(overview: Overview) -> str:
     # What the design wants is no volts of a device before a rig says so.
     stands = "shall be" if _wants_volts(overview) else "is"
     size = sentence(
-        f"{n} channel{'' if n == 1 else 's'}{many}, {duration_words(overview.duration_s)} at "
-        f"{rate} Hz, about {bytes_in_words(overview.n_bytes)}. Full scale {stands} "
+        f"{n} channel{'' if n == 1 else 's'}{many}, {duration_text(overview.duration_s)} at "
+        f"{rate} Hz, about {size_text(overview.n_bytes)}. Full scale {stands} "
         f"{overview.full_scale:.4g}{unit}"
     )
     return f"{size} {sentence(overview.equalised)}"
@@ -484,14 +486,14 @@ def _wants_volts(overview: Overview) -> bool:
     return overview.unit == "V" and overview.calibration == UNCALIBRATED
 
 
-def duration_words(time_s: float) -> str:
+def duration_text(time_s: float) -> str:
     """A length of time as people read it: ms below a second."""
     if time_s < 1e-3:
         return f"{1e3 * time_s:.2g} ms"
     return in_ms(time_s) if time_s < 1.0 else f"{time_s:.4g} s"
 
 
-def bytes_in_words(n_bytes: int) -> str:
+def size_text(n_bytes: int) -> str:
     """A number of bytes as people read it."""
     for factor, unit in ((1e9, "GB"), (1e6, "MB"), (1e3, "kB")):
         if n_bytes >= factor:

@@ -16,7 +16,7 @@ from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.published import LARGEST_VELOCITY_M_PER_S, Band
 from skinsource.engine.actuator_demand import LONGEST_S, ActuatorSettings, Demand
-from skinsource.limbs.locations import input_words
+from skinsource.limbs.locations import input_name
 from skinsource_gui.fields.units import value_text
 from skinsource_gui.plots.curves import CurveName, Curves
 from skinsource_gui.plots.ranges import XAxis
@@ -312,7 +312,7 @@ class FiguresView(QWidget):
         self.limits.setVisible(bool(beyond))
         self.centred.setVisible(found.leaves_velocity and tap)
         words = "" if found.place is None else f"Place {found.place}, "
-        words += "" if found.place is None else input_words(found.place, limb).name
+        words += "" if found.place is None else input_name(found.place, limb).name
         part = f" · the strongest {LONGEST_S:g} s" if found.part else ""
         gain = " · uncalibrated gain" if words and not settings.profile.gain_calibrated else ""
         self.heading.setText(f"{words}{part}{gain}")

@@ -32,15 +32,15 @@ from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.samples import Drawn
 from skinsource.design.waveforms.tones import Glide
-from skinsource.limbs.locations import input_words
+from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.synthesis import Column, Curve, bends_of, curve_of
 from skinsource_gui.fields.editor import Burst
 from skinsource_gui.fields.inputs import clip_text, duration_text, figure_text, waveforms_of
-from skinsource_gui.panels.clip_editor.tools import EnvelopeTool, GlideTool, Look, Pen
+from skinsource_gui.panels.clip_editor.tools import EnvelopeTool, GlideTool, Pen, ViewTool
 from skinsource_gui.panels.clip_editor.view import EditorView, SpectrumStrip, Tool
 from skinsource_gui.qt.keys import key_text, meaning_of
-from skinsource_gui.qt.labels import FittingLabel, clip_words
+from skinsource_gui.qt.labels import FittingLabel, how_to_select_clip
 from skinsource_gui.qt.theme import set_tone
 from skinsource_gui.qt.tooltips import show_tooltip
 from skinsource_gui.state.panel import Panel
@@ -473,7 +473,7 @@ class ClipEditorPanel(Panel):
         self._said: tuple[Clip | None, Design | None, str] = (None, None, "")
         self._unplayable: frozenset[int] = frozenset()
         self._drawing, self._shaping = Drawing(self), Shaping(self)
-        self._look, self._pen = Look(self), self._drawing.pen
+        self._look, self._pen = ViewTool(self), self._drawing.pen
         self._gliding = Gliding(self)
         self._tools: dict[str, Tool] = {
             "look": self._look,
@@ -577,7 +577,7 @@ class ClipEditorPanel(Panel):
         self._stack.setCurrentIndex(0 if clip is None else 1)
         if clip is None:
             inputs = bool(self._design and self._design.inputs)
-            self._empty.setText(clip_words(self.in_sight, inputs=inputs))
+            self._empty.setText(how_to_select_clip(self.in_sight, inputs=inputs))
             self._canvas.show_clip(None, None, None, self._rate_hz)
             return
         gone = self._canvas.tool is self._gliding.tool and not self._gliding.can_edit(clip)
@@ -636,7 +636,7 @@ class ClipEditorPanel(Panel):
 
 def _words(clip: Clip, design: Design) -> str:
     """Where a clip plays, and what."""
-    place = input_words(design.track_of(clip.id).location, design.limb)
+    place = input_name(design.track_of(clip.id).location, design.limb)
     label = f"{clip.label} · " if clip.label else ""
     figure = f"{clip_text(clip)} · {duration_text(clip.duration_s)}"
     return f"{label}{place.number} {place.short_name} · {figure}"

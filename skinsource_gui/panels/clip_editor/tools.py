@@ -259,7 +259,7 @@ class Drag:
 # A pointer that reads values.
 
 
-class Look(QObject):
+class ViewTool(QObject):
     """Shows time and value under the pointer; a drag moves what is seen."""
 
     #: What is seen is to move by so many seconds.

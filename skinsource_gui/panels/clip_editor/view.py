@@ -32,7 +32,7 @@ from skinsource_gui.plots.curves import course_of
 from skinsource_gui.plots.plot import Canvas
 from skinsource_gui.plots.ranges import Points, columns_of, linear_ticks, visible_points, wave_of
 from skinsource_gui.plots.time_scale import Range, TimeScale, panned, range_by_wheel, within, zoomed
-from skinsource_gui.qt.frames import KeptPicture, Same
+from skinsource_gui.qt.frames import CachedPicture, Same
 from skinsource_gui.qt.theme import (
     Theme,
     current_theme,
@@ -171,7 +171,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
         self._rect = QRectF(0, 0, 1, 1)
         self._late = False
         # What the drag of a point leaves as it is: axes, the waveform, and what it plays.
-        self._still, self._course = KeptPicture(), KeptPicture()
+        self._still, self._course = CachedPicture(), CachedPicture()
 
     def show_content(self, content: EditorContent | None, tool: Tool, rect: QRectF) -> None:
         """Paint something else, in this rectangle."""
@@ -337,7 +337,7 @@ _BEHIND = 0.06
 _LEAST_S = 0.01
 
 
-class SeenClip(QObject):
+class VisibleClip(QObject):
     """A clip, and how much of its time and of its values is seen.
 
     Parameters
@@ -474,7 +474,7 @@ class EditorView(Canvas):
         self.addItem(self.item)
         self._tool = tool
         self.content: EditorContent | None = None
-        self.seen = SeenClip(lambda: self.content, self)
+        self.seen = VisibleClip(lambda: self.content, self)
         self.seen.changed.connect(self.lay_out)
         self.take_look()
 
@@ -612,7 +612,7 @@ class SpectrumStrip(QWidget):
         self.setMinimumHeight(78)
         # All of it is painted: nothing behind needs to be.
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
-        self._axes = KeptPicture()
+        self._axes = CachedPicture()
         self._frequency_hz: Floats | None = None
         self._levels_db: Floats | None = None
         self._outside = 0.0

@@ -13,12 +13,12 @@ from skinsource.base.decibels import FLOOR_DB
 from skinsource.base.quoting import printable
 from skinsource.design.comparing import (
     EDITED,
-    alike,
     end_db,
-    gain_words,
+    gain_text,
     louder,
     loudest_db,
-    match_words,
+    match_text,
+    same_but_rounding,
 )
 from skinsource.design.labels import short_limb_title
 from skinsource.studies import scenes
@@ -41,8 +41,8 @@ from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 from skinsource_gui.state.compared import (
     LEVELS_MATCHED,
     Compared,
-    alike_in_level,
     gain_db,
+    have_matching_level,
     is_silent,
     matched_text,
 )
@@ -61,7 +61,7 @@ def played_db(compared: Compared) -> float | None:
     return stored if stored <= FLOOR_DB else stored + gain_db(compared)
 
 
-def level_words(compared: Compared) -> str:
+def card_level_text(compared: Compared) -> str:
     """Level of the loudest output, "−12.3 dB"; "…" while it is not known."""
     level = played_db(compared)
     if level is None:
@@ -75,21 +75,21 @@ def title(compared: Compared) -> str:
     return "edited" if number == EDITED else f"snapshot {number}"
 
 
-def matching_words(compared: Sequence[Compared], *, matched: bool) -> str:
+def matching_text(compared: Sequence[Compared], *, matched: bool) -> str:
     """By what quantity the designs are alike, and how much of it they have."""
     known = [one for one in compared if played_db(one) is not None]
     if len(known) < 2:
         return ""
     if not matched:
         return "As loud as they were stored"
-    if not alike_in_level(compared, matched=matched):
+    if not have_matching_level(compared, matched=matched):
         name = title(compared[0])
         why = "cannot be predicted" if compared[0].problem else "is silent"
         return f"{name[:1].upper()}{name[1:]} {why}: levels cannot be matched to it"
-    return f"Alike at the loudest output: {level_words(known[0])[:-3]} {_UNIT}"
+    return f"Alike at the loudest output: {card_level_text(known[0])[:-3]} {_UNIT}"
 
 
-def difference_words(present: Compared, other: Compared, *, matched: bool) -> tuple[str, str]:
+def difference_captions(present: Compared, other: Compared, *, matched: bool) -> tuple[str, str]:
     """What stands above and below a map of their difference."""
     name = title(present)
     heading = f"{name[:1].upper()}{name[1:]} minus {title(other)}"
@@ -102,14 +102,14 @@ def difference_words(present: Compared, other: Compared, *, matched: bool) -> tu
     return heading, f"{words}, {short_limb_title(mine)} minus {short_limb_title(theirs)}"
 
 
-def equal_words(present: Compared, other: Compared) -> tuple[str, str]:
+def equal_captions(present: Compared, other: Compared) -> tuple[str, str]:
     """What stands above and below the map of two that make no difference: in what they agree."""
     name = title(present)
     heading = f"{name[:1].upper()}{name[1:]} and {title(other)} are equal"
     mine, theirs = present.snapshot, other.snapshot
     if mine.design == theirs.design:
         return heading, "dB, the same inputs, scaling and limb"
-    if alike(louder(mine.design, present.gain), louder(theirs.design, other.gain)):
+    if same_but_rounding(louder(mine.design, present.gain), louder(theirs.design, other.gain)):
         return heading, "dB, the same inputs once levels match"
     return heading, "dB, the same levels by other inputs"
 
@@ -117,11 +117,11 @@ def equal_words(present: Compared, other: Compared) -> tuple[str, str]:
 def sentence(compared: Compared, *, present: bool) -> str:
     """All that a card shows, to be read aloud."""
     name = title(compared)
-    gain = gain_words(compared.gain)
+    gain = gain_text(compared.gain)
     parts = [
         f"{name[:1].upper()}{name[1:]}",
         printable(scenes.title_of(compared.snapshot.design)).strip(),
-        f"loudest output {level_words(compared)}",
+        f"loudest output {card_level_text(compared)}",
         f"shown {gain} to match" if gain else "",
         "in the window" if present else "",
         compared.problem,
@@ -255,11 +255,13 @@ class Card(QAbstractButton):
             return
         below = QRectF(area.left(), area.bottom() - 2 * line, area.width(), line)
         painter.setPen(QColor(theme.error if compared.left_out else theme.text))
-        painter.drawText(below, centre, fitted_level(painter, level_words(compared), area.width()))
+        painter.drawText(
+            below, centre, fitted_level(painter, card_level_text(compared), area.width())
+        )
         painter.setPen(QColor(theme.dim))
-        gain = match_words(compared.gain)
+        gain = match_text(compared.gain)
         if painter.fontMetrics().horizontalAdvance(gain) > area.width():
-            gain = fitted_level(painter, gain_words(compared.gain), area.width())
+            gain = fitted_level(painter, gain_text(compared.gain), area.width())
         painter.drawText(below.translated(0, line), centre, gain)
         if self._map is not None and self._scale is not None:
             # Rings of inputs reach beyond the outline.

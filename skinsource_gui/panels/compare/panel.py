@@ -19,10 +19,10 @@ from skinsource.design.comparing import (
     EDITED,
     NUMBERS,
     difference_db,
-    nothing_to_compare,
     other_than,
     same_outputs,
     shown,
+    why_no_comparison,
 )
 from skinsource.design.design import Design
 from skinsource.design.view import View
@@ -31,22 +31,22 @@ from skinsource_gui.panels.compare.card import (
     Card,
     Difference,
     DifferenceMap,
-    difference_words,
-    equal_words,
-    matching_words,
+    difference_captions,
+    equal_captions,
+    matching_text,
     played_db,
 )
 from skinsource_gui.panels.figure_panel import COMPUTING
 from skinsource_gui.plots.small_map import Scale, SmallMap, SmallMaps, level_look, scale_of_levels
 from skinsource_gui.qt.buttons import tool_button
-from skinsource_gui.qt.room import ButtonRow, FoldingRow, RoomOrWords
+from skinsource_gui.qt.room import ButtonRow, FoldingRow, RoomOrText
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.compared import (
     ELSEWHERE,
     SILENCE,
     Compared,
-    alike_in_level,
     gain_db,
+    have_matching_level,
     is_silent,
 )
 from skinsource_gui.state.panel import Panel
@@ -98,7 +98,7 @@ class ComparePanel(Panel):
         self._row = FoldingRow(self.cards, UNIT_PX // 4, left=True, parent=self)
         self.map = DifferenceMap(self)
         self._lay_out()
-        RoomOrWords(self).changed.connect(self._fold)
+        RoomOrText(self).changed.connect(self._fold)
         for card in self.cards:
             card.wanted.connect(self._act)
         self.setFocusProxy(self.cards[1])
@@ -123,7 +123,7 @@ class ComparePanel(Panel):
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
         matched = self._view.levels_matched
-        self.words.setText(matching_words(compared, matched=matched))
+        self.words.setText(matching_text(compared, matched=matched))
         self.words.setToolTip(self.words.text())
         present = self._present(compared)
         levels = [played_db(one) for one in compared]
@@ -180,7 +180,7 @@ class ComparePanel(Panel):
     def _difference(self, compared: Sequence[Compared], present: Compared | None) -> Difference:
         wanted = None if self._design is None else other_than(self._view.snapshots, self._design)
         if wanted is None or present is None:
-            return Difference(words=nothing_to_compare(self._view.snapshots))
+            return Difference(words=why_no_comparison(self._view.snapshots))
         other = next((one for one in compared if one.snapshot.number == wanted.number), None)
         if other is None or other.values is None or present.values is None:
             problem = "" if other is None else other.problem or present.problem or COMPUTING
@@ -190,10 +190,10 @@ class ComparePanel(Panel):
         if is_silent(other) != is_silent(present):
             return Difference(words=SILENCE)
         minus = self._minus(present, other)
-        matched = alike_in_level(compared, matched=self._view.levels_matched)
-        heading, words = difference_words(present, other, matched=matched)
+        matched = have_matching_level(compared, matched=self._view.levels_matched)
+        heading, words = difference_captions(present, other, matched=matched)
         if minus.levels_db is not None and np.abs(minus.levels_db).max() < LEAST_DB:
-            heading, words = equal_words(present, other)
+            heading, words = equal_captions(present, other)
         if present.values["limb_data"].synthetic or other.values["limb_data"].synthetic:
             words = f"{words}, synthetic limb"
         limb, outputs = present.snapshot.design.limb, self._view.outputs

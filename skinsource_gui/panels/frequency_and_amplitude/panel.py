@@ -21,8 +21,8 @@ from skinsource.studies import scenes
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.fields.inputs import EMPTY, stretched_text
-from skinsource_gui.qt.labels import add_words, select_words
-from skinsource_gui.qt.room import FoldingRow, RoomOrWords
+from skinsource_gui.qt.labels import how_to_add, how_to_select_input
+from skinsource_gui.qt.room import FoldingRow, RoomOrText
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
 
@@ -42,7 +42,7 @@ class Heading(QLabel):
         super().__init__(words)
         self._phrases: tuple[str, ...] = (words,)
         self.setWordWrap(True)
-        RoomOrWords(self).changed.connect(self._fit)
+        RoomOrText(self).changed.connect(self._fit)
 
     def show_phrases(self, *phrases: str) -> None:
         """Take over phrasings, the longest first."""
@@ -130,7 +130,7 @@ class FrequencyAndAmplitudePanel(Panel):
         super().__init__(parent)
         self._design: Design | None = None
         self._view = View()
-        self._words = Heading(add_words(self.in_sight))
+        self._words = Heading(how_to_add(self.in_sight))
         self._words.setObjectName("frequency_and_amplitude_words")
         set_tone(self._words, "dim")
         self._control = ChoiceField(CONTROL, self)
@@ -169,7 +169,7 @@ class FrequencyAndAmplitudePanel(Panel):
         if one is not None:
             self._show_input(design, view, one, control)
         else:
-            words = select_words if design.inputs else add_words
+            words = how_to_select_input if design.inputs else how_to_add
             self._words.show_phrases(words(self.in_sight))
             self._show_frequency(None)
         self._row.fold()

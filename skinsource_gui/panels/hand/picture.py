@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource.limbs.limb import LimbFacts, LimbMap
-from skinsource.limbs.locations import input_words
+from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of, own_map
 from skinsource.limbs.synthetic import standard_hand
 from skinsource_gui.panels.hand.layout import (
@@ -58,13 +58,13 @@ def caption_of(state: HandState, limb: str, fits: Callable[[str], bool]) -> str:
         wanted = _both(there, ringed, "Keys" if state.cursor else "Selected", limb)
     else:
         site = there or ringed or 0
-        place = input_words(site, limb)
+        place = input_name(site, limb)
         wanted = (f"{site} · {place.name}", f"{site} · {place.short_name}")
     return next((one for one in wanted if fits(one)), wanted[-1])
 
 
 def _both(there: int, ringed: int, ring: str, limb: str) -> tuple[str, ...]:
-    at, rung = input_words(there, limb), input_words(ringed, limb)
+    at, rung = input_name(there, limb), input_name(ringed, limb)
     return (
         f"Pointer: {there} · {at.name}  |  {ring}: {ringed} · {rung.name}",
         f"Pointer: {there} · {at.short_name}  |  {ring}: {ringed} · {rung.short_name}",
@@ -452,7 +452,7 @@ class HandStage(QObject):
 
     def words(self, site: int) -> str:
         """What is at a site, in lines."""
-        place = input_words(site, self._drawing.limb)
+        place = input_name(site, self._drawing.limb)
         lines = [f"{site} · {place.name}", *filter(None, [_CONTACTS.get(place.kind, "")])]
         for index in self.state.at(site):
             chosen = ", selected" if index == self.state.selected else ""

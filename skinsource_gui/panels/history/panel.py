@@ -129,7 +129,7 @@ class StepDelegate(QStyledItemDelegate):
         inside = rect.adjusted(UNIT_PX, 0, -UNIT_PX, 0)
         painter.setFont(tabular(option.font))
         metrics = painter.fontMetrics()
-        label, time = told_in(metrics, index.data(), index.data(TIME), inside.width())
+        label, time = row_text(metrics, index.data(), index.data(TIME), inside.width())
         middle = Qt.AlignmentFlag.AlignVCenter
         painter.setPen(QColor(theme.dim))
         painter.drawText(inside, middle | Qt.AlignmentFlag.AlignRight, time)
@@ -141,7 +141,7 @@ class StepDelegate(QStyledItemDelegate):
         painter.restore()
 
 
-def told_in(metrics: QFontMetrics, label: str, time: str, room_px: int) -> tuple[str, str]:
+def row_text(metrics: QFontMetrics, label: str, time: str, room_px: int) -> tuple[str, str]:
     """Label and time as they share a row; a label that is too long is cut short."""
     width = metrics.horizontalAdvance(time) + UNIT_PX if time else 0
     if room_px - width < _LEAST_WORDS * room_px:

@@ -38,19 +38,19 @@ from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.samples import Drawn, Recording
 from skinsource.limbs.limb import LimbFacts
-from skinsource.limbs.locations import PlaceWords, input_words
+from skinsource.limbs.locations import LocationNames, input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.editors import FieldCell
-from skinsource_gui.fields.grid import LABEL_PX, FieldGrid, LabelledCell, WordsCell
+from skinsource_gui.fields.grid import LABEL_PX, FieldGrid, LabelledCell, TextCell
 from skinsource_gui.fields.inputs import FieldChanges, fixed_length_text, played_length_text
 from skinsource_gui.panels.inspector.effects import ChainEdits, EffectChain
 from skinsource_gui.plots.preview import WaveformPreview
 from skinsource_gui.qt.buttons import Swatch, mute_button, solo_button
-from skinsource_gui.qt.labels import add_words, select_words
-from skinsource_gui.qt.room import RoomOrWords, SteadyArea
+from skinsource_gui.qt.labels import how_to_add, how_to_select_input
+from skinsource_gui.qt.room import RoomOrText, SteadyArea
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.qt.tooltips import show_tooltip, tooltip
 from skinsource_gui.state.panel import Panel
@@ -107,7 +107,7 @@ def _places(limb: str, facts: LimbFacts) -> ChoiceSpec:
     numbers = range(1, facts.n_inputs + 1)
     return ChoiceSpec(
         label="Place",
-        options=tuple((str(k), f"{k} · {input_words(k, limb).name}") for k in numbers),
+        options=tuple((str(k), f"{k} · {input_name(k, limb).name}") for k in numbers),
         hint="Where the actuator touches",
     )
 
@@ -139,7 +139,7 @@ class InputFields(QObject):
         self._played_at, self._places = (facts.sample_rate_hz, facts.band_hz), _places_of("")
         self._own: tuple[LabelledCell, ...] = ()
         self._built_for: type[Waveform] | None = None
-        self._length: WordsCell | None = None
+        self._length: TextCell | None = None
         self._several = False
         self._curve_of: int | None = None
         self._view = View()
@@ -152,10 +152,10 @@ class InputFields(QObject):
         self._curve = FieldCell("gain_curve", GAIN_CURVE)
         for cell in (self._amplitude, self._onset, self._gain, self._curve):
             cell.edited.connect(self.edited)
-        self._peak = WordsCell("Peak", "")
+        self._peak = TextCell("Peak", "")
         self._peak.words.setObjectName("peak")
         self._peak.words.setToolTip("Of all that the track plays, with its gain")
-        self._lasts = WordsCell("Lasts", "")
+        self._lasts = TextCell("Lasts", "")
         self._lasts.words.setObjectName("played_length")
         self._lasts.words.setToolTip("What is heard of the waveform, or how long it is drawn out")
 
@@ -258,7 +258,7 @@ class InputFields(QObject):
             own.edited.connect(self.edited)
             cells.append(own)
         if waveform and fixed_length_text(waveform):
-            self._length = WordsCell("Duration", fixed_length_text(waveform))
+            self._length = TextCell("Duration", fixed_length_text(waveform))
             cells.append(self._length)
         if isinstance(waveform, Drawn):
             pen = pen_cell()
@@ -298,7 +298,7 @@ class InputHeading(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._place: PlaceWords | None = None
+        self._place: LocationNames | None = None
         self._before = ""
         self._swatch = Swatch()
         self._words = QLabel()
@@ -319,7 +319,7 @@ class InputHeading(QWidget):
         layout.addWidget(self._state)
         layout.addWidget(self._mute)
         layout.addWidget(self._solo)
-        RoomOrWords(self).changed.connect(self._fit_words)
+        RoomOrText(self).changed.connect(self._fit_words)
         self._mute.clicked.connect(self.mute_toggled)
         self._solo.clicked.connect(self.solo_toggled)
 
@@ -328,7 +328,7 @@ class InputHeading(QWidget):
     ) -> None:
         """Show an input, ``silent`` unless it is heard, of those that are edited ``together``."""
         self._before = f"{len(together)} inputs, last: " if len(together) > 1 else ""
-        place = input_words(shown.location, limb)
+        place = input_name(shown.location, limb)
         self._place = place
         self._swatch.show_input(shown.location, shown.colour, silent=silent)
         contact = f" ({place.kind})" if place.kind else ""
@@ -507,7 +507,7 @@ class InspectorPanel(Panel):
         self._show_empty()
 
     def _show_empty(self) -> None:
-        words = select_words if self._design.inputs else add_words
+        words = how_to_select_input if self._design.inputs else how_to_add
         self._empty.setText(words(self.in_sight))
 
     def show_results(self, results: Mapping[str, Any]) -> None:

@@ -48,7 +48,7 @@ from skinsource.base.arrays import Floats
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.quoting import sentence
 from skinsource.design.presets.presets import Entry, Preset, mixed
-from skinsource.limbs.locations import input_words
+from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.plots.preview import ClipStrip, SpectrumPreview, strip_lanes
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
@@ -456,7 +456,7 @@ def _facts(preset: Preset, limb: str) -> str:
         n = len(lanes[0].clips)
         return length if n == 1 else f"{length}, {n} clips"
     places = (lane.location for lane in lanes)
-    names = (input_words(k, limb).short_name if _is_there(k, limb) else str(k) for k in places)
+    names = (input_name(k, limb).short_name if _is_there(k, limb) else str(k) for k in places)
     return f"{length}, {len(lanes)} tracks: {', '.join(names)}"
 
 

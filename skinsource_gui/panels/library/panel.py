@@ -23,7 +23,7 @@ from skinsource.base.work import counted
 from skinsource.design import edits
 from skinsource.design.design import Design
 from skinsource.design.presets import presets
-from skinsource.design.presets.presets import Entry, Fault, Shelf, matching
+from skinsource.design.presets.presets import Entry, Fault, PresetFolder, matching
 from skinsource.design.view import View
 from skinsource_gui.fields.choice_field import DropDown
 from skinsource_gui.panels.library.list import PresetList, PresetPreview, PresetsModel
@@ -204,7 +204,7 @@ class FolderWatch(QObject):
 # The presets that there are: those of the user, and those that are shipped.
 
 
-class Shelves(QObject):
+class PresetFolders(QObject):
     """Reads both folders, and the user's again when it changes; renames and deletes there."""
 
     changed = Signal()
@@ -213,8 +213,8 @@ class Shelves(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._shipped: Shelf | None = None
-        self._own = Shelf()
+        self._shipped: PresetFolder | None = None
+        self._own = PresetFolder()
         self._watch = FolderWatch(presets.SUFFIX, self)
         self._watch.changed.connect(self.read)
 
@@ -226,22 +226,22 @@ class Shelves(QObject):
     @property
     def entries(self) -> tuple[tuple[Entry, bool], ...]:
         """All of them, the user's own first, and whether they are."""
-        shipped = self._shipped or Shelf()
+        shipped = self._shipped or PresetFolder()
         own = tuple((entry, True) for entry in self._own.entries)
         return (*own, *((entry, False) for entry in shipped.entries))
 
     @property
     def faults(self) -> tuple[Fault, ...]:
         """What was left out."""
-        return (*self._own.faults, *(self._shipped or Shelf()).faults)
+        return (*self._own.faults, *(self._shipped or PresetFolder()).faults)
 
     def read(self) -> None:
         """Read them, and watch the user's."""
         if self._shipped is None:
-            self._shipped = presets.read_shelf(presets.shipped_folder())
+            self._shipped = presets.read_preset_folder(presets.shipped_folder())
         # Watched before it is read: nothing is missed between.
         self._watch.watch(self.folder)
-        self._own = presets.read_shelf(self.folder)
+        self._own = presets.read_preset_folder(self.folder)
         self.changed.emit()
 
     def rest(self) -> None:
@@ -284,7 +284,7 @@ class LibraryPanel(Panel):
         super().__init__(parent)
         self._design: Design | None = None
         self._view = View()
-        self.shelves = Shelves(self)
+        self.shelves = PresetFolders(self)
         self.model = PresetsModel(self)
         self.search, self.rows = SearchRow(), PresetList(self.model)
         self.preview, self.buttons = PresetPreview(), LibraryButtons()

@@ -273,7 +273,7 @@ def diagrams_of_superposition(
     )
 
 
-def part_words(
+def part_text(
     shown_s: tuple[float, float], time_s: Floats, zoom: tuple[float, float] | None = None
 ) -> str:
     """Which part is drawn over time where that is not all there is, or not all of the zoom."""
@@ -288,7 +288,7 @@ def part_words(
     return f"over time the loudest part, {first} to {last} ms: zoom Traces for another"
 
 
-def proportion_words(found: Proportion, every: Straightness | None = None) -> str:
+def proportion_text(found: Proportion, every: Straightness | None = None) -> str:
     """What was found, in a sentence."""
     words = f"{len(found.strengths)} strengths, divided by them: {_apart_words(found.apart)}"
     r2 = (found if every is None else every).adjusted_r2
@@ -298,7 +298,7 @@ def proportion_words(found: Proportion, every: Straightness | None = None) -> st
     return f"{words} · adjusted R²{whose} in bands of 2 Hz {known.min():.6f} at least"
 
 
-def superposition_words(found: Superposition) -> str:
+def superposition_text(found: Superposition) -> str:
     """What was found, in a sentence."""
     known = found.correlation[np.isfinite(found.correlation)]
     alike = f" · r {known.min():.6f} at least" if known.size else ""

@@ -36,9 +36,9 @@ from skinsource_gui.panels.linearity.content import (
     diagrams_of_superposition,
     of_amplitudes,
     of_velocities,
-    part_words,
-    proportion_words,
-    superposition_words,
+    part_text,
+    proportion_text,
+    superposition_text,
 )
 from skinsource_gui.panels.linearity.diagram import DiagramsPicture
 from skinsource_gui.qt.asking import copied
@@ -51,7 +51,7 @@ _STORED_ALONE = "snapshots alone"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Held:
+class ComparedDesigns:
     """Designs, and what they are to each other.
 
     Attributes
@@ -77,7 +77,7 @@ class Held:
         return bool(self.strengths) or self.whole is not None
 
 
-def held_of(compared: Sequence[Compared]) -> Held:
+def compared_designs(compared: Sequence[Compared]) -> ComparedDesigns:
     """All of the designs; or, where what is edited is something else, those that are stored."""
     every = _held(compared)
     stored = [one for one in compared if one.snapshot.number != EDITED]
@@ -87,9 +87,9 @@ def held_of(compared: Sequence[Compared]) -> Held:
     return alone if alone.is_linear else every
 
 
-def _held(compared: Sequence[Compared], words: str = "") -> Held:
+def _held(compared: Sequence[Compared], words: str = "") -> ComparedDesigns:
     designs = [one.snapshot.design for one in compared]
-    return Held(
+    return ComparedDesigns(
         compared=compared,
         strengths=strengths_of(designs),
         whole=joint_of(designs),
@@ -217,7 +217,7 @@ class LinearityPanel(FigurePanel):
         return _NEEDS | {_EVERY} if self._settings.every_output else _NEEDS
 
     def snapshots_drawn(self, snapshots: Sequence[Snapshot]) -> Sequence[Snapshot]:
-        held = held_of([Compared(snapshot=one) for one in snapshots])
+        held = compared_designs([Compared(snapshot=one) for one in snapshots])
         return [one.snapshot for one in held.compared]
 
     def show_state(self, design: Design, view: View) -> None:
@@ -231,7 +231,7 @@ class LinearityPanel(FigurePanel):
             self.await_results()
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
-        held = held_of(compared)
+        held = compared_designs(compared)
         problem = next((one.problem for one in held.compared if one.problem), "")
         wanted = self.needs_of_snapshots
         known = [one.values for one in held.compared if one.values is not None]
@@ -293,7 +293,7 @@ class LinearityPanel(FigurePanel):
         settings = replace(self._settings, **changes)
         self.view_changed.emit(with_settings(self._view, self.name, settings))
 
-    def _show(self, held: Held, results: Sequence[Mapping[str, Any]]) -> None:
+    def _show(self, held: ComparedDesigns, results: Sequence[Mapping[str, Any]]) -> None:
         """Draw what is known of all designs."""
         drawn, design = self._drawn, held.compared[0].snapshot.design
         strengths, whole = held.strengths, held.whole
@@ -332,21 +332,21 @@ class LinearityPanel(FigurePanel):
                 every=None if self.every is None else self.every.adjusted_r2[:, axes.index(along)],
             )
             self.picture.show_diagrams(drawing, self._outputs)
-            self.show_found(proportion_words(shown, self.every))
+            self.show_found(proportion_text(shown, self.every))
         elif whole is not None:
             self.velocity.hide()
             parts = [one for k, one in enumerate(channels) if k != whole]
             self.found = added = superposition(parts, channels[whole])
             drawing = diagrams_of_superposition(added, rows, time_s, zoom)
             self.picture.show_diagrams(drawing, self._outputs)
-            self.show_found(superposition_words(added))
+            self.show_found(superposition_text(added))
         self.bands.setVisible(bool(strengths))
         self.every_output.setVisible(bool(strengths))
         self._drawn = drawn
         self.copy.offer(True)
         said = [f"Along {along}: linear by construction", held.words]
         said.append("synthetic limb" * limb.synthetic)
-        said.append(part_words(drawing[0].x.shown, time_s, zoom))
+        said.append(part_text(drawing[0].x.shown, time_s, zoom))
         self.about.say(" · ".join(filter(None, said)))
 
     def _time_s(self, results: Mapping[str, Any], delay_s: float) -> Floats:

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.design.design import Design
 from skinsource.design.view import View
-from skinsource.limbs.locations import output_words
+from skinsource.limbs.locations import output_name
 from skinsource.signals.projection import MainAxes, ellipse
 from skinsource_gui.panels.figure_panel import SILENT, FigurePanel
 from skinsource_gui.plots.figure import Figure
@@ -25,7 +25,7 @@ _GAP_PX = 3.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Shown:
+class MainAxisContent:
     """What is drawn: ellipsoids, of which outputs of which limb, along which axes (``"xyz"``)."""
 
     found: MainAxes
@@ -35,7 +35,7 @@ class Shown:
 
     def words_of(self, rank: int) -> str:
         """What is to be said of one output."""
-        found, name = self.found, output_words(self.outputs[rank], self.limb).short_name
+        found, name = self.found, output_name(self.outputs[rank], self.limb).short_name
         start = f"{self.outputs[rank]} {name}"
         if np.isnan(found.share[rank]):
             return f"{start}: silent"
@@ -53,10 +53,10 @@ class MainAxisPicture(Figure):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("main_axis_picture", "Main axes", parent)
-        self.shown: Shown | None = None
+        self.shown: MainAxisContent | None = None
         self._cells: list[tuple[QRectF, int]] = []
 
-    def show_axes(self, shown: Shown) -> None:
+    def show_axes(self, shown: MainAxisContent) -> None:
         """Take over what to show."""
         self.shown = shown
         self.say("")
@@ -215,7 +215,7 @@ class MainAxisPanel(FigurePanel):
             limb = results["limb_data"]
             self.copy.offer(True)
             self.picture.show_axes(
-                Shown(
+                MainAxisContent(
                     found=results["output_main_axes"],
                     outputs=results["shown_outputs"],
                     axes="".join(limb.axes[k] for k in results["axis_numbers"]),

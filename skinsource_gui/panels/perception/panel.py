@@ -19,20 +19,25 @@ from PySide6.QtWidgets import (
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.base.quoting import printable
-from skinsource.design.comparing import match_words
+from skinsource.design.comparing import match_text
 from skinsource.design.design import Design
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.engine.analysis_rules import SILENT_DB, Sensation
-from skinsource.limbs.locations import output_words
+from skinsource.limbs.locations import output_name
 from skinsource.perception.sensation import LIMITS
-from skinsource.perception.thresholds import AREA, PerceptionSettings, held, read_threshold_table
+from skinsource.perception.thresholds import (
+    AREA,
+    PerceptionSettings,
+    read_threshold_table,
+    settings_table,
+)
 from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.figure_panel import COMPUTING
 from skinsource_gui.qt.asking import CopyButton, copied_level
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.labels import SHORT_NAME, dress_table, give_names_the_rest
-from skinsource_gui.qt.labels import output_words as empty_words_output_words
+from skinsource_gui.qt.labels import how_to_select_output as empty_words_output_words
 from skinsource_gui.qt.room import BesideOrBelow, LetterWidth
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
@@ -46,7 +51,7 @@ _MOST_SAID = 3
 _UNIT = "m\u2060/\u2060s²"
 
 
-def contact_words(weighted: Weighted, *, as_stored: bool = False) -> str:
+def contact_text(weighted: Weighted, *, as_stored: bool = False) -> str:
     """A sentence; of many places it says the largest, and of the skin elsewhere nothing.
 
     ``as_stored``: what else is shown has a gain that these have not.
@@ -148,7 +153,7 @@ def rows(found: Sensation, outputs: tuple[int, ...], limb: str = "") -> list[lis
     """Texts of the rows, for outputs of a limb."""
     return [
         [
-            f"{output}  {output_words(output, limb).short_name}",
+            f"{output}  {output_name(output, limb).short_name}",
             *map(_text, _numbers(found, output)),
         ]
         for output in outputs
@@ -163,7 +168,7 @@ def tab_separated(found: Sensation, outputs: tuple[int, ...], limb: str = "") ->
     lines = ["\t".join(names)]
     for output in outputs:
         numbers = (copied_level(one) for one in _numbers(found, output))
-        lines.append("\t".join((str(output), output_words(output, limb).short_name, *numbers)))
+        lines.append("\t".join((str(output), output_name(output, limb).short_name, *numbers)))
     return "\n".join(lines) + "\n"
 
 
@@ -268,8 +273,8 @@ class PerceptionPanel(Panel):
     def show_results(self, results: Mapping[str, Any]) -> None:
         found, outputs = results["sensation"], results["shown_outputs"]
         self._weighted = results["contact_weighted_rms"]
-        self._matched = match_words(results["match_gain"])
-        self.contact.setText(contact_words(self._weighted, as_stored=bool(self._matched)))
+        self._matched = match_text(results["match_gain"])
+        self.contact.setText(contact_text(self._weighted, as_stored=bool(self._matched)))
         self.contact.setToolTip(contact_list(self._weighted))
         if found.problem or not outputs:
             self._say(found.problem or empty_words_output_words(self.in_sight))
@@ -313,7 +318,7 @@ class PerceptionPanel(Panel):
             self.failed.emit(str(error))
             return
         said = f"Thresholds are those of {printable(path.name)}"
-        self._change(said, table=held(table), source=path.name[:200])
+        self._change(said, table=settings_table(table), source=path.name[:200])
 
     def _lay_out(self) -> None:
         thresholds = (self.own, self.model, None, self.copy)

@@ -27,7 +27,7 @@ from skinsource.lab.playing.devices import (
     SHORTEST_LATENCY_S,
     Output,
 )
-from skinsource.limbs.locations import PlaceWords, input_words
+from skinsource.limbs.locations import LocationNames, input_name
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
@@ -221,7 +221,7 @@ class OutputRow(QObject):
 
     def __init__(self, grid: QGridLayout, row: int, place: int, output: int, limb: str) -> None:
         super().__init__()
-        words = input_words(place, limb)
+        words = input_name(place, limb)
         self.place = place
         self.title = _Title(place, words)
         spec = NumberSpec(
@@ -299,7 +299,7 @@ class OutputRow(QObject):
 class _Title(FittingLabel):
     """A place and its name, which gives way to what is pressed and typed; the number stays."""
 
-    def __init__(self, place: int, words: PlaceWords) -> None:
+    def __init__(self, place: int, words: LocationNames) -> None:
         super().__init__()
         self._least = f"{place} · …"
         self.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)

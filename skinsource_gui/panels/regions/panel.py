@@ -22,18 +22,18 @@ from PySide6.QtWidgets import (
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.design.comparing import (
     REGION_OUTPUTS,
-    limbs_beside,
     mean_and_spread,
     region_levels_db,
+    related_limbs,
 )
 from skinsource.design.design import Design
-from skinsource.design.labels import LIMBS, signal_words, span_words, word_of
+from skinsource.design.labels import LIMBS, signal_label, span_label, word_of
 from skinsource.design.view import View
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.limbs.own_limbs import missing_limb
 from skinsource_gui.fields.units import minus
 from skinsource_gui.panels.figure_panel import COMPUTING
-from skinsource_gui.plots.figure import WordsLabel
+from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.asking import CopyButton, copied_level
 from skinsource_gui.qt.labels import dress_table
 from skinsource_gui.qt.room import SteadyArea
@@ -41,10 +41,10 @@ from skinsource_gui.qt.theme import UNIT_PX, scaled, tabular
 from skinsource_gui.state.compared import (
     LEVELS_MATCHED,
     Compared,
-    alike_in_level,
+    display_gain_text,
     gain_db,
+    have_matching_level,
     matched_text,
-    shown_words,
 )
 from skinsource_gui.state.panel import Panel
 
@@ -302,7 +302,7 @@ class RegionsPanel(Panel):
         self._on_limbs: Sequence[Compared] = ()
         self.columns: list[Column] = []
         self._about = self._shifted = ""
-        self.about = WordsLabel("regions_about")
+        self.about = NoteLabel("regions_about")
         self.copy = CopyButton(self.name, lambda: tab_separated(self.columns))
         self.copy.offer(False)
         self.stored = RegionTable("regions_stored", "RMS levels of snapshots by region")
@@ -334,7 +334,7 @@ class RegionsPanel(Panel):
     def show_state(self, design: Design, view: View) -> None:
         self._matched = view.levels_matched
         # Of others it is not known which outputs lie where.
-        self._limbs = limbs_beside(design.limb) if design.limb in PUBLISHED else ()
+        self._limbs = related_limbs(design.limb) if design.limb in PUBLISHED else ()
         if self._on_limbs and not self._limbs:
             self.show_on_limbs(())
         if not self._limbs:
@@ -342,9 +342,9 @@ class RegionsPanel(Panel):
             self._about = missing or NO_REGIONS
             self._say_about()
             return
-        words = signal_words(view.axes, view.method)
-        people = shown_words(design, view)
-        parts = f"RMS in dB re 1 m/s², {words}", span_words(view.span), "no sensor on the palm"
+        words = signal_label(view.axes, view.method)
+        people = display_gain_text(design, view)
+        parts = f"RMS in dB re 1 m/s², {words}", span_label(view.span), "no sensor on the palm"
         self._about = " · ".join([*parts, *([f"people: {people}"] if people else [])])
         self._say_about()
 
@@ -369,7 +369,7 @@ class RegionsPanel(Panel):
             self._put_in_order()
 
     def _show_columns(self) -> None:
-        matched = alike_in_level(self._snapshots, matched=self._matched)
+        matched = have_matching_level(self._snapshots, matched=self._matched)
         stored = columns_of(self._snapshots, matched=matched)
         told = matched and any(one.has_levels for one in stored)
         self._shifted = (matched_text(self._snapshots) or LEVELS_MATCHED) if told else ""

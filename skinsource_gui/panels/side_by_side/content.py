@@ -17,19 +17,19 @@ from skinsource.design.comparing import (
     Snapshot,
     difference_db,
     end_db,
-    limbs_beside,
     mean_and_spread_over,
-    nothing_to_compare,
+    related_limbs,
     same_outputs,
     shown,
+    why_no_comparison,
 )
 from skinsource.design.design import Design
 from skinsource.design.labels import (
     AXES,
     limb_word,
     short_limb_title,
-    signal_words,
-    span_words,
+    signal_label,
+    span_label,
     word_of,
 )
 from skinsource.design.view import View
@@ -60,11 +60,11 @@ from skinsource_gui.state.compared import (
     LEVELS_MATCHED,
     SILENCE,
     Compared,
-    alike_in_level,
+    display_gain_text,
     gain_db,
+    have_matching_level,
     is_silent,
     matched_text,
-    shown_words,
 )
 from skinsource_gui.state.compared import SILENT as COMPARED_SILENT
 
@@ -142,7 +142,7 @@ class Cell:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Content:
+class SideBySideContent:
     """All of them.
 
     Attributes
@@ -457,7 +457,7 @@ class SideBySideSettings:
         Whether the levels of each are drawn relative to its own loudest output.
     limbs
         Names of the chosen limbs with spaces between; empty: those that belong beside the one of
-        the design, see `skinsource.design.comparing.limbs_beside`.
+        the design, see `skinsource.design.comparing.related_limbs`.
     """
 
     of: str = fields.choice("limbs", OF)
@@ -471,7 +471,7 @@ class SideBySideSettings:
     def chosen(self, limb: str) -> tuple[str, ...]:
         """Names of the limbs that are shown beside each other while a design is on ``limb``."""
         if not self.limbs.strip():
-            return limbs_beside(limb)
+            return related_limbs(limb)
         return tuple(dict.fromkeys(self.limbs.split()))[:MOST_BESIDE]
 
 
@@ -537,10 +537,12 @@ class Kind:
 
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
         """What the levels are."""
-        words = f"RMS of {signal_words(view.axes, view.method)} · {span_words(view.span)}"
+        words = f"RMS of {signal_label(view.axes, view.method)} · {span_label(view.span)}"
         without = "without inputs that cannot be played"
         left_out = without if any(one.left_out for one in compared) else ""
-        return " · ".join(part for part in (words, shown_words(design, view), left_out) if part)
+        return " · ".join(
+            part for part in (words, display_gain_text(design, view), left_out) if part
+        )
 
     def shown(self, settings: SideBySideSettings) -> str:
         """What is shown of the sides: the levels where there is no choice."""
@@ -556,7 +558,7 @@ class Kind:
     ) -> tuple[Cell, ...]:
         """The maps of the sides, made by ``cells``; scales say by how much levels are matched."""
         found = self._cells(cells, compared, design, view, settings)
-        matched = matched_text(compared) or shown_words(design, view)
+        matched = matched_text(compared) or display_gain_text(design, view)
         return tuple(
             one if one.scale is None else replace(one, scale=with_matched(one.scale, matched))
             for one in found
@@ -619,8 +621,8 @@ class OfAxes(Kind):
         return [(f"Along {one.axes}", one.axes) for one in compared]
 
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
-        words = f"RMS along each axis of the sensors · {span_words(view.span)}"
-        return " · ".join(part for part in (words, shown_words(design, view)) if part)
+        words = f"RMS along each axis of the sensors · {span_label(view.span)}"
+        return " · ".join(part for part in (words, display_gain_text(design, view)) if part)
 
 
 # The present design on several limbs.
@@ -679,13 +681,13 @@ class OfSnapshots(Kind):
 
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
         if len(compared) < 2:
-            return nothing_to_compare(view.snapshots)
+            return why_no_comparison(view.snapshots)
         return super().hindrance(compared, view)
 
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
         # Each has its own gain.
         words = super().about(compared, None, view)
-        matched = alike_in_level(compared, matched=view.levels_matched)
+        matched = have_matching_level(compared, matched=view.levels_matched)
         return f"{words} · {LEVELS_MATCHED}" if matched else words
 
 
@@ -731,7 +733,7 @@ def _own_parts(titles: Sequence[str]) -> dict[str, str]:
 # The numbers of maps side by side, for a spreadsheet.
 
 
-def tab_separated(content: Content) -> str:
+def tab_separated(content: SideBySideContent) -> str:
     """A row for each output, a column for each map; empty where there is no level."""
     cells = [cell for cell in content.cells if cell.values_db is not None]
     titles = [f"{cell.heading} ({_unit(cell)})" for cell in cells]

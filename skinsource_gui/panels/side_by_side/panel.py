@@ -24,16 +24,16 @@ from skinsource_gui.panels.side_by_side.content import (
     SHOWN,
     Cell,
     Cells,
-    Content,
     Kind,
     OfAxes,
     OfLimbs,
     OfSnapshots,
+    SideBySideContent,
     SideBySideSettings,
     tab_separated,
 )
 from skinsource_gui.panels.side_by_side.view import MapsView, paint_page
-from skinsource_gui.plots.figure import WordsLabel
+from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.asking import CopyButton
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.room import FoldingRow, HeightInSight, fonts_of
@@ -240,7 +240,7 @@ class SideBySidePanel(Panel):
         self.maps.outputs_chosen.connect(self._choose_outputs)
         self.maps.pointed_at.connect(self._read)
         self._lateness.changed.connect(self.maps.show_outdated)
-        self.words = WordsLabel("side_by_side_words", self)
+        self.words = NoteLabel("side_by_side_words", self)
         self.copy = CopyButton(self.name, lambda: tab_separated(self.maps.content), self)
         foot = QHBoxLayout()
         foot.setContentsMargins(UNIT_PX, 1, UNIT_PX // 2, 1)
@@ -339,7 +339,7 @@ class SideBySidePanel(Panel):
         cells: tuple[Cell, ...] = ()
         if compared and design is not None and not message:
             cells = kind.drawn(self._cells, compared, design, view, self.bar.settings)
-        content = Content(
+        content = SideBySideContent(
             cells=cells,
             outputs=view.outputs,
             message=message,

@@ -20,7 +20,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from skinsource.base.arrays import Floats
-from skinsource_gui.panels.side_by_side.content import Cell, Content
+from skinsource_gui.panels.side_by_side.content import Cell, SideBySideContent
 from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.plots.figure import shrunk
 from skinsource_gui.plots.outputs import OutputPicker
@@ -165,7 +165,7 @@ _BEFORE_NUMBER = re.compile(r" (?=\d)")
 _FILLED = 0.9
 
 
-def places_for(room: QRectF, content: Content, font: QFont) -> Places:
+def places_for(room: QRectF, content: SideBySideContent, font: QFont) -> Places:
     """Lay out the maps of ``content``, whose words are written in ``font``."""
     line, n = QFontMetricsF(font).height(), len(content.cells)
     common = content.common_scale is not None
@@ -224,10 +224,10 @@ def _kept(words: str) -> str:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class SeenMaps:
+class VisibleMaps:
     """What is shown, and where that is."""
 
-    content: Content
+    content: SideBySideContent
     places: Places
 
     def points_of(self, index: int) -> Floats:
@@ -254,7 +254,7 @@ _PALE, _BAND_ALPHA = 0.5, 0.15
 
 def paint_view(
     painter: QPainter,
-    seen: SeenMaps,
+    seen: VisibleMaps,
     theme: Theme,
     pointed_at: int | None,
     *,
@@ -293,7 +293,7 @@ def paint_view(
 
 def paint_content(
     painter: QPainter,
-    content: Content,
+    content: SideBySideContent,
     places: Places,
     theme: Theme,
     pointed_at: int | None = None,
@@ -319,7 +319,7 @@ def paint_content(
         paint_scale_row(painter, places.scale, common, theme)
 
 
-def paint_page(painter: QPainter, content: Content, room: QRectF, theme: Theme) -> None:
+def paint_page(painter: QPainter, content: SideBySideContent, room: QRectF, theme: Theme) -> None:
     """Draw ``content`` into ``room``, with a line that says of what it is."""
     painter.setPen(QColor(theme.text))
     line = painter.fontMetrics().height()
@@ -337,7 +337,7 @@ def _paint_cell(
     painter: QPainter,
     cell: Cell,
     place: CellPlace,
-    content: Content,
+    content: SideBySideContent,
     theme: Theme,
     pointed_at: int | None,
 ) -> None:
@@ -401,7 +401,7 @@ class MapsView(QWidget):
         self._outdated = False
         # Of which map the mouse was last.
         self._at = 0
-        self.content = Content()
+        self.content = SideBySideContent()
         self.picker = OutputPicker(self)
         self.picker.chosen.connect(self.outputs_chosen)
         self.picker.moved.connect(self._tell)
@@ -419,15 +419,15 @@ class MapsView(QWidget):
         return self.picker.pointed_at(focused=self.hasFocus())
 
     @property
-    def seen(self) -> SeenMaps:
+    def seen(self) -> VisibleMaps:
         """What is shown, and where."""
         places = places_for(QRectF(self.rect()), self.content, tabular(self.font()))
-        return SeenMaps(content=self.content, places=places)
+        return VisibleMaps(content=self.content, places=places)
 
     def minimumSizeHint(self) -> QSize:
         return QSize(200, ceil(least_height(self.fontMetrics().height())))
 
-    def show_content(self, content: Content) -> None:
+    def show_content(self, content: SideBySideContent) -> None:
         """Draw ``content``."""
         self.content, self.picker.selected = content, content.outputs
         self.setAccessibleName(content.message or content.about or "Maps side by side")

@@ -12,7 +12,7 @@ from PySide6.QtGui import QGuiApplication, QImage, QPainter
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Progress, Stop, never, silent
 from skinsource.base.published import N_OUTPUTS
-from skinsource.base.published import words as axis_words
+from skinsource.base.published import axes_text as axis_words
 from skinsource.design.design import Design, audible_inputs
 from skinsource.design.labels import limb_word
 from skinsource.design.panel_settings import settings_of, with_settings
@@ -25,7 +25,7 @@ from skinsource.limbs.own_limbs import facts_of
 from skinsource.perception.validity import Findings, Judged, in_short
 from skinsource.specs import fields
 from skinsource.specs.spec import ChoiceSpec
-from skinsource_gui.panels.skin.layout import ALL, HAND, SeenPart
+from skinsource_gui.panels.skin.layout import ALL, HAND, VisiblePart
 from skinsource_gui.panels.skin.painting import MapContent
 from skinsource_gui.panels.skin.picture import Heading, heading_of, paint_picture
 from skinsource_gui.panels.skin.settings import (
@@ -37,7 +37,7 @@ from skinsource_gui.panels.skin.settings import (
     SkinSettings,
     Z,
 )
-from skinsource_gui.panels.skin.time import NEEDS, PACES, Frames, pace_of
+from skinsource_gui.panels.skin.time import NEEDS, PACES, Frames, slow_down_factor
 from skinsource_gui.plots.colour_maps import DIVERGING
 from skinsource_gui.plots.pictures import PER_INCH, PictureOptions, Remark, caption_of, with_caption
 from skinsource_gui.plots.small_map import field_image
@@ -87,7 +87,7 @@ def film_of(view: View, settings: SkinSettings, end_s: float, per_s: int, limb: 
     """
     first_s, last_s = view.time_range_s or (0.0, end_s)
     first_s, last_s = min(max(first_s, 0.0), end_s), min(max(last_s, 0.0), end_s)
-    pace = pace_of(view, settings, per_s, limb)
+    pace = slow_down_factor(view, settings, per_s, limb)
     # The last instant belongs to it, however its seconds are rounded.
     count = int((last_s - first_s) * per_s * pace + 1e-6) + 1
     if count > MOST_FRAMES:
@@ -178,9 +178,9 @@ class FilmOptions(PictureOptions):
         """Of a film of this kind."""
         return frames_per_s(Path(f"film{self.kind}"))
 
-    def part_of(self, seen: SeenPart) -> SeenPart:
+    def part_of(self, seen: VisiblePart) -> VisiblePart:
         """Which part of the map is filmed, where ``seen`` is in sight."""
-        return seen if self.part == SEEN else SeenPart(fit=self.part)
+        return seen if self.part == SEEN else VisiblePart(fit=self.part)
 
     def view_of(self, view: View) -> View:
         """The view that shows what is filmed."""
@@ -204,7 +204,7 @@ def film_options(design: Design, view: View, sizes: PictureOptions) -> FilmOptio
     if settings.quantity in STILL:
         settings = replace(settings, quantity=Z if Z in limb.axes else MAGNITUDE)
     last = sizes if isinstance(sizes, FilmOptions) else FilmOptions()
-    pace = pace_of(view, settings, last.frames_per_s, limb)
+    pace = slow_down_factor(view, settings, last.frames_per_s, limb)
     return replace(
         last,
         layout=sizes.layout,
@@ -273,7 +273,7 @@ def film_remark(design: Design, view: View, options: FilmOptions) -> Remark:
 def _pace(design: Design, view: View, options: FilmOptions) -> float:
     shown = options.view_of(view)
     settings = settings_of(shown, SKIN, SkinSettings)
-    return pace_of(shown, settings, options.frames_per_s, facts_of(design.limb))
+    return slow_down_factor(shown, settings, options.frames_per_s, facts_of(design.limb))
 
 
 def _moves_s(design: Design) -> tuple[float, float]:
@@ -334,7 +334,7 @@ def export_animation(
     view: View,
     *,
     options: FilmOptions | None = None,
-    seen: SeenPart = ALL,
+    seen: VisiblePart = ALL,
     progress: Progress = silent,
     stop: Stop = never,
     largest_error: float = np.inf,
@@ -382,7 +382,7 @@ class _Camera:
         exported: ExportedDesign,
         settings: SkinSettings,
         options: PictureOptions | None = None,
-        seen: SeenPart = ALL,
+        seen: VisiblePart = ALL,
     ) -> None:
         self._seen = seen
         self._exported, self._settings = exported, settings

@@ -258,7 +258,7 @@ def _box(points: Floats) -> QRectF:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class SeenPart:
+class VisiblePart:
     """A fit, or a part that somebody has zoomed to.
 
     Attributes
@@ -289,13 +289,13 @@ class SeenPart:
 
 
 #: All of it.
-ALL = SeenPart()
+ALL = VisiblePart()
 
 
-def seen_part(pan_zoom: PanZoom, room: QRectF) -> SeenPart:
+def visible_part(pan_zoom: PanZoom, room: QRectF) -> VisiblePart:
     """What part of the map is seen in ``room``."""
     frame = pan_zoom.frame
     if frame is None or pan_zoom.fit != FREE:
-        return SeenPart(fit=pan_zoom.fit)
+        return VisiblePart(fit=pan_zoom.fit)
     size = room.width() / frame.scale, room.height() / frame.scale
-    return SeenPart(fit=FREE, middle=frame.to_drawing(room.center()), size=size)
+    return VisiblePart(fit=FREE, middle=frame.to_drawing(room.center()), size=size)

@@ -22,17 +22,17 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 from skinsource.base.work import counted
 from skinsource.design.labels import BACK_SIDE, TRIAD_SENTENCE
 from skinsource.limbs.limb import LimbMap
-from skinsource.limbs.locations import input_words
+from skinsource.limbs.locations import input_name
 from skinsource_gui.fields.units import level_text, output_text
 from skinsource_gui.panels.skin.layout import (
     HAND,
     MapLayout,
-    SeenPart,
+    VisiblePart,
     fitted_beside_cards,
     hand_bounds,
     map_layout,
     outline_bounds,
-    seen_part,
+    visible_part,
 )
 from skinsource_gui.panels.skin.painting import (
     InputMark,
@@ -80,7 +80,7 @@ def input_at(content: MapContent, layout: MapLayout | None, at: QPointF) -> int 
     return found[0].id if found else None
 
 
-def input_meant(
+def clicked_input(
     content: MapContent, layout: MapLayout | None, at: QPointF, last: str
 ) -> int | None:
     """Id of the input that a click means; None: the output there, or nothing.
@@ -101,12 +101,12 @@ def input_meant(
     return here[turn % len(here)] if here else None
 
 
-def inputs_words(content: MapContent, layout: MapLayout | None, at: QPointF) -> str:
+def inputs_text(content: MapContent, layout: MapLayout | None, at: QPointF) -> str:
     """The inputs at a place of the screen, a line for each, and how to come to those below."""
     found = _inputs_at(content, layout, at)
     numbers = {one.id: number for number, one in enumerate(content.inputs, 1)}
     lines = [
-        f"Input {numbers[one.id]}: {one.location} · {input_words(one.location, content.limb).name}"
+        f"Input {numbers[one.id]}: {one.location} · {input_name(one.location, content.limb).name}"
         for one in found[:_NAMED]
     ]
     lines += ["…"] * (len(found) > _NAMED)
@@ -149,7 +149,7 @@ def pixel_readout(content: MapContent, layout: MapLayout, at: QPointF) -> str:
     return "" if level is None else _value_text(level, content)
 
 
-def hover_words(content: MapContent, layout: MapLayout | None, at: QPointF) -> str:
+def map_tooltip(content: MapContent, layout: MapLayout | None, at: QPointF) -> str:
     """What a tooltip says at a screen place: of the axes, of an output, of inputs, or nothing."""
     if layout is None:
         return ""
@@ -157,7 +157,7 @@ def hover_words(content: MapContent, layout: MapLayout | None, at: QPointF) -> s
         return tooltip(TRIAD_SENTENCE)
     number = output_at(layout.points, at)
     lines = [] if number is None else [output_readout(content, number)]
-    return "\n".join(filter(None, [*lines, inputs_words(content, layout, at)]))
+    return "\n".join(filter(None, [*lines, inputs_text(content, layout, at)]))
 
 
 def selection_readout(outputs: tuple[int, ...]) -> str:
@@ -183,7 +183,7 @@ _STEPS = 24
 _MOST_LINES = 4
 
 
-def paint_words(
+def paint_map_texts(
     painter: QPainter,
     content: MapContent,
     layout: MapLayout | None,
@@ -359,9 +359,9 @@ class MapStage(QObject):
         return letters_for(self._widget.font(), self._room)
 
     @property
-    def seen(self) -> SeenPart:
+    def seen(self) -> VisiblePart:
         """What part of the map is in sight."""
-        return seen_part(self.pan_zoom, self._room)
+        return visible_part(self.pan_zoom, self._room)
 
     def place_of(self, number: int) -> QPointF:
         """Where an output is drawn; nowhere before there is a limb."""
@@ -507,14 +507,16 @@ class SkinMap(QWidget):
                 paint_band(painter, mouse.band, current_theme())
         painter.setFont(self.stage.letters)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        paint_words(painter, self.content, self.stage.layout, QRectF(self.rect()), current_theme())
+        paint_map_texts(
+            painter, self.content, self.stage.layout, QRectF(self.rect()), current_theme()
+        )
         if self.hasFocus():
             paint_focus_frame(painter, QRectF(self.rect()), current_theme())
         painter.end()
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            words = hover_words(self.content, self.stage.layout, QPointF(event.pos()))
+            words = map_tooltip(self.content, self.stage.layout, QPointF(event.pos()))
             QToolTip.showText(event.globalPos(), words, self)
             return True
         return claims_shortcut(event, self._claims) or super().event(event)
@@ -543,7 +545,9 @@ class SkinMap(QWidget):
             points, mouse = self.stage.layout.points, self.picker.mouse
             on_output = output_at(points, event.position()) is not None
             adds = bool(event.modifiers() & ADDS) and on_output
-            meant_input = input_meant(self.content, self.stage.layout, event.position(), self._last)
+            meant_input = clicked_input(
+                self.content, self.stage.layout, event.position(), self._last
+            )
             if meant_input is not None and mouse.band is None and not adds:
                 self._choose_inputs((meant_input,))
                 mouse.give_up()

@@ -33,7 +33,7 @@ from skinsource_gui.plots.small_map import (
     paint_dark_strokes,
     paint_strokes,
 )
-from skinsource_gui.qt.frames import KeptPicture, PaintedAnew
+from skinsource_gui.qt.frames import CachedPicture, PaintedAnew
 from skinsource_gui.qt.overlays import COVERED
 from skinsource_gui.qt.theme import Theme
 
@@ -517,7 +517,7 @@ class MapPainter:
     def __init__(
         self,
         limb_map: LimbMap,
-        kept: type[KeptPicture | PaintedAnew] = KeptPicture,
+        kept: type[CachedPicture | PaintedAnew] = CachedPicture,
     ) -> None:
         self._limb_map, self._outline = limb_map, QPainterPath()
         self._outline.addPolygon(QPolygonF([QPointF(x, y) for x, y in limb_map.outline]))

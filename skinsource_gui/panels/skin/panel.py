@@ -18,7 +18,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QButtonGroup, QGridLayout, QHBoxLayout, QMenu, QToolButton, QWidget
 
 from skinsource.design import edits
-from skinsource.design.comparing import match_words
+from skinsource.design.comparing import match_text
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.panel_settings import settings_of, with_settings
@@ -51,7 +51,7 @@ from skinsource_gui.plots.pictures import with_caption
 from skinsource_gui.plots.small_map import COLOURS, field_image
 from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.keys import key_text
-from skinsource_gui.qt.overlays import Lateness
+from skinsource_gui.qt.overlays import Staleness
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, current_theme, drawn_icon
 from skinsource_gui.qt.wheel import WHOLE
 from skinsource_gui.state.panel import Panel
@@ -431,7 +431,7 @@ class MapDisplay(QObject):
         Who shows it.
     """
 
-    def __init__(self, parent: QWidget, lateness: Lateness) -> None:
+    def __init__(self, parent: QWidget, lateness: Staleness) -> None:
         super().__init__(parent)
         self.content = MapContent()
         self._covered = False
@@ -537,7 +537,7 @@ class MapResults:
         """Take over what was computed for a design and view."""
         settings = self._choices.settings
         surface = results.get("surface") if "surface" in self.needs else None
-        self._matched = match_words(results["match_gain"])
+        self._matched = match_text(results["match_gain"])
         self._time.bar.strip.show_matched(self._matched)
         self._take_limb(results, surface, design)
         self._time.take(results, settings, view)

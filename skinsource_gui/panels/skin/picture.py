@@ -10,14 +10,14 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.design.design import Design
-from skinsource.design.labels import limb_word, signal_words
+from skinsource.design.labels import limb_word, signal_label
 from skinsource.design.view import View
 from skinsource.limbs.limb import LimbMap
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.perception.sensation import LIMITS, LIMITS_IN_SHORT
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
-from skinsource_gui.panels.skin.layout import ALL, MapLayout, SeenPart, map_layout
-from skinsource_gui.panels.skin.map import paint_words
+from skinsource_gui.panels.skin.layout import ALL, MapLayout, VisiblePart, map_layout
+from skinsource_gui.panels.skin.map import paint_map_texts
 from skinsource_gui.panels.skin.painting import MapContent, MapPainter, small_font
 from skinsource_gui.panels.skin.scale import paint_colour_scale
 from skinsource_gui.panels.skin.settings import LEVELS, SENSATION, MapQuantity
@@ -55,7 +55,7 @@ def heading_of(design: Design | None, view: View, quantity: MapQuantity | None =
     """What a picture of the map is called; levels, if nothing else is said."""
     quantity = quantity or MapQuantity(span=view.span)
     limb = facts_of("" if design is None else design.limb)
-    parts = [quantity.details_on(limb.axes) or signal_words(view.axes, view.method)]
+    parts = [quantity.details_on(limb.axes) or signal_label(view.axes, view.method)]
     if design is not None:
         band_hz = limb.band_hz
         if quantity.name == SENSATION and band_hz is not None:
@@ -71,7 +71,7 @@ def paint_picture(
     heading: Heading,
     theme: Theme,
     family: str,
-    seen: SeenPart = ALL,
+    seen: VisiblePart = ALL,
 ) -> None:
     """Draw the map with heading, colour bar and, where due, the synthetic mark.
 
@@ -113,7 +113,7 @@ def paint_picture(
     table = colour_table(content.colours)
     paint_colour_scale(painter, ramp, levels, levels, table, theme, content.quantity)
     painter.setFont(font)
-    paint_words(painter, content, layout, room, theme)
+    paint_map_texts(painter, content, layout, room, theme)
 
 
 def heading_font(font: QFont, text: str, area: QRectF) -> QFont:
@@ -156,7 +156,7 @@ def _paint_map(
     limb_map: LimbMap,
     room: QRectF,
     theme: Theme,
-    seen: SeenPart,
+    seen: VisiblePart,
 ) -> MapLayout:
     metrics = QFontMetricsF(painter.font())
     frame = seen.frame_in(limb_map, room, metrics)

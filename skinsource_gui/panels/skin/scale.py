@@ -43,7 +43,7 @@ from skinsource_gui.panels.skin.settings import (
     with_low,
 )
 from skinsource_gui.plots.colour_maps import VIRIDIS, colour_table
-from skinsource_gui.qt.frames import KeptPicture
+from skinsource_gui.qt.frames import CachedPicture
 from skinsource_gui.qt.keys import meaning_of
 from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, letter_scale, tabular
 
@@ -329,7 +329,7 @@ class ColourStrip(QWidget):
         self._marks: tuple[tuple[float, int], ...] = ()
         self._quantity = MapQuantity()
         self._grip_y: float | None = None
-        self._scale = KeptPicture()
+        self._scale = CachedPicture()
         self.setObjectName("colour_strip")
         self.setAccessibleName("Range of the colours")
         self.setToolTip("Drag to move the range, double-click for the automatic one")

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from skinsource.base.decibels import FLOOR_DB
 from skinsource.design.design import Design
 from skinsource.design.edits.edit import Edit
-from skinsource.design.labels import AXES, level_words, signal_words, span_words, word_of
+from skinsource.design.labels import AXES, level_label, signal_label, span_label, word_of
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
 from skinsource.signals.map_range import MAP_HIGHEST_DB, SILENT_MAP_RANGE_DB
@@ -72,7 +72,7 @@ class MapQuantity:
     @property
     def _plain_titles(self) -> tuple[str, ...]:
         if self.name == LEVELS:
-            return f"{_DB}, {level_words(self.span)}", f"{_DB}, {span_words(self.span)}", _DB
+            return f"{_DB}, {level_label(self.span)}", f"{_DB}, {span_label(self.span)}", _DB
         if self.name == SENSATION:
             said = "above the threshold of detection"
             return f"dB {said}, loudest 100 ms", f"dB {said}", "dB above threshold", "dB"
@@ -87,7 +87,7 @@ class MapQuantity:
     def heading(self) -> str:
         """What a picture of it is called."""
         if self.name == LEVELS:
-            return f"Skin acceleration, {level_words(self.span)}"
+            return f"Skin acceleration, {level_label(self.span)}"
         if self.name == SENSATION:
             return "Level above the threshold of detection, loudest 100 ms"
         what = {
@@ -101,7 +101,7 @@ class MapQuantity:
         """What was made of the axes of a limb."""
         if self.name in (Z, SENSATION):
             return "z" if self.name == Z else f"{word_of(AXES, axes).title} together"
-        return signal_words(axes, "mag") if self.name == MAGNITUDE else self.signal
+        return signal_label(axes, "mag") if self.name == MAGNITUDE else self.signal
 
     def text(self, value: float) -> str:
         """A value in words."""

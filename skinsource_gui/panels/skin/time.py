@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
-from skinsource.design.labels import signal_words
+from skinsource.design.labels import signal_label
 from skinsource.design.view import View
 from skinsource.engine.time_rules import Moving, SlidingEnergy, block_of
 from skinsource.limbs.limb import LimbFacts
@@ -45,7 +45,7 @@ from skinsource_gui.panels.skin.settings import (
     time_text,
 )
 from skinsource_gui.plots.colour_maps import DIVERGING, colour_table
-from skinsource_gui.qt.frames import KeptPicture
+from skinsource_gui.qt.frames import CachedPicture
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, play_icon, tabular
 from skinsource_gui.qt.tooltips import tooltip
@@ -139,7 +139,7 @@ class Frames:
         quantity = MapQuantity(
             name=self._name,
             span=view.span,
-            signal=signal_words(view.axes, view.method),
+            signal=signal_label(view.axes, view.method),
             window_s=settings.rms_window_s,
             time_s=view.playhead_s,
         )
@@ -185,7 +185,7 @@ def _round_up(value: float) -> float:
 PACES = (1, 2, 5, 10, 20, 50, 100, 200)
 
 
-def pace_of(view: View, settings: SkinSettings, per_s: int, limb: LimbFacts) -> float:
+def slow_down_factor(view: View, settings: SkinSettings, per_s: int, limb: LimbFacts) -> float:
     """How many times slower it is shown: as the view says, or as slowly as it can be followed.
 
     Fewer than two instants in a period of the fastest motion would show waves that there are not:
@@ -367,7 +367,7 @@ class SignedStrip(QWidget):
         super().__init__(parent)
         self._range: LevelRange = (-1.0, 1.0)
         self._matched = ""
-        self._kept = KeptPicture()
+        self._kept = CachedPicture()
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setMinimumHeight(70)
 

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QWidget
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
 from skinsource.base.published import Band
-from skinsource.design.comparing import match_words
+from skinsource.design.comparing import match_text
 from skinsource.design.design import Design
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
@@ -150,7 +150,7 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
         about=lines_later(results, *first, each_axis=each_axis),
         heading=heading_of(results, each_axis=each_axis),
         peaks=peaks,
-        matched=match_words(results["match_gain"]),
+        matched=match_text(results["match_gain"]),
     )
 
 

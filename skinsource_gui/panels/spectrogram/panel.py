@@ -11,9 +11,9 @@ from PySide6.QtWidgets import QComboBox, QLabel, QSizePolicy, QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource.base.decibels import decibels
-from skinsource.design.comparing import match_words
+from skinsource.design.comparing import match_text
 from skinsource.design.design import Design
-from skinsource.design.labels import signal_words
+from skinsource.design.labels import signal_label
 from skinsource.design.panel_settings import (
     CEILING,
     FLOOR,
@@ -23,7 +23,7 @@ from skinsource.design.panel_settings import (
     with_settings,
 )
 from skinsource.design.view import View
-from skinsource.limbs.locations import output_words
+from skinsource.limbs.locations import output_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.analysis.spectrogram import Spectrogram
 from skinsource.specs.spec import ChoiceSpec
@@ -33,7 +33,7 @@ from skinsource_gui.fields.units import axis_unit, minus, output_text
 from skinsource_gui.panels.figure_panel import SILENT, FigurePanel
 from skinsource_gui.plots.colour_maps import colour_indices, colour_table
 from skinsource_gui.plots.figure import Axes, Axis, Figure, fitted_axes
-from skinsource_gui.plots.ranges import HeldRange, Range
+from skinsource_gui.plots.ranges import Range, SteadyRange
 from skinsource_gui.qt.room import BesideOrBelow, LetterWidth
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 
@@ -46,7 +46,7 @@ _FLAGS = Qt.AlignmentFlag.AlignVCenter
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Shown:
+class SpectrogramContent:
     """What the picture shows.
 
     Attributes
@@ -72,11 +72,11 @@ class SpectrogramPicture(Figure):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("spectrogram_picture", "Spectrogram", parent)
-        self.shown: Shown | None = None
+        self.shown: SpectrogramContent | None = None
         self.axes: Axes | None = None
         self.range_db: Range = (-SPAN_DB, 0.0)
         self._playhead_s: float | None = None
-        self._held = HeldRange()
+        self._held = SteadyRange()
         self._table = colour_table()
         self._pixels: np.ndarray | None = None
         self._image = QImage()
@@ -85,7 +85,7 @@ class SpectrogramPicture(Figure):
         """Decide the range of the next picture without a look at the one before."""
         self._held.let_go()
 
-    def show_spectrogram(self, shown: Shown) -> None:
+    def show_spectrogram(self, shown: SpectrogramContent) -> None:
         """Take over what to show."""
         self.shown = shown
         rows = _rows_within(shown)
@@ -111,7 +111,7 @@ class SpectrogramPicture(Figure):
         if shown is None:
             return
         metrics = QFontMetricsF(painter.font())
-        said = scale_words(-100.0, top=True, matched=shown.matched)
+        said = scale_text(-100.0, top=True, matched=shown.matched)
         widest = max(map(metrics.horizontalAdvance, said))
         scale_px = widest + _SCALE_PX + 2 * UNIT_PX
         inner = room.adjusted(0, 0, -scale_px, 0)
@@ -140,7 +140,7 @@ class SpectrogramPicture(Figure):
     def keys_area(self) -> QRectF:
         return QRectF() if self.axes is None or self.message else self.axes.frame
 
-    def _image_place(self, axes: Axes, shown: Shown) -> QRectF:
+    def _image_place(self, axes: Axes, shown: SpectrogramContent) -> QRectF:
         """Columns and rows stand for the middles of their cells."""
         time_s, frequency_hz = shown.found.time_s, _rows_frequency(shown)
         x, y = _edges(time_s + shown.first_s), _edges(frequency_hz)
@@ -184,19 +184,19 @@ class SpectrogramPicture(Figure):
             place = QRectF(ramp.right() + 4, y - line / 2, room.right() - ramp.right() - 4, line)
             told = matched or ramp.height() > _ROOM_LINES * line
             top = bool(told) and part == 1.0
-            for words in scale_words(low + part * (high - low), top=top, matched=matched):
+            for words in scale_text(low + part * (high - low), top=top, matched=matched):
                 painter.drawText(place, _FLAGS, words)
                 place.translate(0.0, line)
 
 
-def scale_words(level_db: float, *, top: bool, matched: str = "") -> tuple[str, ...]:
+def scale_text(level_db: float, *, top: bool, matched: str = "") -> tuple[str, ...]:
     """A level beside the scale; at its ``top``, and below it, what levels are relative to."""
     words = minus(f"{level_db:.0f} dB")
     below = matched.rsplit(" ", 1) if matched else ()
     return (words, _REFERENCE, *below) if top else (words,)
 
 
-def _rows_within(shown: Shown) -> slice:
+def _rows_within(shown: SpectrogramContent) -> slice:
     frequency_hz, (low, high) = shown.found.frequency_hz, shown.band_hz
     first = int(np.searchsorted(frequency_hz, low, "left"))
     end = int(np.searchsorted(frequency_hz, high, "right"))
@@ -204,7 +204,7 @@ def _rows_within(shown: Shown) -> slice:
     return slice(max(first - 1, 0), min(max(end, first + 1) + 1, frequency_hz.size))
 
 
-def _rows_frequency(shown: Shown) -> Floats:
+def _rows_frequency(shown: SpectrogramContent) -> Floats:
     return shown.found.frequency_hz[_rows_within(shown)]
 
 
@@ -213,7 +213,7 @@ def _edges(middles: Floats) -> Range:
     return float(middles[0]) - half, float(middles[-1]) + half
 
 
-def _time_axis(shown: Shown) -> Axis:
+def _time_axis(shown: SpectrogramContent) -> Axis:
     time_s = shown.found.time_s + shown.first_s
     first, last = float(time_s[0]), float(time_s[-1])
     last = last if last > first else first + 1e-3
@@ -221,7 +221,7 @@ def _time_axis(shown: Shown) -> Axis:
     return Axis(shown=(first, last), title=f"Time ({unit})", factor=factor)
 
 
-def _frequency_axis(shown: Shown) -> Axis:
+def _frequency_axis(shown: SpectrogramContent) -> Axis:
     return Axis(shown=shown.band_hz, title="Frequency (Hz)")
 
 
@@ -315,7 +315,7 @@ class SpectrogramPanel(FigurePanel):
     def _show_choices(self, limb: str) -> None:
         settings, outputs = self._settings, self._view.outputs
         known = [self.output.itemText(k) for k in range(self.output.count())]
-        wanted = [f"{number} {output_words(number, limb).short_name}" for number in outputs]
+        wanted = [f"{number} {output_name(number, limb).short_name}" for number in outputs]
         if known != wanted:
             self.output.clear()
             for number, words in zip(outputs, wanted, strict=True):
@@ -331,14 +331,14 @@ class SpectrogramPanel(FigurePanel):
         found = results["output_spectrogram"]
         band = _band(self._settings, results["sample_rate_hz"] / 2.0)
         first_s = float(results["response_time_s"][0])
-        matched = match_words(results["match_gain"])
+        matched = match_text(results["match_gain"])
         self.picture.show_spectrogram(
-            Shown(found=found, first_s=first_s, band_hz=band, matched=matched)
+            SpectrogramContent(found=found, first_s=first_s, band_hz=band, matched=matched)
         )
         number = results["spectrogram_output"]
         limb = results["limb_data"]
         words = [output_text(number, limb.name)]
-        words.append(signal_words(results["axes"], results["method"]))
+        words.append(signal_label(results["axes"], results["method"]))
         if results["method"] == "mag" and len(results["axes"]) > 1:
             words.append("of a magnitude: rectified, doubled frequencies")
         if limb.synthetic:

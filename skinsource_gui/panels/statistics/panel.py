@@ -27,19 +27,19 @@ from PySide6.QtWidgets import (
 )
 
 from skinsource.base.arrays import Floats
-from skinsource.design.comparing import match_words
+from skinsource.design.comparing import match_text
 from skinsource.design.design import Design
-from skinsource.design.labels import signal_words, span_words
+from skinsource.design.labels import signal_label, span_label
 from skinsource.design.view import View
-from skinsource.limbs.locations import output_words
+from skinsource.limbs.locations import output_name
 from skinsource.signals.analysis.noise import LEAST_ABOVE_NOISE_DB
 from skinsource.signals.analysis.statistics import BEGUN_SHARE, Statistics
 from skinsource_gui.panels.figure_panel import COMPUTING
-from skinsource_gui.plots.figure import WordsLabel
+from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.asking import CopyButton, copied
 from skinsource_gui.qt.keys import claims_shortcut
 from skinsource_gui.qt.labels import SHORT_NAME, dress_table, give_names_the_rest
-from skinsource_gui.qt.labels import output_words as empty_words_output_words
+from skinsource_gui.qt.labels import how_to_select_output as empty_words_output_words
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.state.panel import Panel
 
@@ -61,7 +61,7 @@ NOISE_WORDS = f"{NOISE_MARK} less than {LEAST_ABOVE_NOISE_DB:g} dB above the noi
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Row:
+class StatisticsRow:
     """One output: its name, its figures, and whether they are mostly those of noise."""
 
     number: int
@@ -92,7 +92,7 @@ class Row:
 
 def rows_of(
     outputs: tuple[int, ...], figures: Statistics, above_noise_db: Floats | None, limb: str = ""
-) -> tuple[Row, ...]:
+) -> tuple[StatisticsRow, ...]:
     """A row for each selected output of a limb."""
     found = []
     columns = (
@@ -105,9 +105,9 @@ def rows_of(
     for rank, output in enumerate(outputs):
         above = np.inf if above_noise_db is None else above_noise_db[output - 1]
         found.append(
-            Row(
+            StatisticsRow(
                 number=output,
-                name=output_words(output, limb).short_name,
+                name=output_name(output, limb).short_name,
                 values=tuple(float(column[rank]) for column in columns),
                 noisy=bool(above < LEAST_ABOVE_NOISE_DB),
             )
@@ -115,7 +115,7 @@ def rows_of(
     return tuple(found)
 
 
-def tab_separated(rows: tuple[Row, ...]) -> str:
+def tab_separated(rows: tuple[StatisticsRow, ...]) -> str:
     """The table for a spreadsheet: a header, then numbers that read back exactly."""
     header: tuple[str, ...] = ("output", "place", "rms_m_per_s2", "peak_m_per_s2")
     header += ("crest", "dominant_hz", "delay_ms", "mostly_noise")
@@ -137,9 +137,9 @@ class TableModel(QAbstractTableModel):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.rows: tuple[Row, ...] = ()
+        self.rows: tuple[StatisticsRow, ...] = ()
 
-    def show_rows(self, rows: tuple[Row, ...]) -> None:
+    def show_rows(self, rows: tuple[StatisticsRow, ...]) -> None:
         """Take over other rows; where they are the same outputs, the selection stays."""
         same = [row.number for row in rows] == [row.number for row in self.rows]
         if not same:
@@ -232,7 +232,7 @@ class StatisticsPanel(Panel):
         self._stack = QStackedWidget()
         self._stack.addWidget(self._message)
         self._stack.addWidget(self.table)
-        self.about = WordsLabel("statistics_about")
+        self.about = NoteLabel("statistics_about")
         self.copy = CopyButton(self.name, lambda: tab_separated(self.model.rows))
         self.table.copy_wanted.connect(self.copy.click)
         self.computed = (self.table,)
@@ -268,9 +268,9 @@ class StatisticsPanel(Panel):
         rows = rows_of(outputs, *found, limb=results["limb_data"].name)
         self.model.show_rows(rows)
         parts = (
-            signal_words(results["axes"], results["method"]),
-            f"RMS: {span_words(results['span'])}",
-            match_words(results["match_gain"]),
+            signal_label(results["axes"], results["method"]),
+            f"RMS: {span_label(results['span'])}",
+            match_text(results["match_gain"]),
             NOISE_WORDS if any(row.noisy for row in rows) else "",
         )
         self.about.say(" · ".join(filter(None, parts)))

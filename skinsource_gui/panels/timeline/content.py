@@ -214,7 +214,7 @@ def top_of(curve: Curve) -> float:
     return max(_LEAST_TOP, _ROOM * max((y for _, y in curve), default=0.0))
 
 
-def gain_words(time_s: float, gain: float) -> str:
+def gain_point_text(time_s: float, gain: float) -> str:
     """A point in words: ``"120 ms · × 0.5 · −6.0 dB"``."""
     level = f"{number_text(float(decibels(np.array([gain]))[0]), 1)} dB" if gain > 0.0 else "silent"
     return f"{value_text(time_s, 's', digits=5)} · × {gain:.4g} · {level}"
@@ -358,7 +358,7 @@ def overlapping(track: Input, clip: Clip) -> tuple[int, ...]:
     )
 
 
-def clip_words(clip: Clip) -> str:
+def clip_text(clip: Clip) -> str:
     """A clip in a list: ``"Tone · 120 ms"``."""
     return f"{clip.label or clip.waveform.title} · {value_text(clip.onset_s, 's', digits=5)}"
 
@@ -370,7 +370,7 @@ RULER_PX = 26.0
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Content:
+class TimelineContent:
     """Design, view, and where both are painted; made anew at each change.
 
     Attributes
@@ -477,7 +477,7 @@ class Content:
         """
         return chosen_clips(self.design, self.view)
 
-    def with_playhead(self, view: View) -> "Content":
+    def with_playhead(self, view: View) -> "TimelineContent":
         """The same with the playhead of ``view``, of which all else is as it is here."""
         found = replace(self, view=view)
         # Nothing of what is known already depends on where the playhead is.
@@ -636,7 +636,7 @@ def part_at(rect: QRectF, at: QPointF, fades_px: tuple[float, float] = (0.0, 0.0
 # Which part of the time the lanes show.
 
 
-class SeenTime(QObject):
+class TimeZoom(QObject):
     """Zooms and pans, by asking for another view.
 
     Parameters
@@ -648,7 +648,7 @@ class SeenTime(QObject):
     #: The view to look at.
     looked = Signal(object)
 
-    def __init__(self, content: Callable[[], Content], parent: QObject) -> None:
+    def __init__(self, content: Callable[[], TimelineContent], parent: QObject) -> None:
         super().__init__(parent)
         self._content = content
         self._held_s: Range | None = None
@@ -707,7 +707,7 @@ _GESTURES = {
 }
 
 
-def hover_words(content: Content, at: QPointF) -> str:
+def timeline_tooltip(content: TimelineContent, at: QPointF) -> str:
     """Why the clip here cannot be played, what can be dragged, how many clips lie here; or ""."""
     box = content.box_at(at)
     if box is None:

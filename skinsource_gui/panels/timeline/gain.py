@@ -11,14 +11,14 @@ from skinsource.design import edits
 from skinsource.design.effects.breakpoints import Points, moved, with_point
 from skinsource_gui.fields.editor import Burst
 from skinsource_gui.panels.timeline.content import (
-    Content,
     GainStrip,
+    TimelineContent,
     curve_of,
-    gain_words,
+    gain_point_text,
     show_gain_curves,
     toggle_gain_curves,
 )
-from skinsource_gui.panels.timeline.gestures import Gesture, Held, MoveGain, Stage
+from skinsource_gui.panels.timeline.gestures import Gesture, GestureContext, Held, MoveGain
 from skinsource_gui.qt.keys import meaning_of
 from skinsource_gui.qt.theme import current_theme
 
@@ -40,11 +40,11 @@ class GainItem(pyqtgraph.GraphicsObject):
         super().__init__()
         self.setCacheMode(self.CacheMode.DeviceCoordinateCache)
         self.setZValue(0.5)
-        self._content: Content | None = None
+        self._content: TimelineContent | None = None
         self._font = QFont()
         self._rect = QRectF(0, 0, 1, 1)
 
-    def show_content(self, content: Content, rect: QRectF) -> None:
+    def show_content(self, content: TimelineContent, rect: QRectF) -> None:
         """Paint something else, in this rectangle."""
         if rect != self._rect:
             self.prepareGeometryChange()
@@ -118,7 +118,7 @@ class GainItem(pyqtgraph.GraphicsObject):
             painter.setPen(QPen(QColor(theme.text), 1.5))
             painter.setBrush(QColor(theme.accent if k == chosen else theme.base))
             painter.drawEllipse(strip.at(x, y), radius, radius)
-        words = "Gain" if chosen is None else gain_words(*strip.points[chosen][:2])
+        words = "Gain" if chosen is None else gain_point_text(*strip.points[chosen][:2])
         metrics = QFontMetricsF(self._font)
         height, top = metrics.height() + 1, room.top() + 2
         if has_hint(strip):
@@ -162,7 +162,7 @@ class GainPoints(QObject):
     #: Another point is chosen, or none.
     chose = Signal()
 
-    def __init__(self, content: Callable[[], Content], parent: QObject) -> None:
+    def __init__(self, content: Callable[[], TimelineContent], parent: QObject) -> None:
         super().__init__(parent)
         self._content = content
         self._burst = Burst(self)
@@ -179,7 +179,7 @@ class GainPoints(QObject):
                 return one
         return None
 
-    def press(self, stage: Stage, at: QPointF, held: Held) -> Gesture | None:
+    def press(self, stage: GestureContext, at: QPointF, held: Held) -> Gesture | None:
         """The left button went down; None where no curve is caught."""
         strip = self.strip_at(at)
         if strip is None:
@@ -248,7 +248,7 @@ class GainPoints(QObject):
         strip, number = self._chosen_strip()
         if strip is None:
             return ""
-        return f"Point {number + 1} of the gain curve: {gain_words(*strip.points[number][:2])}"
+        return f"Point {number + 1} of the gain curve: {gain_point_text(*strip.points[number][:2])}"
 
     def _key_of_point(self, wanted: str, key: Qt.Key, held: Held) -> bool:
         strip, number = self._chosen_strip()

@@ -17,11 +17,11 @@ from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.fields.units import value_text
 from skinsource_gui.panels.timeline.content import (
     Box,
-    Content,
     GainStrip,
     Part,
+    TimelineContent,
     curve_of,
-    gain_words,
+    gain_point_text,
 )
 from skinsource_gui.plots.time_scale import Rest, panned, rest_of
 from skinsource_gui.qt.frames import DropPlace
@@ -30,7 +30,7 @@ Held = Qt.KeyboardModifier
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Shown:
+class GesturePreview:
     """What is painted over the lanes while a gesture lasts.
 
     Attributes
@@ -49,7 +49,7 @@ class Shown:
 
 
 @dataclass(slots=True, kw_only=True)
-class Stage:
+class GestureContext:
     """What a gesture can see and do.
 
     Attributes
@@ -73,12 +73,12 @@ class Stage:
         What the last edit led to; None before there is any.
     """
 
-    content: Callable[[], Content]
+    content: Callable[[], TimelineContent]
     apply: Callable[[Edit | Refusal, int], None]
     look: Callable[[View], None]
     put_playhead: Callable[[float], None]
     elsewhere: Callable[[QPointF | None], DropPlace | None]
-    before: Content
+    before: TimelineContent
     number: int = field(default_factory=new_gesture)
     made: Design | None = None
 
@@ -108,7 +108,7 @@ class Stage:
 class Gesture(Protocol):
     """What happens between pressing a button and letting it go."""
 
-    def move(self, at: QPointF, held: Held) -> Shown:
+    def move(self, at: QPointF, held: Held) -> GesturePreview:
         """The pointer is ``at``, with these keys held."""
 
     def finish(self) -> None:
@@ -127,7 +127,7 @@ _SHORTEST_S = 0.001
 class _OneEnd:
     """An end that follows the pointer."""
 
-    def __init__(self, stage: Stage, box: Box, at: QPointF, part: Part) -> None:
+    def __init__(self, stage: GestureContext, box: Box, at: QPointF, part: Part) -> None:
         self._stage, self._clip, self._at, self._part = stage, box.clip, at, part
         self._start_s = box.clip.onset_s
         self._end_s = self._start_s + stage.before.durations_s[box.clip.id]
@@ -159,7 +159,7 @@ class MoveEnd(_OneEnd):
     Some desktops take Alt and a drag for themselves.
     """
 
-    def move(self, at: QPointF, held: Held) -> Shown:
+    def move(self, at: QPointF, held: Held) -> GesturePreview:
         start_s, end_s = self._start_s, self._end_s
         if self._part is Part.START:
             rest = self._rest(at, start_s)
@@ -173,13 +173,13 @@ class MoveEnd(_OneEnd):
         self._stage.edit(act(design, view, self._clip.id, start_s, end_s))
         length = value_text(end_s - start_s, "s", digits=5)
         words = f"Stretched to {length}" if stretches else f"{length} · Shift: stretch"
-        return Shown(guide_s=rest.guide_s, words=words)
+        return GesturePreview(guide_s=rest.guide_s, words=words)
 
 
 class FadeEnd(_OneEnd):
     """Drags an upper corner of a clip: how long it takes to fade in, or out."""
 
-    def move(self, at: QPointF, held: Held) -> Shown:
+    def move(self, at: QPointF, held: Held) -> GesturePreview:
         content = self._stage.content()
         by_s = (at.x() - self._at.x()) / content.scale.px_per_s
         in_s, out_s = fades_of(self._clip)
@@ -190,7 +190,7 @@ class FadeEnd(_OneEnd):
             changed = out_s = min(max(out_s - by_s, 0.0), length_s - in_s)
         design = self._stage.before.design
         self._stage.edit(edits.fade_clip(design, content.view, self._clip.id, in_s, out_s))
-        return Shown(words=value_text(changed, "s", digits=4))
+        return GesturePreview(words=value_text(changed, "s", digits=4))
 
 
 # A rectangle that selects.
@@ -199,13 +199,13 @@ class FadeEnd(_OneEnd):
 class Marquee:
     """Selects the clips that a rectangle touches, over all lanes; with Ctrl held adds them."""
 
-    def __init__(self, stage: Stage, at: QPointF) -> None:
+    def __init__(self, stage: GestureContext, at: QPointF) -> None:
         self._stage = stage
         scale = stage.before.scale
         # It stays at its time while the view pans.
         self._from = (scale.time(at.x()), at.y())
 
-    def move(self, at: QPointF, held: Held) -> Shown:
+    def move(self, at: QPointF, held: Held) -> GesturePreview:
         content = self._stage.content()
         down = QPointF(content.scale.x(self._from[0]), self._from[1])
         covered = QRectF(down, at).normalized()
@@ -215,7 +215,7 @@ class Marquee:
         kept = self._stage.before.view.selected_clips if held & Held.ControlModifier else ()
         chosen = (*(one for one in kept if one not in found), *found)
         self._stage.look(edits.select_clips(content.design, content.view, chosen).view)
-        return Shown(covered=covered)
+        return GesturePreview(covered=covered)
 
     def finish(self) -> None:
         """What is selected stays."""
@@ -242,7 +242,7 @@ class MoveClips:
     on the hand, they lie where they were until they are dropped there.
     """
 
-    def __init__(self, stage: Stage, box: Box, at: QPointF, sample_rate_hz: float) -> None:
+    def __init__(self, stage: GestureContext, box: Box, at: QPointF, sample_rate_hz: float) -> None:
         self._stage, self._box, self._at = stage, box, at
         self._sample_s = 1.0 / sample_rate_hz
         # Where in another panel they would go, and whether as copies.
@@ -260,14 +260,14 @@ class MoveClips:
             copies: content.neighbours_s(frozenset() if copies else ids) for copies in (False, True)
         }
 
-    def move(self, at: QPointF, held: Held) -> Shown:
+    def move(self, at: QPointF, held: Held) -> GesturePreview:
         copies = self._copies = bool(held & Held.ControlModifier)
         found = self._stage.elsewhere(at)
         if found is not None and found.location is not None:
             if self._place is None:
                 self._stage.take_back()
             self._place = found
-            return Shown()
+            return GesturePreview()
         self._place = None
         rest = self._rest(at, copies=copies, free=bool(held & Held.AltModifier))
         by_tracks = 0 if held & Held.ShiftModifier else self._lanes_to(at)
@@ -275,7 +275,7 @@ class MoveClips:
         act = edits.copy_clips if copies else edits.move_clips
         self._stage.edit(act(before.design, view, self._ids, rest.by_s, by_tracks))
         onset_s = self._edges[0] + rest.by_s
-        return Shown(guide_s=rest.guide_s, words=value_text(onset_s, "s", digits=5))
+        return GesturePreview(guide_s=rest.guide_s, words=value_text(onset_s, "s", digits=5))
 
     def finish(self) -> None:
         """What is moved stays; what is held over a place goes there."""
@@ -338,7 +338,7 @@ class MoveGain:
 
     def __init__(
         self,
-        stage: Stage,
+        stage: GestureContext,
         strip: GainStrip,
         at: QPointF,
         points: Points,
@@ -351,7 +351,7 @@ class MoveGain:
         self._points, self._chosen = points, chosen
         self.upright, self._fine = upright, fine
 
-    def move(self, at: QPointF, held: Held) -> Shown:
+    def move(self, at: QPointF, held: Held) -> GesturePreview:
         strip, scale = self._strip, self._stage.content().scale
         way = at - self._at
         by_s, by_gain = way.x() / scale.px_per_s, -way.y() * strip.top / strip.height_px
@@ -373,7 +373,7 @@ class MoveGain:
         after = moved(self._points, self._chosen, by_s, by_gain)
         self.put(after)
         x, y, _ = after[self._chosen[0]]
-        return Shown(guide_s=guide_s, words=gain_words(x, y))
+        return GesturePreview(guide_s=guide_s, words=gain_point_text(x, y))
 
     def put(self, points: Points) -> None:
         """Give the track these points."""
@@ -405,7 +405,7 @@ class MoveGain:
 
 
 def snapped_time(
-    stage: Stage, at: QPointF, without: float | None = None
+    stage: GestureContext, at: QPointF, without: float | None = None
 ) -> tuple[float, float | None]:
     """Time at a place, not before 0, and what it snapped to; never to the time ``without``."""
     content = stage.content()
@@ -422,13 +422,13 @@ def snapped_time(
 class MovePlayhead:
     """Puts the playhead under the pointer."""
 
-    def __init__(self, stage: Stage) -> None:
+    def __init__(self, stage: GestureContext) -> None:
         self._stage = stage
 
-    def move(self, at: QPointF, held: Held) -> Shown:
+    def move(self, at: QPointF, held: Held) -> GesturePreview:
         time_s, guide_s = snapped_time(self._stage, at, self._stage.before.view.playhead_s)
         self._stage.put_playhead(time_s)
-        return Shown(guide_s=guide_s, words=value_text(time_s, "s", digits=5))
+        return GesturePreview(guide_s=guide_s, words=value_text(time_s, "s", digits=5))
 
     def finish(self) -> None:
         """It stays there."""
@@ -440,15 +440,15 @@ class MovePlayhead:
 class MoveLoop:
     """Draws the loop region, or moves one of its ends: ``fixed_s`` is the other one."""
 
-    def __init__(self, stage: Stage, fixed_s: float) -> None:
+    def __init__(self, stage: GestureContext, fixed_s: float) -> None:
         self._stage, self._fixed_s = stage, fixed_s
 
-    def move(self, at: QPointF, held: Held) -> Shown:
+    def move(self, at: QPointF, held: Held) -> GesturePreview:
         time_s, guide_s = snapped_time(self._stage, at)
         ends = (min(time_s, self._fixed_s), max(time_s, self._fixed_s))
         design, view = self._stage.before.design, self._stage.content().view
         self._stage.edit(edits.set_loop(design, view, ends if ends[0] < ends[1] else None))
-        return Shown(guide_s=guide_s, words=value_text(ends[1] - ends[0], "s", digits=4))
+        return GesturePreview(guide_s=guide_s, words=value_text(ends[1] - ends[0], "s", digits=4))
 
     def finish(self) -> None:
         """It stays there."""
@@ -460,15 +460,15 @@ class MoveLoop:
 class MoveMarker:
     """Drags a marker."""
 
-    def __init__(self, stage: Stage, marker: Marker) -> None:
+    def __init__(self, stage: GestureContext, marker: Marker) -> None:
         self._stage, self._marker = stage, marker
 
-    def move(self, at: QPointF, held: Held) -> Shown:
+    def move(self, at: QPointF, held: Held) -> GesturePreview:
         time_s, guide_s = snapped_time(self._stage, at, self._marker.time_s)
         design, view = self._stage.before.design, self._stage.content().view
         index = self._stage.before.design.markers.index(self._marker)
         self._stage.edit(edits.move_marker(design, view, index, time_s))
-        return Shown(guide_s=guide_s, words=value_text(time_s, "s", digits=5))
+        return GesturePreview(guide_s=guide_s, words=value_text(time_s, "s", digits=5))
 
     def finish(self) -> None:
         """It stays there."""
@@ -480,15 +480,15 @@ class MoveMarker:
 class Pan:
     """Moves the visible part of the time with the pointer."""
 
-    def __init__(self, stage: Stage, at: QPointF) -> None:
+    def __init__(self, stage: GestureContext, at: QPointF) -> None:
         self._stage, self._at = stage, at
 
-    def move(self, at: QPointF, held: Held) -> Shown:
+    def move(self, at: QPointF, held: Held) -> GesturePreview:
         before = self._stage.before
         by_s = (self._at.x() - at.x()) / before.scale.px_per_s
         shown = panned(before.scale.shown_s, by_s, before.whole_s)
         self._stage.look(replace(self._stage.content().view, time_range_s=shown))
-        return Shown()
+        return GesturePreview()
 
     def finish(self) -> None:
         """It stays there."""
@@ -521,7 +521,7 @@ class Either:
         self._at, self._upright, self._along = at, upright, along
         self._meant: Gesture | None = None
 
-    def move(self, at: QPointF, held: Held) -> Shown:
+    def move(self, at: QPointF, held: Held) -> GesturePreview:
         if self._meant is None:
             way = at - self._at
             self._meant = self._along() if abs(way.x()) > abs(way.y()) else self._upright()

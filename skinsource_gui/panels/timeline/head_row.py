@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.design.clips import Clip
 from skinsource.design.design import AMPLITUDE, Input
-from skinsource.limbs.locations import input_words
+from skinsource.limbs.locations import input_name
 from skinsource.specs.numbers import NumberSpec
 from skinsource_gui.fields.inputs import EMPTY, clip_text, clips_text, duration_text
 from skinsource_gui.fields.number_field import NumberField
@@ -193,7 +193,7 @@ def paint_row(painter: QPainter, state: RowState, places: RowPlaces, theme: Them
     font = QFont(usual)
     font.setWeight(QFont.Weight.Medium)
     painter.setFont(font)
-    place = input_words(shown.location, state.limb)
+    place = input_name(shown.location, state.limb)
     fits = painter.fontMetrics().horizontalAdvance(place.name) <= places.name.width()
     short_name = place.short_name[0].upper() + place.short_name[1:]
     _write(painter, places.name, place.name if fits else short_name)
@@ -298,7 +298,7 @@ class InputRow(QWidget):
         self.solo.setChecked(shown.solo)
         if old is None or old.last != state.last:
             self._let_keyboard_in(state.last)
-        place = input_words(shown.location, state.limb)
+        place = input_name(shown.location, state.limb)
         self.setAccessibleName(
             f"Input at {place.number}, {place.name}: {state.title}"
             f"{', silent' if state.silent else ''}"

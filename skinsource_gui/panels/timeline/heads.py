@@ -34,7 +34,7 @@ from skinsource_gui.panels.timeline.head_row import InputRow, RowSignals, RowSta
 from skinsource_gui.qt.keys import claims_shortcut, meaning_of
 
 
-class KeptRows:
+class CachedRows:
     """Rows stay with their input when others come and go, so that an open editor survives.
 
     Parameters
@@ -286,7 +286,7 @@ class InputRows(QWidget):
         self.setAccessibleName("Inputs")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.signals = RowSignals(self)
-        self._kept = KeptRows(self, self.signals)
+        self._kept = CachedRows(self, self.signals)
         self.keys, self.mouse = ListKeys(self), ListMouse(self)
         self.keys.typing_wanted.connect(self._type_amplitude)
         self.keys.moved.connect(self._take_keys)

@@ -19,23 +19,25 @@ from skinsource_gui.panels.timeline.content import (
     CURSORS,
     Box,
     ClipLengths,
-    Content,
     Lane,
     Overlaps,
     Part,
-    SeenTime,
+    TimelineContent,
+    TimeZoom,
     after,
-    hover_words,
     overlapping,
     part_at,
     ruler_px,
     shown_gain_curves,
+    timeline_tooltip,
 )
 from skinsource_gui.panels.timeline.gain import GainItem, GainPoints
 from skinsource_gui.panels.timeline.gestures import (
     Either,
     FadeEnd,
     Gesture,
+    GestureContext,
+    GesturePreview,
     Held,
     Marquee,
     MoveClips,
@@ -45,8 +47,6 @@ from skinsource_gui.panels.timeline.gestures import (
     MoveMarker,
     MovePlayhead,
     Pan,
-    Shown,
-    Stage,
     snapped_time,
 )
 from skinsource_gui.panels.timeline.painting import LanesItem, OverItem, PlayheadItem
@@ -80,7 +80,9 @@ class LaneKeys(QObject):
     clip_wanted = Signal(int, float)
     marker_wanted = Signal(float)
 
-    def __init__(self, content: Callable[[], Content], gain: GainPoints, parent: QObject) -> None:
+    def __init__(
+        self, content: Callable[[], TimelineContent], gain: GainPoints, parent: QObject
+    ) -> None:
         super().__init__(parent)
         self._content, self._gain = content, gain
         self._burst = Burst(self)
@@ -254,7 +256,9 @@ class LaneMouse(QObject):
     clip_wanted = Signal(int, float)
     marker_wanted = Signal(float)
 
-    def __init__(self, content: Callable[[], Content], gain: GainPoints, parent: QObject) -> None:
+    def __init__(
+        self, content: Callable[[], TimelineContent], gain: GainPoints, parent: QObject
+    ) -> None:
         super().__init__(parent)
         self._content, self._gain = content, gain
         self.elsewhere: Callable[[QPointF | None], DropPlace | None] = lambda at: None
@@ -310,7 +314,7 @@ class LaneMouse(QObject):
         gesture, click, self._gesture, self._click = self._gesture, self._click, None, None
         if gesture is not None:
             gesture.finish()
-            self.shown.emit(Shown())
+            self.shown.emit(GesturePreview())
         if click is not None:
             click()
 
@@ -320,7 +324,7 @@ class LaneMouse(QObject):
         if gesture is None:
             return False
         gesture.cancel()
-        self.shown.emit(Shown())
+        self.shown.emit(GesturePreview())
         return True
 
     def double_click(self, at: QPointF) -> None:
@@ -363,8 +367,8 @@ class LaneMouse(QObject):
             return Qt.CursorShape.ClosedHandCursor
         return CURSORS[part]
 
-    def _stage(self) -> Stage:
-        return Stage(
+    def _stage(self) -> GestureContext:
+        return GestureContext(
             content=self._content,
             apply=self.edited.emit,
             look=self.looked.emit,
@@ -414,7 +418,7 @@ class LaneMouse(QObject):
         content = self._content()
         self.looked.emit(edits.select_clips(content.design, content.view, (clip,)).view)
 
-    def _on_ruler(self, stage: Stage, at: QPointF, held: Held) -> Gesture:
+    def _on_ruler(self, stage: GestureContext, at: QPointF, held: Held) -> Gesture:
         content = stage.before
         marker, fixed_s = marker_at(content, at), _loop_end_at(content, at)
         if held & Held.ShiftModifier:
@@ -427,7 +431,7 @@ class LaneMouse(QObject):
         gesture.move(at, held)
         return gesture
 
-    def _on_ground(self, stage: Stage, at: QPointF) -> Callable[[], None]:
+    def _on_ground(self, stage: GestureContext, at: QPointF) -> Callable[[], None]:
         def click() -> None:
             content = self._content()
             lane = content.lane_at(at.y())
@@ -439,7 +443,7 @@ class LaneMouse(QObject):
         return click
 
 
-def marker_at(content: Content, at: QPointF) -> Marker | None:
+def marker_at(content: TimelineContent, at: QPointF) -> Marker | None:
     """The marker whose flag is at this place."""
     near = (
         (abs(content.scale.x(one.time_s) - at.x()), index)
@@ -451,7 +455,7 @@ def marker_at(content: Content, at: QPointF) -> Marker | None:
     return content.design.markers[found[1]]
 
 
-def _loop_end_at(content: Content, at: QPointF) -> float | None:
+def _loop_end_at(content: TimelineContent, at: QPointF) -> float | None:
     """The other end of the loop region, if one is at this place."""
     if content.design.loop_s is None:
         return None
@@ -515,7 +519,7 @@ class LanesView(Canvas):
         self._held_tops: Mapping[int, float] = {}
         self.snaps = True
         self.gain = GainPoints(lambda: self.content, self)
-        self.seen = SeenTime(lambda: self.content, self)
+        self.seen = TimeZoom(lambda: self.content, self)
         self.content = self._made()
         self.mouse = LaneMouse(lambda: self.content, self.gain, self)
         self.keys = LaneKeys(lambda: self.content, self.gain, self)
@@ -615,7 +619,7 @@ class LanesView(Canvas):
     def viewportEvent(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
             QToolTip.showText(
-                event.globalPos(), hover_words(self.content, QPointF(event.pos())), self
+                event.globalPos(), timeline_tooltip(self.content, QPointF(event.pos())), self
             )
             return True
         return super().viewportEvent(event)
@@ -629,7 +633,7 @@ class LanesView(Canvas):
         self._held_tops = {}
         self.lay_out()
 
-    def _show_over(self, shown: Shown) -> None:
+    def _show_over(self, shown: GesturePreview) -> None:
         self.over.show_over(shown, self._pointer)
 
     def lay_out(self) -> None:
@@ -640,11 +644,11 @@ class LanesView(Canvas):
         self.setAccessibleDescription(self.gain.words())
         self.playhead.show_content(self.content, float(self.height()))
 
-    def _made(self) -> Content:
+    def _made(self) -> TimelineContent:
         self._lengths = self._lengths.of(self._design)
         shown_s = self.seen.range_s(self._view, self._lengths.whole_s)
         width = max(self.width() - 2 * _SIDE_PX, 1.0)
-        return Content(
+        return TimelineContent(
             design=self._design,
             view=self._view,
             lanes=self._lanes,

@@ -15,12 +15,18 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPixmap,
 
 from skinsource.base.arrays import Floats
 from skinsource_gui.fields.units import axis_unit
-from skinsource_gui.panels.timeline.content import MARGIN_PX, Box, Content, Lane, paint_overlaps
-from skinsource_gui.panels.timeline.gestures import Shown
+from skinsource_gui.panels.timeline.content import (
+    MARGIN_PX,
+    Box,
+    Lane,
+    TimelineContent,
+    paint_overlaps,
+)
+from skinsource_gui.panels.timeline.gestures import GesturePreview
 from skinsource_gui.plots.curves import course_of
-from skinsource_gui.plots.ranges import KeptColumns, Tick, linear_ticks, wave_of
+from skinsource_gui.plots.ranges import CachedColumns, Tick, linear_ticks, wave_of
 from skinsource_gui.plots.time_scale import Range, TimeScale
-from skinsource_gui.qt.frames import KeptPicture
+from skinsource_gui.qt.frames import CachedPicture
 from skinsource_gui.qt.theme import Theme, current_theme, dots_in_px, is_on_paper, thin_pen
 
 _BUDGET_BYTES = 48 * 2**20
@@ -44,7 +50,7 @@ class Played:
 
 
 @dataclass(frozen=True, slots=True)
-class Look:
+class ClipStyle:
     """How it is drawn.
 
     Attributes
@@ -72,7 +78,7 @@ class _Key:
     rate_hz: float
     width: float
     height: float
-    look: Look
+    look: ClipStyle
 
 
 class ClipPictures:
@@ -93,9 +99,9 @@ class ClipPictures:
         self._kept: OrderedDict[_Key, tuple[Floats, QPixmap]] = OrderedDict()
         self._budget, self._bytes = budget_bytes, 0
         self.painted = self.waves = 0
-        self.mark, self.columns = KeptPicture(), KeptColumns()
+        self.mark, self.columns = CachedPicture(), CachedColumns()
 
-    def paint(self, painter: QPainter, played: Played, area: QRectF, look: Look) -> None:
+    def paint(self, painter: QPainter, played: Played, area: QRectF, look: ClipStyle) -> None:
         """Paint what a clip plays; on paper as lines."""
         if is_on_paper():
             painter.save()
@@ -105,7 +111,7 @@ class ClipPictures:
             return
         painter.drawPixmap(area.topLeft(), self.picture(played, area.size(), look))
 
-    def picture(self, played: Played, size: QSizeF, look: Look) -> QPixmap:
+    def picture(self, played: Played, size: QSizeF, look: ClipStyle) -> QPixmap:
         """Picture of what a clip plays, so large, px."""
         samples = played.samples
         key = _Key(id(samples), played.sample_rate_hz, size.width(), size.height(), look)
@@ -136,7 +142,7 @@ class ClipPictures:
             _, (_, gone) = self._kept.popitem(last=False)
             self._bytes -= _size(gone)
 
-    def _draw(self, painter: QPainter, played: Played, size: QSizeF, look: Look) -> None:
+    def _draw(self, painter: QPainter, played: Played, size: QSizeF, look: ClipStyle) -> None:
         samples, width, height = played.samples, size.width(), size.height()
         if not samples.size:
             return
@@ -176,7 +182,7 @@ _PALE = 0.45
 _HANDLE_PX = 5.0
 
 
-def words_of(box: Box) -> str:
+def clip_label(box: Box) -> str:
     """What stands on a clip: its label, or what it plays."""
     clip = box.clip
     return clip.label or clip.waveform.title
@@ -229,7 +235,7 @@ def paint_clip(
         _paint_fades(painter, box, QColor(theme.text))
     # Over the lines of fades: the name is read first.
     if shown.width() >= _WORDS_FROM_PX:
-        words = words_of(box)
+        words = clip_label(box)
         _write(painter, f"{words} · updating…" if awaited else words, shown, theme, pale=pale)
     _paint_frame(painter, box.rect, shown, theme, colour, selected=selected)
     if unplayable:
@@ -278,7 +284,7 @@ def _paint_samples(
         painter,
         played,
         QRectF(left, rect.top() + 1, max(round(width), 1), max(round(rect.height()) - 2, 1)),
-        Look(colour.rgba(), reach, part, dots_in_px(painter)),
+        ClipStyle(colour.rgba(), reach, part, dots_in_px(painter)),
     )
 
 
@@ -317,7 +323,7 @@ def _paint_frame(
 
 
 def mark_clip(
-    painter: QPainter, rect: QRectF, shown: QRectF, mark: KeptPicture, colour: QColor
+    painter: QPainter, rect: QRectF, shown: QRectF, mark: CachedPicture, colour: QColor
 ) -> None:
     """Frame a clip with dots, which take Qt longer than the clip: painted once for each size."""
     # Where pixels of the screen begin, so that the picture is what would be painted here.
@@ -374,7 +380,7 @@ def _paint_handles(painter: QPainter, box: Box, colour: QColor) -> None:
 # What the picture of the lanes depends on: where two contents look alike, nothing is painted.
 
 
-def frame_of(content: Content) -> Hashable:
+def frame_of(content: TimelineContent) -> Hashable:
     """What all lanes and the ruler depend on; not what is in the lanes."""
     design = content.design
     places = tuple((lane.track.id, lane.top_px, lane.height_px) for lane in content.lanes)
@@ -386,12 +392,12 @@ def same_ground(one: Lane, other: Lane) -> bool:
     return (one.selected, one.silent, one.problem) == (other.selected, other.silent, other.problem)
 
 
-def same_chosen(before: Content, after: Content) -> bool:
+def same_chosen(before: TimelineContent, after: TimelineContent) -> bool:
     """Whether the same clips are selected, and shown elsewhere, in all lanes."""
     return (before.selected, before.chosen) == (after.selected, after.chosen)
 
 
-def same_clips(before: Content, then: Lane, after: Content, now: Lane) -> bool:
+def same_clips(before: TimelineContent, then: Lane, after: TimelineContent, now: Lane) -> bool:
     """Whether clips look alike on the same ground: the very same ones, with the same samples.
 
     Which of them are selected, or shown elsewhere, is another question.
@@ -411,7 +417,7 @@ def same_clips(before: Content, then: Lane, after: Content, now: Lane) -> bool:
     )
 
 
-def same_choice(before: Content, after: Content, lane: Lane) -> bool:
+def same_choice(before: TimelineContent, after: TimelineContent, lane: Lane) -> bool:
     """Whether the same clips of a lane are selected, and shown elsewhere."""
     ids = frozenset(clip.id for clip in lane.track.clips)
     return all(
@@ -442,7 +448,7 @@ def grid_lines(scale: TimeScale, room: QRectF) -> list[QLineF]:
     ]
 
 
-def paint_ruler(painter: QPainter, content: Content, room: QRectF, theme: Theme) -> None:
+def paint_ruler(painter: QPainter, content: TimelineContent, room: QRectF, theme: Theme) -> None:
     """Paint ticks, loop region and markers."""
     painter.fillRect(room, QColor(theme.window))
     if content.design.loop_s is not None:
@@ -481,7 +487,7 @@ def _paint_ticks(
 
 
 def _paint_loop(
-    painter: QPainter, content: Content, loop_s: Range, room: QRectF, theme: Theme
+    painter: QPainter, content: TimelineContent, loop_s: Range, room: QRectF, theme: Theme
 ) -> None:
     start, end = (content.scale.x(one) for one in loop_s)
     band = QRectF(start, room.bottom() - 9, end - start, 9).intersected(room)
@@ -547,12 +553,12 @@ class LanesItem(pyqtgraph.GraphicsObject):
         self.setFlag(self.GraphicsItemFlag.ItemUsesExtendedStyleOption)
         self.pictures = ClipPictures()
         self.painted = self.painted_lanes = 0
-        self._content: Content | None = None
+        self._content: TimelineContent | None = None
         self._hovered: int | None = None
         self._font = QFont()
         self._rect = QRectF(0, 0, 1, 1)
 
-    def show_content(self, content: Content, rect: QRectF) -> None:
+    def show_content(self, content: TimelineContent, rect: QRectF) -> None:
         """Paint something else, in this rectangle."""
         before, self._content = self._content, content
         if rect != self._rect:
@@ -614,7 +620,7 @@ class LanesItem(pyqtgraph.GraphicsObject):
             if any(one.id == clip for one in lane.track.clips):
                 self.update(self._strip(lane).adjusted(0, _INSIDE_PX, 0, -_INSIDE_PX))
 
-    def _update_lanes(self, before: Content, after: Content) -> None:
+    def _update_lanes(self, before: TimelineContent, after: TimelineContent) -> None:
         """Have painted the lanes that look different now."""
         chosen_alike = same_chosen(before, after)
         for then, now in zip(before.lanes, after.lanes, strict=True):
@@ -663,7 +669,7 @@ class LanesItem(pyqtgraph.GraphicsObject):
         painter.setPen(QColor(theme.error if lane.problem else theme.dim))
         painter.drawText(room, flags, lane.silent)
 
-    def _paint_after_end(self, painter: QPainter, content: Content, lanes: QRectF) -> None:
+    def _paint_after_end(self, painter: QPainter, content: TimelineContent, lanes: QRectF) -> None:
         if content.design.loop_s is None:
             return
         start, end = (content.scale.x(one) for one in content.design.loop_s)
@@ -673,7 +679,9 @@ class LanesItem(pyqtgraph.GraphicsObject):
             if right > left:
                 painter.fillRect(QRectF(left, lanes.top(), right - left, lanes.height()), shade)
 
-    def _paint_clips(self, painter: QPainter, content: Content, lane: Lane, lanes: QRectF) -> None:
+    def _paint_clips(
+        self, painter: QPainter, content: TimelineContent, lane: Lane, lanes: QRectF
+    ) -> None:
         loudest = max((abs(one.gain) for one in lane.track.clips), default=0.0)
         unplayable = content.unplayable_on(lane)
         for box in content.boxes_on(lane):
@@ -705,17 +713,17 @@ class OverItem(pyqtgraph.GraphicsObject):
     def __init__(self) -> None:
         super().__init__()
         self.setZValue(2)
-        self._shown, self._pointer = Shown(), QPointF()
-        self._content: Content | None = None
+        self._shown, self._pointer = GesturePreview(), QPointF()
+        self._content: TimelineContent | None = None
         self._rect = QRectF(0, 0, 1, 1)
         self._font = QFont()
 
     @property
-    def shown(self) -> Shown:
+    def shown(self) -> GesturePreview:
         """What is shown."""
         return self._shown
 
-    def show_content(self, content: Content, rect: QRectF) -> None:
+    def show_content(self, content: TimelineContent, rect: QRectF) -> None:
         """Lie over these lanes, in this rectangle."""
         if rect != self._rect:
             self.prepareGeometryChange()
@@ -725,7 +733,7 @@ class OverItem(pyqtgraph.GraphicsObject):
         if moved and self._shown.guide_s is not None:
             self.update()
 
-    def show_over(self, shown: Shown, pointer: QPointF) -> None:
+    def show_over(self, shown: GesturePreview, pointer: QPointF) -> None:
         """Show this, with words beside the pointer."""
         if (shown, pointer) != (self._shown, self._pointer):
             self._update_places()
@@ -805,7 +813,7 @@ class PlayheadItem(pyqtgraph.GraphicsObject):
         self._height = 1.0
         self.setZValue(1)
 
-    def show_content(self, content: Content, height_px: float) -> None:
+    def show_content(self, content: TimelineContent, height_px: float) -> None:
         """Stand where the content says, from the ruler down to a height."""
         height = max(height_px - content.ruler_px + _PLAYHEAD_ITEM_HANDLE_PX, 1.0)
         if height != self._height:

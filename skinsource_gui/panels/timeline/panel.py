@@ -41,28 +41,28 @@ from skinsource.design.edits.edit import Edit, Refusal
 from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
-from skinsource.limbs.locations import input_words
+from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.inputs import waveforms_of
 from skinsource_gui.panels.timeline.content import (
     Box,
-    Content,
     GainStrip,
     Lane,
+    TimelineContent,
     chosen_clips,
-    clip_words,
+    clip_text,
     toggle_gain_curves,
 )
 from skinsource_gui.panels.timeline.gain import GainPoints
-from skinsource_gui.panels.timeline.gestures import Shown
+from skinsource_gui.panels.timeline.gestures import GesturePreview
 from skinsource_gui.panels.timeline.head_row import InputRow, heads_px, row_places
 from skinsource_gui.panels.timeline.heads import Heads, InputList
 from skinsource_gui.panels.timeline.lanes import LanesView, marker_at
 from skinsource_gui.plots.time_scale import Range
 from skinsource_gui.qt.frames import DropPlace
 from skinsource_gui.qt.keys import KEYS, key_text
-from skinsource_gui.qt.labels import add_words
-from skinsource_gui.qt.room import RoomOrWords, fitting_font, write_in
+from skinsource_gui.qt.labels import how_to_add
+from skinsource_gui.qt.room import RoomOrText, fitting_font, write_in
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
 
@@ -200,7 +200,7 @@ class LanesMenu(QObject):
 
     def __init__(
         self,
-        content: Callable[[], Content],
+        content: Callable[[], TimelineContent],
         clips: TimelineEdits,
         gain: GainPoints,
         parent: QWidget,
@@ -238,7 +238,7 @@ class LanesMenu(QObject):
         here = menu.addMenu("Clips here")
         here.setObjectName("clips_here")
         for box in boxes:
-            line = here.addAction(clip_words(box.clip))
+            line = here.addAction(clip_text(box.clip))
             line.setCheckable(True)
             line.setChecked(box.clip.id in self._content().view.selected_clips)
             line.triggered.connect(partial(self._select, box.clip.id))
@@ -277,10 +277,12 @@ class LanesMenu(QObject):
         taken = {one.location for one in design.inputs}
         for number in range(1, facts_of(design.limb).n_inputs + 1):
             track = "" if number in taken else " (new track)"
-            title = f"{number} · {input_words(number, design.limb).name}{track}"
+            title = f"{number} · {input_name(number, design.limb).name}{track}"
             self._act(places, title, "", edits.move_clips_to_place, number)
 
-    def _fill_ground(self, menu: QMenu, content: Content, place: QPointF, time_s: float) -> None:
+    def _fill_ground(
+        self, menu: QMenu, content: TimelineContent, place: QPointF, time_s: float
+    ) -> None:
         lane = content.lane_at(place.y())
         if lane is not None:
             track = lane.track.id
@@ -307,7 +309,9 @@ class LanesMenu(QObject):
         content = self._content()
         self.looked.emit(toggle_gain_curves(content.design, content.view, (track,)).view)
 
-    def _fill_ruler(self, menu: QMenu, content: Content, place: QPointF, time_s: float) -> None:
+    def _fill_ruler(
+        self, menu: QMenu, content: TimelineContent, place: QPointF, time_s: float
+    ) -> None:
         marker = marker_at(content, place)
         if marker is None:
             self._line(menu, "Add marker here", "", lambda: self._clips.add_marker(time_s))
@@ -323,7 +327,7 @@ class LanesMenu(QObject):
             self._edit_line(menu, "No loop", edits.set_loop, None)
         self._fill_time(menu, content)
 
-    def _fill_time(self, menu: QMenu, content: Content) -> None:
+    def _fill_time(self, menu: QMenu, content: TimelineContent) -> None:
         if content.design.loop_s is None:
             return
         start_s, end_s = content.design.loop_s
@@ -365,7 +369,7 @@ class LanesMenu(QObject):
             self.edited.emit(outcome, None)
 
 
-def _ends_of_chosen(content: Content) -> tuple[float, float] | None:
+def _ends_of_chosen(content: TimelineContent) -> tuple[float, float] | None:
     clips = [one for one in content.design.clips if one.id in content.view.selected_clips]
     if not clips:
         return None
@@ -444,7 +448,7 @@ class TimelineToolbar(QWidget):
         for button in self._buttons:
             row.addWidget(button)
         row.addStretch(1)
-        RoomOrWords(self).changed.connect(self._fit)
+        RoomOrText(self).changed.connect(self._fit)
 
     def show_state(self, *, snaps: bool, zoomed: bool) -> None:
         """Whether edges snap; whether less than everything is seen."""
@@ -636,7 +640,7 @@ class TimelinePanel(Panel):
         self._list = self._heads.list
         self._rows = self._list.rows
         self._table = TrackTable(self._list)
-        self._empty = QLabel(add_words(self.in_sight, "a track"))
+        self._empty = QLabel(how_to_add(self.in_sight, "a track"))
         self._empty.setObjectName("inputs_empty")
         set_tone(self._empty, "dim")
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -682,7 +686,7 @@ class TimelinePanel(Panel):
 
     def show_in_sight(self, names: frozenset[str]) -> None:
         super().show_in_sight(names)
-        self._empty.setText(add_words(names, "a track"))
+        self._empty.setText(how_to_add(names, "a track"))
 
     def show_playhead(self, view: View) -> None:
         self._view = view
@@ -730,7 +734,11 @@ class TimelinePanel(Panel):
 
     def show_drop(self, at: QPoint | None) -> None:
         place, lanes = (None if at is None else self.drop_place(at)), self._table.lanes
-        shown = Shown() if place is None else Shown(guide_s=place.onset_s, words="A clip here")
+        shown = (
+            GesturePreview()
+            if place is None
+            else GesturePreview(guide_s=place.onset_s, words="A clip here")
+        )
         lanes.over.show_over(shown, QPointF(lanes.mapFrom(self, at or QPoint())))
 
     def _connect(self) -> None:

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource.base.arrays import Floats
 from skinsource.design import edits
-from skinsource.design.comparing import match_words
+from skinsource.design.comparing import match_text
 from skinsource.design.design import Design
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
@@ -168,7 +168,7 @@ class TracesPanel(SignalPanel):
             names=output_names(results["outputs"], results["limb"]),
             about=lines_later(results),
             heading=heading_of(results),
-            matched=match_words(results["match_gain"]),
+            matched=match_text(results["match_gain"]),
             peaks=() if scale is None else tuple(_largest(results["selected_traces"]).tolist()),
             wave=_wave(results, scale),
         )

@@ -13,17 +13,17 @@ from skinsource.base.decibels import decibels
 from skinsource.design.design import Design
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource.design.view import View
-from skinsource.limbs.locations import input_words
+from skinsource.limbs.locations import input_name
 from skinsource.signals.analysis.transfer import LEAST_COHERENCE, Transfer
 from skinsource.specs import fields
 from skinsource.specs.spec import SwitchSpec
 from skinsource_gui.fields.units import minus
 from skinsource_gui.panels.figure_panel import FigurePanel
 from skinsource_gui.plots.figure import Axes, Axis, Figure, draw_legend, fitted_axes
-from skinsource_gui.plots.ranges import LEVEL_SPAN_DB, HeldRange
+from skinsource_gui.plots.ranges import LEVEL_SPAN_DB, SteadyRange
 from skinsource_gui.qt.asking import copied
 from skinsource_gui.qt.buttons import tool_button
-from skinsource_gui.qt.labels import add_words
+from skinsource_gui.qt.labels import how_to_add
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 
 # Bars of many outputs share this part of the height: the curves are seen beside them.
@@ -31,7 +31,7 @@ _BAR_PX, _BARS_PART = 3.0, 0.1
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Shown:
+class TransferContent:
     """What is drawn: transfer functions, the outputs they lead to, their unit, and which part.
 
     ``coherence`` says whether it is drawn in place of magnitudes.
@@ -48,16 +48,16 @@ class TransferPicture(Figure):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("transfer_picture", "Transfer functions", parent)
-        self.shown: Shown | None = None
+        self.shown: TransferContent | None = None
         self.axes: Axes | None = None
-        self._held = HeldRange()
+        self._held = SteadyRange()
         self._top_db = 0.0
 
     def begin_anew(self) -> None:
         """Decide the range of the next picture without a look at the one before."""
         self._held.let_go()
 
-    def show_transfer(self, shown: Shown) -> None:
+    def show_transfer(self, shown: TransferContent) -> None:
         """Take over what to show."""
         self.shown = shown
         highest = float(decibels(shown.found.magnitude).max())
@@ -123,7 +123,7 @@ class TransferPicture(Figure):
         if high < frame.right():
             painter.fillRect(QRectF(QPointF(high, frame.top()), frame.bottomRight()), colour)
 
-    def _draw_curve(self, painter: QPainter, axes: Axes, shown: Shown, rank: int) -> None:
+    def _draw_curve(self, painter: QPainter, axes: Axes, shown: TransferContent, rank: int) -> None:
         found = shown.found
         values = found.coherence[rank] if shown.coherence else decibels(found.magnitude[rank])
         painter.setPen(current_theme().output_pen(rank, 1.4))
@@ -133,7 +133,7 @@ class TransferPicture(Figure):
             painter.setPen(pen)
             painter.drawPolyline(axes.polygon(found.frequency_hz, decibels(found.noise[rank])))
 
-    def _draw_bars(self, painter: QPainter, axes: Axes, shown: Shown) -> None:
+    def _draw_bars(self, painter: QPainter, axes: Axes, shown: TransferContent) -> None:
         """Bands that can be used, as bars at the foot."""
         bands = shown.found.usable_hz
         step, thick = bar_sizes(len(bands), axes.frame.height())
@@ -253,7 +253,7 @@ class TransferPanel(FigurePanel):
         return "\n".join(lines) + "\n"
 
     def _say_empty(self) -> None:
-        self.say_instead(self.no_outputs if self._has_inputs else add_words(self.in_sight))
+        self.say_instead(self.no_outputs if self._has_inputs else how_to_add(self.in_sight))
 
     def say_instead(self, message: str) -> None:
         self._results = None
@@ -265,7 +265,9 @@ class TransferPanel(FigurePanel):
         self.copy.offer(True)
         unit = transfer_unit(results)
         self.picture.show_transfer(
-            Shown(found=found, outputs=outputs, unit=unit, coherence=self._settings.coherence)
+            TransferContent(
+                found=found, outputs=outputs, unit=unit, coherence=self._settings.coherence
+            )
         )
         place, limb = results["transfer_place"], results["limb_data"]
         if limb.synthetic:
@@ -275,7 +277,7 @@ class TransferPanel(FigurePanel):
         else:
             # Of a coherence nothing dotted is drawn.
             note = "" if self._settings.coherence else " · dotted: noise"
-        self.place.say(f"From place {place}, {input_words(place, limb.name).name}{note}")
+        self.place.say(f"From place {place}, {input_name(place, limb.name).name}{note}")
         self.show_found(_usable_words(found, outputs))
 
     def _show_coherence(self, wanted: bool) -> None:

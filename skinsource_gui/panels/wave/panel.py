@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
 from skinsource.base.arrays import Booleans, Floats
-from skinsource.design.comparing import match_words
+from skinsource.design.comparing import match_text
 from skinsource.design.design import Design
 from skinsource.design.signal_path import Voice
 from skinsource.design.view import View
@@ -187,12 +187,12 @@ class WavePanel(FigurePanel):
         self.copy.offer(True)
         self.about.say(_ABOUT.format(axis=found.axis))
         ranks = tuple(outputs.index(one) for one in found.outputs)
-        self.picture.show_wave(found, ranks, match_words(results["match_gain"]))
+        self.picture.show_wave(found, ranks, match_text(results["match_gain"]))
         left_out = len(outputs) - len(found.outputs)
         note = f" · {left_out} not on the map" if left_out else ""
         synthetic = " · synthetic limb" if results["limb_data"].synthetic else ""
         several = f" · {_OVERLAP}" if _several(results["voices"]) else ""
-        self.show_found(f"{wave_words(found.wave)}{several}{note}{synthetic}")
+        self.show_found(f"{wave_text(found.wave)}{several}{note}{synthetic}")
 
     def show_in_sight(self, names: frozenset[str]) -> None:
         said = self.figure.message == self._few()
@@ -225,7 +225,7 @@ class WavePanel(FigurePanel):
         return "Show the skin map (View > Panels) to select outputs along a line"
 
 
-def wave_words(wave: TravellingWave) -> str:
+def wave_text(wave: TravellingWave) -> str:
     """Speed and attenuation, with what is known of their error."""
     speed = "No speed: the arrival is not later farther away"
     if wave.counted.sum() < 2:

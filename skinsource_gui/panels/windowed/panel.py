@@ -10,18 +10,18 @@ from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from skinsource.base.decibels import FLOOR_DB
-from skinsource.design.comparing import match_words
+from skinsource.design.comparing import match_text
 from skinsource.design.design import Design
-from skinsource.design.labels import limb_word, signal_words
+from skinsource.design.labels import limb_word, signal_label
 from skinsource.design.view import WINDOW_COUNT, WINDOW_LENGTH, WINDOWS_CUT, View
 from skinsource.limbs.own_limbs import facts_of
 from skinsource_gui.fields.editors import FieldCell
 from skinsource_gui.panels.windowed.view import (
     StripView,
     WindowedContent,
-    head_words,
     paint_strip,
     strip_layout,
+    windows_heading,
 )
 from skinsource_gui.plots.small_map import SmallMaps, level_look
 from skinsource_gui.qt.room import BesideOrBelow
@@ -115,7 +115,7 @@ class WindowedPanel(Panel):
             noisy=results["noisy_outputs_of_windows"],
             in_noise=results["windows_in_noise"],
             synthetic=results["limb_data"].synthetic,
-            matched=match_words(results["match_gain"]),
+            matched=match_text(results["match_gain"]),
             **self._looks,
         )
         message = ""
@@ -151,7 +151,7 @@ class WindowedPanel(Panel):
         room = QRectF(0.0, 4.0 * line, width, height - 4.5 * line)
         layout = strip_layout(room, content.windows.count, line)
         width_of = painter.fontMetrics().horizontalAdvance
-        times = head_words(content, layout.cells, width_of, heading.width())
+        times = windows_heading(content, layout.cells, width_of, heading.width())
         painter.drawText(heading, 0, self._heading(times))
         with on_paper():
             paint_strip(painter, content, layout, theme)
@@ -169,7 +169,7 @@ class WindowedPanel(Panel):
             return ""
         content, view = self.strip.content, self._view
         limb = limb_word(self._design.limb).title
-        lines = [f"{limb}: RMS of {signal_words(view.axes, view.method)} in windows"]
+        lines = [f"{limb}: RMS of {signal_label(view.axes, view.method)} in windows"]
         if times:
             lines.append(times)
         if content is not None and content.synthetic:

@@ -99,7 +99,7 @@ class WindowedContent:
     @property
     def begin_phrases(self) -> tuple[str, ...]:
         """What is said where windows have only their begins above them, the longest first."""
-        length = length_words(self.windows.window_samples / self.sample_rate_hz)
+        length = window_length_text(self.windows.window_samples / self.sample_rate_hz)
         unit, _ = axis_unit(self.bounds_s[-1][1])
         plain = (
             f"Windows of {length}, begins in {unit}",
@@ -165,7 +165,7 @@ class WindowedContent:
         return None
 
 
-def window_words(bounds_s: tuple[float, float], until_s: float) -> str:
+def window_text(bounds_s: tuple[float, float], until_s: float) -> str:
     """``"0–120 ms"``; in s where the last window ends a second and more after 0."""
     begin, end = (time_number(one, until_s) for one in bounds_s)
     return f"{begin}–{end} {axis_unit(until_s)[0]}"
@@ -180,7 +180,7 @@ def _in_s(until_s: float) -> bool:
     return axis_unit(until_s)[0] == "s"
 
 
-def length_words(length_s: float) -> str:
+def window_length_text(length_s: float) -> str:
     """How long a window is."""
     if _in_s(length_s):
         return f"{length_s:.4g} s"
@@ -236,7 +236,7 @@ def window_titles(
         Width of words, px.
     """
     until_s = max((end for _, end in bounds_s), default=0.0)
-    whole = tuple(window_words(one, until_s) for one in bounds_s)
+    whole = tuple(window_text(one, until_s) for one in bounds_s)
     least = min((cell.width() for cell in cells), default=0.0)
     if all(width_of(words) <= least for words in whole):
         return WindowTitles(whole, by_begin=False)
@@ -248,7 +248,7 @@ def window_titles(
     return WindowTitles(tuple(named), by_begin=True)
 
 
-def head_words(
+def windows_heading(
     content: WindowedContent,
     cells: Sequence[QRectF],
     width_of: Callable[[str], float],
@@ -531,7 +531,7 @@ class StripView(QWidget):
         room = places.head.width() - metrics.height()
         if self.content.synthetic:
             room -= metrics.horizontalAdvance(_SYNTHETIC)
-        return head_words(self.content, places.cells, metrics.horizontalAdvance, room)
+        return windows_heading(self.content, places.cells, metrics.horizontalAdvance, room)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, theme = QPainter(self), current_theme()
@@ -572,7 +572,7 @@ class StripView(QWidget):
             return ""
         about = self.content.extent_words(window)
         bounds_s = self.content.bounds_s
-        return f"{window_words(bounds_s[window], bounds_s[-1][1])}\n{about}"
+        return f"{window_text(bounds_s[window], bounds_s[-1][1])}\n{about}"
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         window = self.window_under(event.position())

@@ -9,7 +9,7 @@ from skinsource.design.view import View
 from skinsource_gui.panels.skin.settings import has_colours, use_colours
 from skinsource_gui.plots.small_map import COLOURS
 from skinsource_gui.qt.keys import KEYS, key_text
-from skinsource_gui.qt.theme import theme_words
+from skinsource_gui.qt.theme import theme_label
 from skinsource_gui.shell.actions.spec import ActionSpec, action
 from skinsource_gui.shell.arrangement_spec import ARRANGEMENTS
 
@@ -127,7 +127,7 @@ VIEW: tuple[ActionSpec, ...] = (
         action(
             f"use_{name}_theme",
             "View",
-            f"{theme_words(name)} theme",
+            f"{theme_label(name)} theme",
             hint,
             command="appearance.use_theme",
             argument=name,

@@ -15,8 +15,8 @@ from skinsource.perception.hand_arm import daily_exposure, hand_arm_weighting, w
 from skinsource.perception.sensation import site_offsets_db
 from skinsource.perception.thresholds import (
     PerceptionSettings,
-    held,
     read_threshold_table,
+    settings_table,
     table_threshold,
     threshold_rms,
 )
@@ -138,7 +138,7 @@ def test_own_thresholds_come_from_a_table_in_either_unit(tmp_path):
     assert table_threshold(table, [50.0, 100.0, 501.0]) == pytest.approx([0.2, 0.4, np.inf])
     path.write_text("frequency_hz, threshold_dB_re_1e-6_m_per_s2\n50,120\n100,100\n")
     assert read_threshold_table(path) == ((50.0, pytest.approx(1.0)), (100.0, pytest.approx(0.1)))
-    view = with_settings(View(), "perception", PerceptionSettings(table=held(table)))
+    view = with_settings(View(), "perception", PerceptionSettings(table=settings_table(table)))
     found = felt(tone(100.0, 1.0), view=view)
     design = ss.Design(limb="synthetic-1", inputs=(tone(100.0, 1.0),))
     rms = ss.evaluate(design, "output_rms", view=View(method="mag", span="loudest"))["output_rms"]

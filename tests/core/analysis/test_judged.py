@@ -10,11 +10,11 @@ from skinsource.engine.evaluation import evaluate
 from skinsource.perception.validity import (
     Finding,
     Judged,
-    found_in_drives,
-    found_in_outputs,
-    found_in_setup,
+    drive_findings,
     in_full,
     in_short,
+    noise_findings,
+    setup_findings,
 )
 
 FAST = Finding(name="drive", state="left", sentence="Fast, and more.", in_short="Fast.")
@@ -95,8 +95,8 @@ def test_short_words_hold_the_number_of_the_sentence():
     time_s = np.arange(1300) / 1300.0
     loud = 90.0 * np.sin(800.0 * np.pi * time_s) + 30.0 * np.sin(20.0 * np.pi * time_s)
     found = [
-        *found_in_drives([(7, loud)], 1300.0, "probe"),
-        found_in_outputs(np.array([3.0, 9.0, 9.0, 9.0]), synthetic=False, silent=False),
+        *drive_findings([(7, loud)], 1300.0, "probe"),
+        noise_findings(np.array([3.0, 9.0, 9.0, 9.0]), synthetic=False, silent=False),
     ]
     assert [one.name for one in found if one.number is not None] == [
         "band",
@@ -113,9 +113,9 @@ def test_short_words_hold_the_number_of_the_sentence():
 @pytest.mark.parametrize("frequency_hz", [100.0, 400.0])
 def test_of_all_conditions_only_the_spacing_of_outputs_is_about_maps(frequency_hz, limit_hz):
     drive = np.sin(2.0 * np.pi * frequency_hz * np.arange(1300) / 1300.0)
-    found = found_in_drives([(7, drive)], 1300.0, "probe", spatial_limit_hz=limit_hz)
+    found = drive_findings([(7, drive)], 1300.0, "probe", spatial_limit_hz=limit_hz)
     assert [one.name for one in found if one.of_maps] == ["spacing"]
-    setup = found_in_setup(synthetic=True, scaling="upstream", places=[7, 8])
+    setup = setup_findings(synthetic=True, scaling="upstream", places=[7, 8])
     assert not any(one.of_maps for one in setup)
 
 

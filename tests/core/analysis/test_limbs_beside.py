@@ -6,18 +6,18 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.comparing import end_db, limbs_beside, mean_and_spread_over, same_outputs
+from skinsource.design.comparing import end_db, mean_and_spread_over, related_limbs, same_outputs
 from tests.core.own_limbs.lab_bench import N_OUTPUTS, installed
 
 
 def test_beside_a_limb_stand_those_of_its_kind_or_own_ones_with_the_same_outputs(user_data):
-    assert limbs_beside("measured-3") == tuple(f"measured-{k}" for k in (1, 2, 3, 4))
-    assert limbs_beside("synthetic-1")[3] == "synthetic-4"
+    assert related_limbs("measured-3") == tuple(f"measured-{k}" for k in (1, 2, 3, 4))
+    assert related_limbs("synthetic-1")[3] == "synthetic-4"
     names = tuple(f"sensor {k}" for k in range(N_OUTPUTS))
     for name, output_names in (("lab-1", ()), ("lab-2", ()), ("lab-3", names)):
         installed(name=name, output_names=output_names)
-    assert limbs_beside("lab-2") == ("lab-2", "lab-1")
-    assert limbs_beside("lab-3") == ("lab-3",)
+    assert related_limbs("lab-2") == ("lab-2", "lab-1")
+    assert related_limbs("lab-3") == ("lab-3",)
     assert same_outputs("measured-1", "synthetic-4")
     assert same_outputs("lab-1", "lab-2")
     assert not same_outputs("lab-1", "lab-3")
@@ -25,7 +25,7 @@ def test_beside_a_limb_stand_those_of_its_kind_or_own_ones_with_the_same_outputs
     assert not same_outputs("nobody", "nobody")
     for k in range(4, 9):
         installed(name=f"lab-{k}")
-    assert limbs_beside("lab-8") == ("lab-8", "lab-1", "lab-2", "lab-4")
+    assert related_limbs("lab-8") == ("lab-8", "lab-1", "lab-2", "lab-4")
 
 
 def test_mean_and_spread_are_those_of_a_sample_and_silence_is_no_difference_of_200_db():

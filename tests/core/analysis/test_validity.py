@@ -16,10 +16,10 @@ from skinsource.export.tables import export_levels
 from skinsource.limbs import catalogue
 from skinsource.perception.validity import (
     Finding,
-    found_in_outputs,
+    findings_lines,
     listed,
+    noise_findings,
     probe_velocity,
-    words_of,
 )
 
 RATE = 1300.0
@@ -146,7 +146,7 @@ def test_outputs_below_six_decibels_are_told_and_can_be_deselected():
     above = np.full(72, 20.0)
     above[[0, 66, 67, 68, 71]] = 5.9
     above[4] = 6.0
-    one = found_in_outputs(above, synthetic=False, silent=False)
+    one = noise_findings(above, synthetic=False, silent=False)
     assert one.state == "left"
     assert one.outputs == (1, 67, 68, 69, 72)
     assert "5 of 72" in one.sentence
@@ -154,7 +154,7 @@ def test_outputs_below_six_decibels_are_told_and_can_be_deselected():
     view = View(outputs=(1, 5, 72))
     assert edits.mend(design_of(), view, one).view.outputs == (5,)
     assert isinstance(edits.mend(design_of(), View(outputs=(5,)), one), Refusal)
-    kept = found_in_outputs(np.full(72, 6.0), synthetic=False, silent=False)
+    kept = noise_findings(np.full(72, 6.0), synthetic=False, silent=False)
     assert (kept.state, kept.outputs) == ("kept", ())
 
 
@@ -176,7 +176,7 @@ def test_lines_of_a_file_name_what_is_not_kept():
         Finding(name="drive", state="unknown", sentence="Nobody knows."),
         Finding(name="limb", state="kept", sentence="Measured."),
     )
-    assert words_of(findings) == [
+    assert findings_lines(findings) == [
         "validity, band: CAUTION: Half of it lies outside.",
         "validity, drive: unknown: Nobody knows.",
     ]

@@ -14,7 +14,7 @@ from skinsource.engine.moments import Projection
 from skinsource.limbs.catalogue import load_limb
 from skinsource.perception.hand_arm import hand_arm_weighting, weighted_rms
 from skinsource.perception.thresholds import table_threshold
-from skinsource.perception.validity import found_in_drives
+from skinsource.perception.validity import drive_findings
 from skinsource.signals.analysis.transfer import transfer_function
 from skinsource.signals.analysis.wave_speed import travelling_wave
 from tests.core.own_limbs.lab_bench import installed
@@ -35,7 +35,7 @@ def sine(frequency_hz, amplitude=1.0):
 
 
 def lamp(name, *drives):
-    found = found_in_drives(list(enumerate(drives, start=6)), RATE, "upstream")
+    found = drive_findings(list(enumerate(drives, start=6)), RATE, "upstream")
     return next(one for one in found if one.name == name)
 
 

@@ -18,11 +18,11 @@ from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import (
     CurveSpec,
     ListSpec,
+    ModelSpec,
     NumberSpec,
     OptionalSpec,
     PointsSpec,
     RangeSpec,
-    RecipeSpec,
     SamplesSpec,
 )
 from skinsource.specs.samples import Samples
@@ -76,7 +76,7 @@ PANELS = st.dictionaries(
 ).map(lambda panels: tuple(sorted(panels.items())))
 
 
-def any_of(spec: RecipeSpec) -> st.SearchStrategy:
+def any_of(spec: ModelSpec) -> st.SearchStrategy:
     kinds = spec.kinds()
     # Clips hold waveforms, of which one kind holds clips.
     later = [st.deferred(lambda kind=kind: recipes(kind)) for kind in kinds]
@@ -85,7 +85,7 @@ def any_of(spec: RecipeSpec) -> st.SearchStrategy:
 
 def most(spec: ListSpec) -> int:
     """Parts of the longest list that is tried; none of kinds of which there are none."""
-    empty = isinstance(spec.of, RecipeSpec) and not spec.of.kinds()
+    empty = isinstance(spec.of, ModelSpec) and not spec.of.kinds()
     return 0 if empty else min(spec.most, 3)
 
 
@@ -118,7 +118,7 @@ def values(spec: fields.Spec) -> st.SearchStrategy:
                 min_size=1,
                 max_size=6,
             ).map(lambda points: tuple(sorted(points))),
-            RecipeSpec: any_of,
+            ModelSpec: any_of,
         },
     )(spec)
 

@@ -5,7 +5,7 @@ import pytest
 import skinsource as ss
 from skinsource.export.formats.formats import format_named
 from skinsource.export.stimulus_export.options import written_files
-from skinsource.export.stimulus_export.preparing import overview_of, prepared
+from skinsource.export.stimulus_export.preparing import overview_of, prepare_stimulus
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.05)
 DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(8, TONE), ss.track(13, TONE)))
@@ -16,7 +16,7 @@ DESIGN = ss.Design(limb="synthetic-1", inputs=(ss.track(8, TONE), ss.track(13, T
 def test_the_files_that_are_told_are_those_that_are_written(tmp_path, name, apart):
     kind, options = format_named(name, tmp_path), ss.StimulusOptions(one_file_per_input=apart)
     path = tmp_path / f"a.b{kind.suffix}"
-    overview = overview_of(prepared(DESIGN, path, kind, None, options))
+    overview = overview_of(prepare_stimulus(DESIGN, path, kind, None, options))
     ss.export_stimulus(DESIGN, path, name, options=options, confirmed=True)
     told = [one for files in written_files(path, kind, overview.marks) for one in files]
     assert sorted(told) == sorted(tmp_path.iterdir())

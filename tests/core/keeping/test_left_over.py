@@ -125,4 +125,4 @@ def test_a_file_of_another_system_that_cannot_be_told_is_none(tmp_path, left_by_
     ],
 )
 def test_ages_are_told_in_whole_units(seconds, words):
-    assert recovery.age_words(seconds) == words
+    assert recovery.age_text(seconds) == words

@@ -12,7 +12,7 @@ import numpy as np
 
 from skinsource.base.errors import SkinSourceError
 from skinsource.limbs import limb_import as importing_module
-from skinsource.limbs.limb_import import LimbSource, prepared
+from skinsource.limbs.limb_import import LimbSource, prepare_limb
 from skinsource.limbs.own_limbs import LimbFile
 from skinsource.readers.reading_process import ReadingProcess
 from tests.core.recordings.mutants import Tally, mutant
@@ -52,7 +52,7 @@ def try_layout(
     for number in range(count):
         path.write_bytes(mutant(seed, rng))
         try:
-            found = prepared(LimbSource(responses=path), process)
+            found = prepare_limb(LimbSource(responses=path), process)
             blocks = list(importing_module._responses(path, found, process, lambda: False))
         except SkinSourceError as error:
             _refused(tally, number, error)

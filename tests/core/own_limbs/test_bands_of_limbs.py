@@ -23,7 +23,7 @@ from skinsource.engine.stimulus import stimulus_of
 from skinsource.limbs.limb_import import LimbSource, import_limb
 from skinsource.limbs.limb_layout import export_limb
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.perception.thresholds import PerceptionSettings, held
+from skinsource.perception.thresholds import PerceptionSettings, settings_table
 from skinsource.specs.models import specs_of
 from tests.core.own_limbs.lab_bench import installed, own_limb
 from tests.core.own_limbs.mutants import whole_file
@@ -46,7 +46,9 @@ def lamp(design, name="band"):
 
 
 def sensation_of(design, table=FLAT) -> Sensation:
-    view = with_settings(View(axes="xz"), "perception", PerceptionSettings(table=held(table)))
+    view = with_settings(
+        View(axes="xz"), "perception", PerceptionSettings(table=settings_table(table))
+    )
     return Evaluator().evaluate(design, ("sensation",), view)["sensation"]
 
 

@@ -22,7 +22,7 @@ from skinsource.export.map_files import export_map
 from skinsource.export.stimulus_export.export import export_stimulus
 from skinsource.export.tables import export_field, export_levels, export_traces
 from skinsource.limbs.catalogue import available_limbs, load_limb
-from skinsource.limbs.locations import input_words, output_words
+from skinsource.limbs.locations import input_name, output_name
 from skinsource.limbs.own_limbs import (
     facts_of,
     install_limb,
@@ -66,10 +66,10 @@ def test_it_is_named_beside_the_others_and_removed(lab):
     assert available_limbs()[-1] == "lab-1"
     assert limb_word("lab-1").title == "Lab 1"
     assert "31 outputs along x and z, 4000 Hz" in limb_word("lab-1").sentence
-    assert input_words(3, "lab-1").name == "site 3"
-    assert output_words(3, "lab-1").name == "Output 3"
-    assert input_words(8, "lab-1").short_name == "not on this hand"
-    assert output_words(32, "lab-1").short_name == "not on this limb"
+    assert input_name(3, "lab-1").name == "site 3"
+    assert output_name(3, "lab-1").name == "Output 3"
+    assert input_name(8, "lab-1").short_name == "not on this hand"
+    assert output_name(32, "lab-1").short_name == "not on this limb"
     assert edits.place_input(PLAYED, VIEW, 3).label == "Place input at 3 (site 3)"
     remove_limb("lab-1")
     assert own_limb_names() == ()

@@ -7,7 +7,7 @@ import pytest
 from skinsource.base.errors import SkinSourceError
 from skinsource.limbs import limb_import as importing_module
 from skinsource.limbs.catalogue import load_limb
-from skinsource.limbs.limb_import import LimbSource, import_limb, prepared
+from skinsource.limbs.limb_import import LimbSource, import_limb, prepare_limb
 from skinsource.limbs.own_limbs import own_limb_names, own_limb_path
 from skinsource.readers.reading_process import ReadingProcess
 from tests.core.own_limbs.mutants import try_kept, try_layout, whole_file
@@ -25,7 +25,7 @@ def outcome(path, process):
     """The error, or None where a whole limb came of it."""
     source = LimbSource(responses=path)
     try:
-        found = prepared(source, process)
+        found = prepare_limb(source, process)
         blocks = list(importing_module._responses(path, found, process, lambda: False))
     except SkinSourceError as error:
         return error

@@ -134,7 +134,7 @@ class PacedCard:
 def opened(of_mix, at, gain_db=0.0):
     """A stream on the card, and what tells that it has finished."""
     from skinsource.lab.playing.devices import Output, device_of, devices
-    from skinsource.lab.playing.mix import Deck
+    from skinsource.lab.playing.mix import PlayQueue as Deck
     from skinsource.lab.playing.stream import Stream
 
     device = device_of(Output(device="card"), devices())

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from skinsource.lab.playing.mix import Deck, Mix, mix_of
+from skinsource.lab.playing.mix import Mix, PlayQueue, mix_of
 from skinsource.lab.playing.stream import next_block
 
 RATE_HZ = 8000
@@ -28,8 +28,8 @@ def tone(n, cycles=10.0, amplitude=0.5):
     return amplitude * np.sin(2 * np.pi * cycles * np.arange(n) / n)
 
 
-def deck(n_outputs=1, gain_db=0.0) -> Deck:
-    return Deck(n_outputs, RATE_HZ, gain_db)
+def deck(n_outputs=1, gain_db=0.0) -> PlayQueue:
+    return PlayQueue(n_outputs, RATE_HZ, gain_db)
 
 
 def block(of, n) -> np.ndarray:

@@ -13,7 +13,7 @@ from skinsource.base.extras import extra_line
 from skinsource.lab.playing import devices, stream
 from skinsource.lab.playing import devices as portaudio
 from skinsource.lab.playing.devices import Output
-from skinsource.lab.playing.mix import Deck
+from skinsource.lab.playing.mix import PlayQueue
 
 CARDS = (("Built-in", 0, 2, 44100.0), ("Microphone", 0, 0, 44100.0), ("Eight", 1, 8, 48000.0))
 
@@ -78,7 +78,7 @@ def test_where_no_default_is_said_the_first_host_has_one(library):
 
 def test_looking_again_starts_the_sound_system_anew(library):
     made = library()
-    assert len(devices.look_again()) == 2
+    assert len(devices.refresh_devices()) == 2
     assert made.looked == 1
 
 
@@ -129,7 +129,7 @@ def test_rates_are_those_that_the_device_takes(library):
 def test_what_a_device_refuses_is_said_in_plain_words(library, refusal, words):
     library(refusal=refusal)
     with pytest.raises(PlaybackError, match=words):
-        stream.Stream(Deck(3, 48_000), devices.devices()[0], 0.02, lambda: None)
+        stream.Stream(PlayQueue(3, 48_000), devices.devices()[0], 0.02, lambda: None)
 
 
 def test_without_the_extra_the_line_to_type_is_said(monkeypatch):

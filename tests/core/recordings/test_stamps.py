@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.readers.timestamps import at_steady_rate, pace_of
+from skinsource.readers.timestamps import at_steady_rate, sample_clock
 
 
 @pytest.mark.parametrize("rate_hz", [100, 1300, 5988, 6000, 48_000])
 def test_steady_stamps_say_their_rate(rate_hz):
-    pace = pace_of(17.25 + np.arange(3000) / rate_hz)
+    pace = sample_clock(17.25 + np.arange(3000) / rate_hz)
     assert pace.steady
     assert pace.rate_hz == rate_hz
 
@@ -19,13 +19,13 @@ def test_steady_stamps_say_their_rate(rate_hz):
 @pytest.mark.parametrize("digits", [3, 4, 5, 6])
 def test_stamps_that_are_only_rounded_are_steady(digits):
     rate_hz = 900 if digits == 3 else 1300
-    pace = pace_of(np.round(np.arange(5000) / rate_hz, digits))
+    pace = sample_clock(np.round(np.arange(5000) / rate_hz, digits))
     assert pace.steady
     assert pace.rate_hz == rate_hz
 
 
 def test_a_rate_between_whole_hertz_is_kept():
-    pace = pace_of(np.arange(100_000) / 1302.5)
+    pace = sample_clock(np.arange(100_000) / 1302.5)
     assert pace.rate_hz == Fraction(2605, 2)
 
 
@@ -33,7 +33,7 @@ def test_a_rate_between_whole_hertz_is_kept():
 def test_jitter_beyond_the_digits_is_not_steady(deviation):
     rng = np.random.default_rng(0)
     stamps = (np.arange(5000) + rng.uniform(-deviation, deviation, 5000)) / 6000.0
-    pace = pace_of(stamps)
+    pace = sample_clock(stamps)
     assert not pace.steady
     assert "steps of" in pace.note
     assert abs(pace.rate_hz - 6000) <= 1
@@ -81,4 +81,4 @@ def test_a_gap_is_bridged_by_a_straight_line():
 )
 def test_stamps_that_cannot_be_are_refused(stamps, words):
     with pytest.raises(InvalidInputError, match=words):
-        pace_of(np.array(stamps))
+        sample_clock(np.array(stamps))

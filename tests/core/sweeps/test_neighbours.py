@@ -9,7 +9,7 @@ from skinsource.engine.shared import Shared
 from skinsource.studies.sweeps import neighbours
 from skinsource.studies.sweeps.measuring import METRICS, Measurer
 from skinsource.studies.sweeps.metrics import Preparing, main_axes
-from skinsource.studies.sweeps.neighbours import Together
+from skinsource.studies.sweeps.neighbours import Batch
 from skinsource.studies.sweeps.plan import TOGETHER, Plan
 
 PLACES = (3, 7, 7, 18)
@@ -36,7 +36,7 @@ def plan_of(design, name, values, **changes):
 def vibrations(plan):
     preparing = Preparing(Shared())
     stimuli = [preparing.of(plan.design_of(k), never) for k in range(1, len(plan) + 1)]
-    return stimuli, Together(preparing).of(stimuli, never, products=True)
+    return stimuli, Batch(preparing).of(stimuli, never, products=True)
 
 
 @pytest.mark.parametrize("name", ["frequency_hz", "2.frequency_hz", "1.amplitude", "duration_s"])

@@ -15,7 +15,7 @@ from skinsource.perception.thresholds import PerceptionSettings
 from skinsource_gui.panels.perception.panel import (
     contact_list,
     contact_table,
-    contact_words,
+    contact_text,
     rows,
     tab_separated,
 )
@@ -122,14 +122,14 @@ def test_words_on_the_contact_go_while_they_are_late_even_with_nothing_selected(
 
 def test_of_many_contacts_the_largest_is_said_and_all_are_listed():
     weighted = tuple((place, 0.5 + 0.1 * (place == 4)) for place in range(1, 21))
-    words = contact_words(weighted)
+    words = contact_text(weighted)
     assert "largest 0.6 m\u2060/\u2060s² RMS at place 4, of 20 places" in words
     assert contact_list(weighted).count("place ") == 20
     assert contact_table(weighted).splitlines()[5] == "4\t0.6"
     few = weighted[:2]
-    assert "place 1: 0.5 m\u2060/\u2060s², place 2: 0.5" in contact_words(few)
+    assert "place 1: 0.5 m\u2060/\u2060s², place 2: 0.5" in contact_text(few)
     assert contact_list(few) == ""
-    assert contact_table(None) == contact_table(()) == contact_words(()) == ""
+    assert contact_table(None) == contact_table(()) == contact_text(()) == ""
 
 
 def test_what_is_not_felt_has_no_strength():

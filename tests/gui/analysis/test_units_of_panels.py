@@ -8,8 +8,8 @@ from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor, QGuiApplication
 
 from skinsource.engine.evaluation import evaluate
-from skinsource_gui.panels.spectrogram.panel import scale_words
-from skinsource_gui.panels.statistics.panel import Row
+from skinsource_gui.panels.spectrogram.panel import scale_text
+from skinsource_gui.panels.statistics.panel import StatisticsRow
 from skinsource_gui.qt.theme import current_theme
 
 LINE = (29, 31, 33, 35)
@@ -46,8 +46,8 @@ def test_the_spectrogram_reads_its_times_with_the_delay_and_without_it(show, rem
 
 
 def test_the_scale_of_the_spectrogram_says_once_what_levels_are_relative_to():
-    assert scale_words(-20.0, top=True) == ("\N{MINUS SIGN}20 dB", "re 1 m/s²")
-    assert scale_words(-50.0, top=False) == ("\N{MINUS SIGN}50 dB",)
+    assert scale_text(-20.0, top=True) == ("\N{MINUS SIGN}20 dB", "re 1 m/s²")
+    assert scale_text(-50.0, top=False) == ("\N{MINUS SIGN}50 dB",)
 
 
 def test_the_wave_is_copied_in_millimetres_and_milliseconds(show, window):
@@ -111,9 +111,9 @@ def test_the_playhead_of_the_spectrogram_has_the_colour_of_every_playhead(show):
 
 
 def test_a_number_of_the_statistics_has_three_digits_whatever_they_are():
-    row = Row(number=1, name="", values=(0.12, 0.03456, 3.0, 100.0, 0.05), noisy=False)
+    row = StatisticsRow(number=1, name="", values=(0.12, 0.03456, 3.0, 100.0, 0.05), noisy=False)
     assert row.texts()[1:] == ("0.120", "0.0346", "3.00", "100.0", "50.0")
-    assert Row(number=1, name="", values=(123.4,) * 5, noisy=False).texts()[1] == "123"
+    assert StatisticsRow(number=1, name="", values=(123.4,) * 5, noisy=False).texts()[1] == "123"
 
 
 def test_what_is_dotted_is_said_where_something_is_dotted(show, settle, window):

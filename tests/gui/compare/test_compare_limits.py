@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QApplication
 
 from skinsource.design.design import Design, track
-from skinsource_gui.panels.compare.card import matching_words
+from skinsource_gui.panels.compare.card import matching_text
 from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.state.compared import SILENCE, is_silent
 
@@ -67,7 +67,7 @@ def test_what_is_silent_is_not_said_to_be_as_loud(window, settle, panel):
     # 60 dB below the other one, as if that were its level, would be said of it.
     assert panel.map.difference.shown is None
     assert panel.map.difference.words == SILENCE
-    assert matching_words((), matched=True) == ""
+    assert matching_text((), matched=True) == ""
     # Nor is what sounds 60 dB above the one that is silent.
     window.do("toggle_snapshots")
     settle()

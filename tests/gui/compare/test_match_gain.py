@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from skinsource.design.comparing import louder, match_words
+from skinsource.design.comparing import louder, match_text
 from skinsource.design.design import Design, track
 from skinsource.design.design_file import open_design
 from skinsource.engine.evaluation import evaluate
@@ -122,7 +122,7 @@ def test_tables_of_figures_say_the_gain_that_their_numbers_have(window, settle, 
     document.look(replace(document.view, outputs=(20, 33)))
     window.docks["statistics"].bring_forward()
     settle()
-    said = match_words(matched)
+    said = match_text(matched)
     statistics = window.panel("statistics")
     assert f" · {said}" in statistics.about.text
     rms = evaluate(louder(document.design, matched), "output_rms", view=document.view)["output_rms"]

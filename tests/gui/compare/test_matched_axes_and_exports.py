@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from skinsource.design.comparing import louder, match_words
+from skinsource.design.comparing import louder, match_text
 from skinsource.design.panel_settings import settings_of, with_settings
 from skinsource_gui.panels.skin.scale import fitting_title
 from skinsource_gui.panels.skin.settings import SkinSettings
@@ -33,7 +33,7 @@ def words(window, settle, monkeypatch):
     show_matched(window, settle)
     gain = document.view.match_gain(document.design)
     assert gain < 0.9
-    found = match_words(gain)
+    found = match_text(gain)
     assert found == f"\N{MINUS SIGN}{-20 * np.log10(gain):.1f} dB, matched"
     return found
 
@@ -93,7 +93,7 @@ def test_pictures_are_those_of_levels_that_are_not_matched(window, settle, words
     # The window goes on as it was, and so does what is played.
     document = window.document
     gain = document.view.match_gain(document.design)
-    assert match_words(gain) == words
+    assert match_text(gain) == words
     expected = levels(document.design) + 20 * np.log10(gain)
     np.testing.assert_allclose(shown_levels(window), expected, rtol=0, atol=1e-9)
     window.do("match_levels")

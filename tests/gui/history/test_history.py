@@ -10,10 +10,10 @@ from PySide6.QtWidgets import QApplication
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
 from skinsource_gui.fields.number_field import NumberField
-from skinsource_gui.panels.history.panel import DONE, PRESENT, TIME, HistoryPanel, told_in
+from skinsource_gui.panels.history.panel import DONE, PRESENT, TIME, HistoryPanel, row_text
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.historian import Historian
-from skinsource_gui.state.panel import MadePanels
+from skinsource_gui.state.panel import PanelRegistry
 
 KEY = Qt.Key
 
@@ -60,13 +60,13 @@ def test_a_long_label_is_cut_and_leaves_room_for_its_time(panel):
     metrics = panel.rows.fontMetrics()
     room_px = 4 * metrics.horizontalAdvance("12:34:56")
     long = "Change the amplitude of all inputs of the design at once"
-    label, when = told_in(metrics, long, "12:34:56", room_px)
+    label, when = row_text(metrics, long, "12:34:56", room_px)
     assert when == "12:34:56"
     assert label.endswith("…")
     assert metrics.horizontalAdvance(label) + metrics.horizontalAdvance(when) < room_px
-    assert told_in(metrics, "Add", "", room_px) == ("Add", "")
+    assert row_text(metrics, "Add", "", room_px) == ("Add", "")
     # Where hardly anything of the label would be left, it goes before the time.
-    assert told_in(metrics, long, "12:34:56", room_px // 3)[1] == ""
+    assert row_text(metrics, long, "12:34:56", room_px // 3)[1] == ""
 
 
 def test_a_click_goes_there_and_back(window, panel):
@@ -122,7 +122,7 @@ def test_a_thousand_steps_are_kept_and_older_ones_are_said_to_be_forgotten(qtbot
         HistoryPanel(),
     )
     qtbot.addWidget(panel)
-    Historian(document, MadePanels.of(panel))
+    Historian(document, PanelRegistry.of(panel))
     panel.show()
     for k in range(1, 1004):
         document.edit("a", document.design.with_input(0, amplitude=k / 8))

@@ -5,13 +5,13 @@ from pathlib import Path
 from skinsource.design.view import View
 from skinsource_gui.state.document import Document
 from skinsource_gui.state.historian import Historian
-from skinsource_gui.state.panel import MadePanels
+from skinsource_gui.state.panel import PanelRegistry
 from skinsource_gui.state.preferences import start_design
 
 
 def test_a_design_that_is_saved_under_another_name_was_not_opened_by_that_name(qtbot):
     document = Document(start_design("any"))
-    historian = Historian(document, MadePanels.of())
+    historian = Historian(document, PanelRegistry.of())
     assert historian.history().start == "New design"
     document.mark_saved(Path("b.skinsource"))
     assert historian.history().start == "New design"

@@ -20,7 +20,7 @@ from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.grid import FieldGrid
-from skinsource_gui.fields.inputs import figure_text, told_text
+from skinsource_gui.fields.inputs import figure_text, full_label
 from skinsource_gui.fields.units import value_text
 from tests.gui.inspector.bench import Bench, design_of
 
@@ -151,7 +151,7 @@ def test_a_waveform_is_named_with_what_tells_most_of_it(waveform, words):
     ],
 )
 def test_who_cannot_look_is_told_all_numbers_of_a_waveform_but_phases(waveform, words):
-    assert told_text(waveform) == words
+    assert full_label(waveform) == words
 
 
 @pytest.mark.parametrize("kind", waveforms.KINDS, ids=lambda one: one.__name__)
@@ -160,4 +160,4 @@ def test_no_kind_is_told_without_a_number_that_it_has(kind):
     for name, spec in specs_of(waveform).items():
         if isinstance(spec, NumberSpec) and spec.unit != "rad" and name != "duration_s":
             number = value_text(getattr(waveform, name), spec.unit, digits=4).split()[0]
-            assert number in told_text(waveform), name
+            assert number in full_label(waveform), name

@@ -7,7 +7,7 @@ from skinsource.design.clips import Clip
 from skinsource.design.effects.level import Fade
 from skinsource.design.effects.time import Stretch
 from skinsource_gui.fields.inputs import clip_text
-from skinsource_gui.plots.pictures import stimulus_words
+from skinsource_gui.plots.pictures import stimulus_text
 
 TONE = ss.waveforms.Tone(frequency_hz=100.0, duration_s=0.2)
 
@@ -31,7 +31,7 @@ def test_words_on_a_clip_say_by_what_it_is_stretched(effects, words, through):
     clip = Clip(waveform=TONE, effects=effects)
     assert clip_text(clip) == words
     design = ss.Design(limb="synthetic-1", inputs=(ss.Input(location=7, clips=(clip,)),))
-    assert stimulus_words(design).endswith(f": Tone 100 Hz, {through}")
+    assert stimulus_text(design).endswith(f": Tone 100 Hz, {through}")
 
 
 def test_what_is_turned_in_front_of_an_audience_is_said_to_be_stretched(make_window):

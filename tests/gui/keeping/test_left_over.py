@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFileDialog, QPushButton
 from skinsource.base.lock import this_process, to_bytes
 from skinsource.design import recovery as left_over
 from skinsource.design.recovery import OWNER
-from skinsource_gui.shell.keeping import LeftOverPage
+from skinsource_gui.shell.keeping import UnsavedWorkPage
 from tests.gui.keeping.bench import copies, edit, kept_amplitudes
 
 ENDED = to_bytes(replace(this_process(), started_s=1000.0))
@@ -155,7 +155,7 @@ def test_several_are_offered_in_a_list(window, leave, qtbot, user_data):
     window.keeping.offer(window.notice)
     assert "Copies were kept of 2 designs" in window.notice.text
     choose(window, "Show them…")
-    (page,) = window.findChildren(LeftOverPage)
+    (page,) = window.findChildren(UnsavedWorkPage)
     assert page.rows.count() == 2
     assert "untitled, kept less than a minute ago" in page.rows.item(0).text()
     assert not page.rows.item(0).icon().isNull()
@@ -182,7 +182,7 @@ def test_a_file_that_could_not_be_opened_at_the_start_is_said_with_the_offer(
 
 def test_without_left_over_work_the_page_says_so(window):
     window.do("show_left_over")
-    (page,) = window.findChildren(LeftOverPage)
+    (page,) = window.findChildren(UnsavedWorkPage)
     assert not page.open_button.isEnabled()
     assert "no unsaved work" in page._words.text()
     page.close()

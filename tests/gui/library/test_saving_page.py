@@ -47,7 +47,7 @@ def test_a_clip_is_kept_under_a_name_and_found_again(window, panel, qtbot):
     page.description.setText("For the start.")
     button.click()
     qtbot.waitUntil(lambda: "Good tone" in names(panel))
-    (entry,) = presets.read_shelf(presets.users_folder()).entries
+    (entry,) = presets.read_preset_folder(presets.users_folder()).entries
     assert entry.preset.tags == ("mine", "low")
     assert entry.preset.description == "For the start."
     (clip,) = entry.preset.fragment.lanes[0].clips

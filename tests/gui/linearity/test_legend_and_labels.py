@@ -7,9 +7,9 @@ import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter
 
-from skinsource_gui.panels.linearity.content import Curve, part_of, part_words
+from skinsource_gui.panels.linearity.content import Curve, part_of, part_text
 from skinsource_gui.panels.linearity.diagram import places_of_labels, x_with_room_for_labels
-from skinsource_gui.plots.figure import Axis, fitted_axes, legend_words
+from skinsource_gui.plots.figure import Axis, fitted_axes, legend_texts
 from skinsource_gui.plots.pictures import save_drawing
 from skinsource_gui.qt.theme import LIGHT
 from tests.gui.linearity.test_linearity_panel import OUTPUTS, PARTS, STRENGTHS, show
@@ -76,9 +76,9 @@ def test_labels_that_have_room_stand_at_their_curves(painter):
 
 
 def test_a_legend_has_all_outputs_or_counts_those_without_room(painter):
-    assert legend_words((20,), 400.0, painter) == ["Output", "20"]
-    assert legend_words((20, 26), 400.0, painter) == ["Outputs", "20", "26"]
-    few = legend_words(tuple(range(1, 60)), 300.0, painter)
+    assert legend_texts((20,), 400.0, painter) == ["Output", "20"]
+    assert legend_texts((20, 26), 400.0, painter) == ["Outputs", "20", "26"]
+    few = legend_texts(tuple(range(1, 60)), 300.0, painter)
     assert few[-1] == f"+{59 - len(few) + 2}"
 
 
@@ -112,7 +112,7 @@ def test_a_part_of_the_zoom_alone_is_told_with_its_times():
     curves = np.ones((2, 1, time_s.size))
     for zoom in ((1.0, 1.2), (4.5, 9.0), (1.0, 1.0 + 1499 / 1300)):
         first, end = part_of(time_s, curves, zoom)
-        assert part_words((time_s[first], time_s[end - 1]), time_s, zoom) == "", zoom
+        assert part_text((time_s[first], time_s[end - 1]), time_s, zoom) == "", zoom
     first, end = part_of(time_s, curves, (1.0, 4.0))
-    said = part_words((time_s[first], time_s[end - 1]), time_s, (1.0, 4.0))
+    said = part_text((time_s[first], time_s[end - 1]), time_s, (1.0, 4.0))
     assert said == "over time of what is in sight 1000 to 2153 ms: zoom Traces further in"

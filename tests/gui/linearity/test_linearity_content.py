@@ -9,8 +9,8 @@ from skinsource_gui.panels.linearity.content import (
     diagrams_of_superposition,
     of_amplitudes,
     part_of,
-    proportion_words,
-    superposition_words,
+    proportion_text,
+    superposition_text,
 )
 
 RATE_HZ = 1300.0
@@ -87,11 +87,11 @@ def test_dots_stand_at_what_was_found_and_lines_at_what_would_be_straight():
 def test_a_response_without_a_frequency_in_its_band_has_no_straightness_to_tell():
     short = STRENGTHS[:, None, None] * responses(30)
     found = proportion(STRENGTHS, short, RATE_HZ, (3.0, 5.0))
-    assert "R²" not in proportion_words(found)
+    assert "R²" not in proportion_text(found)
     *_, straight = diagrams_of_proportion(found, ROWS, TIME_S[:30], None, of_amplitudes("×"))
     assert straight.x.shown[1] > 0.0
     least = np.nanmin(bent().adjusted_r2)
-    assert f"R² in bands of 2 Hz {least:.6f} at least" in proportion_words(bent())
+    assert f"R² in bands of 2 Hz {least:.6f} at least" in proportion_text(bent())
 
 
 def test_the_sum_is_wide_below_the_joint_response_and_they_are_held_against_each_other():
@@ -125,4 +125,4 @@ def test_a_response_of_one_sample_is_a_dot():
         assert diagram.x.shown == pytest.approx((0.099, 0.101))
         assert all(one.x.tolist() == [0.1] and one.width_px == 0.0 for one in diagram.curves)
     # Nothing is said of how alike curves of one point are.
-    assert superposition_words(added).endswith("no difference")
+    assert superposition_text(added).endswith("no difference")

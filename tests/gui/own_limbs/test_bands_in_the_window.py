@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QLabel, QToolButton
 
 from skinsource.design import edits
 from skinsource.design.design import Design, track
-from skinsource.design.presets.presets import read_shelf, shipped_folder
+from skinsource.design.presets.presets import read_preset_folder, shipped_folder
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone
 from tests.core.own_limbs.lab_bench import installed
@@ -38,6 +38,6 @@ def test_the_advice_beside_fields_asks_the_limb(user_data, make_window, qtbot, b
     assert spectrogram.ceiling.value_si == 2000.0
     library = window.panel("library")
     library.preview.show_limb("lab-1")
-    library.preview.show_preset(read_shelf(shipped_folder()).entries[0].preset)
+    library.preview.show_preset(read_preset_folder(shipped_folder()).entries[0].preset)
     assert library.preview.spectrum._band_hz == band
     library.preview.grab()

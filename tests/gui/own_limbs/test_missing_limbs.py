@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QApplication, QLabel
 
 from skinsource.design.design import Design, track
 from skinsource.design.view import View
-from skinsource.limbs.locations import input_words, output_words
+from skinsource.limbs.locations import input_name, output_name
 from skinsource.limbs.own_limbs import facts_of, remove_limb
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.shell.limb_note import LimbNote
@@ -33,13 +33,13 @@ def gone(user_data, window, qtbot):
 
 
 def test_of_a_missing_limb_places_have_numbers_alone():
-    assert input_words(6, "lab-9").name == "Place 6"
-    assert output_words(3, "lab-9").name == "Output 3"
+    assert input_name(6, "lab-9").name == "Place 6"
+    assert output_name(3, "lab-9").name == "Output 3"
     assert facts_of("lab-9").band_hz is None
 
 
 def test_where_no_limb_is_named_places_and_band_are_those_of_the_published_ones():
-    assert input_words(6).name == "Digit I, pad"
+    assert input_name(6).name == "Digit I, pad"
     assert facts_of("").band_hz == (25.0, 600.0)
 
 

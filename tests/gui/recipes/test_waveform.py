@@ -105,6 +105,8 @@ def test_a_new_waveform_is_a_file_and_a_name_and_a_new_field_is_a_line(
     label = 'label: str = fields.text("", TextSpec(label="Label", longest=20))\n'
     copy.insert(copy.library / "design" / "design.py", "    muted: bool = fields", f"    {label}")
     bookmark = 'bookmark_s: float = fields.number(0.25, NumberSpec(label="Bookmark"))\n'
-    copy.insert(copy.library / "design" / "view.py", "    delay_removed: bool = fields", f"    {bookmark}")
+    copy.insert(
+        copy.library / "design" / "view.py", "    delay_removed: bool = fields", f"    {bookmark}"
+    )
     found = copy.run(TRY, tmp_path / "new.skinsource", older_design)
     assert found == "all of it works\n"

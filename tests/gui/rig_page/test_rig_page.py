@@ -12,7 +12,7 @@ from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.rigs import Rig, RigChannel, open_rig, save_rig
 from skinsource.design import edits
 from skinsource.design.view import View
-from skinsource.limbs.locations import input_words
+from skinsource.limbs.locations import input_name
 from skinsource_gui.pages.rig.page import RigDraft, RigPage, title_of
 from tests.core.own_limbs.lab_bench import N_INPUTS, installed
 
@@ -208,6 +208,6 @@ def test_places_are_those_of_the_limb_of_the_design_the_driven_ones_first(user_d
         draft.add(0)
     assert [one.place for one in draft.rig.channels] == [5, 2, 1, 3, 4, 6, 7]
     assert said == ["All places are wired already."]
-    own = input_words(5, "lab-1").name
+    own = input_name(5, "lab-1").name
     assert title_of(draft.rig.channels[0], "lab-1") == f"5 · {own}, output 1"
-    assert own != input_words(5).name
+    assert own != input_name(5).name

@@ -7,7 +7,7 @@ from PySide6.QtGui import QFontMetricsF, QImage, QPainter
 import skinsource as ss
 from skinsource.design.comparing import Snapshot
 from skinsource.design.design import Design
-from skinsource_gui.panels.side_by_side.content import Cell, Content, snapshot_names
+from skinsource_gui.panels.side_by_side.content import Cell, SideBySideContent, snapshot_names
 from skinsource_gui.panels.side_by_side.view import bold, paint_heading, places_for
 from skinsource_gui.plots.small_map import tick_text
 from skinsource_gui.state.compared import Compared
@@ -17,7 +17,7 @@ LONG = tuple(f"Snapshot {k} on Synthetic {k} minus Edited on Synthetic 4" for k 
 
 
 def headed(*headings):
-    return Content(cells=tuple(Cell(headings=(one,), limb="") for one in headings))
+    return SideBySideContent(cells=tuple(Cell(headings=(one,), limb="") for one in headings))
 
 
 def test_long_headings_of_three_have_the_lines_they_need_and_short_ones_have_one(qapp):

@@ -26,9 +26,9 @@ from skinsource_gui.panels.skin.film import (
     film_of,
     frame_size,
 )
-from skinsource_gui.panels.skin.layout import SeenPart
+from skinsource_gui.panels.skin.layout import VisiblePart
 from skinsource_gui.panels.skin.settings import MAGNITUDE, RMS, SkinSettings, Z
-from skinsource_gui.panels.skin.time import pace_of
+from skinsource_gui.panels.skin.time import slow_down_factor
 from skinsource_gui.plots.pictures import LAYOUTS, PictureDialog, PictureOptions, with_caption
 from skinsource_gui.qt.theme import DARK
 
@@ -135,19 +135,19 @@ def test_it_is_as_slow_as_its_waves_need_and_never_faster_than_wanted():
     per_s = 60
     for name, least in ((Z, 20.0), (MAGNITUDE, 50.0), (RMS, 2.0)):
         settings = SkinSettings(quantity=name, rms_window_s=0.02)
-        assert pace_of(View(), settings, per_s, PERSON) == least
-        assert pace_of(View(slow_motion=100.0), settings, per_s, PERSON) == 100.0
+        assert slow_down_factor(View(), settings, per_s, PERSON) == least
+        assert slow_down_factor(View(slow_motion=100.0), settings, per_s, PERSON) == 100.0
     settings = SkinSettings(quantity=MAGNITUDE)
-    assert pace_of(View(slow_motion=30.0), settings, per_s, PERSON) == 50.0
+    assert slow_down_factor(View(slow_motion=30.0), settings, per_s, PERSON) == 50.0
     # At 4 kHz waves may be three times as quick, unless the lab says that they are not.
     lab = replace(PERSON, own=True, sample_rate_hz=4000.0, band_hz=None)
-    assert pace_of(View(), settings, per_s, lab) == 200.0
-    assert pace_of(View(), settings, per_s, replace(lab, band_hz=(20.0, 250.0))) == 20.0
+    assert slow_down_factor(View(), settings, per_s, lab) == 200.0
+    assert slow_down_factor(View(), settings, per_s, replace(lab, band_hz=(20.0, 250.0))) == 20.0
     # A film may run more slowly than the window plays.
     for rate_hz in (6500.0, 48_000.0, 1e6):
         quick = replace(lab, sample_rate_hz=rate_hz)
         for frames_per_s in (50, 60):
-            pace = pace_of(View(slow_motion=200.0), settings, frames_per_s, quick)
+            pace = slow_down_factor(View(slow_motion=200.0), settings, frames_per_s, quick)
             # Of a length, which moves twice as fast as its axes, two frames in each period.
             assert 2.0 <= frames_per_s * pace / rate_hz < 5.0
 
@@ -184,9 +184,9 @@ def test_the_settings_of_the_panel_are_those_of_the_film(tmp_path, small, monkey
     )
     settings = SkinSettings(quantity=RMS, rms_window_s=0.05, moving_range_db=(-60.0, -10.0))
     view = with_settings(replace(VIEW, slow_motion=10.0), "skin", settings)
-    export_animation(tmp_path / "a.gif", DESIGN, view, seen=SeenPart(fit="hand"))
+    export_animation(tmp_path / "a.gif", DESIGN, view, seen=VisiblePart(fit="hand"))
     content, heading, look = seen[0]
-    assert look[-1] == SeenPart(fit="hand")
+    assert look[-1] == VisiblePart(fit="hand")
     assert content.value_range == (-60.0, -10.0)
     assert heading.title == "Skin acceleration, RMS over 50 ms, at 60.0 ms"
     assert heading.details.endswith("1/10 of real time")

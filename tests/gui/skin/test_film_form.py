@@ -24,7 +24,7 @@ from skinsource_gui.panels.skin.film import (
     film_options,
     film_remark,
 )
-from skinsource_gui.panels.skin.layout import SeenPart
+from skinsource_gui.panels.skin.layout import VisiblePart
 from skinsource_gui.panels.skin.settings import SkinSettings
 from skinsource_gui.plots.pictures import PictureDialog, PictureOptions
 
@@ -66,7 +66,7 @@ def test_it_begins_with_what_the_screen_shows_and_how_slowly(quantity, filmed):
     options = film_options(DESIGN, view, replace(SIZES, colours="dark"))
     assert (options.quantity, options.pace, options.part) == (filmed, "100", "seen")
     assert (options.rms_window_s, options.colours) == (0.05, "dark")
-    assert options.part_of(SeenPart(fit="hand")) == SeenPart(fit="hand")
+    assert options.part_of(VisiblePart(fit="hand")) == VisiblePart(fit="hand")
 
 
 def test_it_begins_as_fast_as_waves_can_be_followed_and_keeps_the_format_of_the_last_time():
@@ -192,12 +192,12 @@ def test_what_was_chosen_is_filmed_and_not_what_the_screen_shows(tmp_path, monke
     options = FilmOptions(
         width_px=120, height_px=160, quantity="rms", rms_window_s=0.04, part="hand", pace="50"
     )
-    whole = SeenPart(fit="whole")
+    whole = VisiblePart(fit="whole")
     export_animation(tmp_path / "a.gif", DESIGN, view, options=options, seen=whole)
     _content, heading, look = seen[0]
     assert heading.title == "Skin acceleration, RMS over 40 ms, at 60.0 ms"
     assert heading.details.endswith("1/50 of real time")
-    assert look[-1] == SeenPart(fit="hand")
+    assert look[-1] == VisiblePart(fit="hand")
     # How it is drawn is as on the screen.
     assert settings_of(options.view_of(view), "skin", SkinSettings).map_style == "sensors"
 

@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
 from skinsource.limbs.limb import LimbMap
-from skinsource_gui.panels.skin.map import SkinMap, message_card, message_place, paint_words
+from skinsource_gui.panels.skin.map import SkinMap, message_card, message_place, paint_map_texts
 from skinsource_gui.panels.skin.painting import (
     MapContent,
     is_crowded,
@@ -225,7 +225,7 @@ def test_words_above_a_fitted_map_lie_on_no_skin(window, size, fit):
     image.fill(QColor("white"))
     painter = QPainter(image)
     painter.setFont(view.font())
-    paint_words(painter, view.content, layout, QRectF(view.rect()), LIGHT)
+    paint_map_texts(painter, view.content, layout, QRectF(view.rect()), LIGHT)
     painter.end()
     pixels = np.frombuffer(image.constBits(), np.uint32).reshape(size[1], -1) & 0xFFFFFF
     inked = np.flatnonzero((pixels != 0xFFFFFF).any(axis=1))

@@ -18,7 +18,7 @@ from tests.gui.stimulus.stimulus_bench import WAIT_MS, label
 @pytest.fixture
 def gate(monkeypatch):
     """Set it, and a stimulus is prepared; nothing is before."""
-    gate, whole = Event(), preparing.prepared
+    gate, whole = Event(), preparing.prepare_stimulus
 
     def held(*arguments, progress, stop, **options):
         progress(1, 4, "Computing")

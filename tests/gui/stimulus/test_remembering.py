@@ -9,7 +9,12 @@ import skinsource as ss
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.design.view import View
 from skinsource_gui.pages.stimulus.form import StimulusForm, recall, remembered
-from skinsource_gui.pages.stimulus.page import StimulusPage, calibration_of, summary_of, words_of
+from skinsource_gui.pages.stimulus.page import (
+    StimulusPage,
+    calibration_of,
+    channel_lines,
+    summary_of,
+)
 
 WAIT = {"timeout": 30_000}
 DESIGN = ss.Design(
@@ -122,7 +127,7 @@ def test_levels_of_full_scale_have_no_minus_before_nothing():
     full = SimpleNamespace(
         number=1, place=7, title="Digit II", peak=1.0 - 1e-9, rms=1.0 - 1e-9, clipped=0
     )
-    assert words_of(full)[1] == "peak 0.0 dB, RMS 0.0 dB"
+    assert channel_lines(full)[1] == "peak 0.0 dB, RMS 0.0 dB"
 
 
 def test_a_design_that_is_predicted_through_an_equaliser_is_offered_as_predicted(qtbot):

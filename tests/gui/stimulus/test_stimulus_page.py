@@ -10,7 +10,7 @@ import skinsource as ss
 from skinsource.actuators.measured_response import MeasuredResponse
 from skinsource.actuators.rigs import Rig, RigChannel, save_rig
 from skinsource.export.formats.formats import FORMATS
-from skinsource_gui.pages.stimulus.page import bytes_in_words, duration_words, joined
+from skinsource_gui.pages.stimulus.page import duration_text, joined, size_text
 from tests.gui.stimulus.stimulus_bench import WAIT_MS, choose, export, label
 
 
@@ -24,7 +24,7 @@ def test_it_shows_the_channels_as_they_will_be(page, design):
     text = label(page, "summary")
     n_times = ss.stimulus_of(design, 48_000).n_times
     assert text.startswith(f"2 channels, {1e3 * n_times / 48_000:.4g} ms at 48 000 Hz, about ")
-    assert bytes_in_words(found.n_bytes) in text
+    assert size_text(found.n_bytes) in text
     assert "Uncalibrated" in label(page, "loses")
 
 
@@ -137,7 +137,7 @@ def test_every_format_of_the_table_is_offered_and_shown(page, qtbot):
 
 
 def test_lengths_of_time_are_said_as_people_read_them():
-    said = [duration_words(time_s) for time_s in (37 / 48_000, 0.2, 1.5)]
+    said = [duration_text(time_s) for time_s in (37 / 48_000, 0.2, 1.5)]
     assert said == ["0.77 ms", "200 ms", "1.5 s"]
 
 

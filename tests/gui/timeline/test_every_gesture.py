@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import QPointF
 from PySide6.QtTest import QTest
 
-from skinsource_gui.panels.timeline.content import hover_words
+from skinsource_gui.panels.timeline.content import timeline_tooltip
 from skinsource_gui.qt.keys import MOUSE
 from tests.gui.timeline.gestures_made import MADE, SHIFT, end_of, middle, px
 from tests.gui.timeline.lanes_bench import LEFT, LanesBench
@@ -26,12 +26,12 @@ def test_what_help_lists_is_what_the_mouse_does(lanes, where, name):
 
 
 def test_over_the_end_of_a_clip_it_says_how_to_trim_and_how_to_stretch(lanes):
-    words = hover_words(lanes.content, end_of(lanes, 2))
+    words = timeline_tooltip(lanes.content, end_of(lanes, 2))
     assert "trim a clip" in words
     assert "with Shift or Alt: stretch" in words.replace("\n", " ")
-    assert "fade" in hover_words(lanes.content, lanes.box(2).topLeft() + QPointF(3, 3))
-    assert hover_words(lanes.content, middle(lanes, 2)) == ""
-    assert hover_words(lanes.content, lanes.at(0.6)) == ""
+    assert "fade" in timeline_tooltip(lanes.content, lanes.box(2).topLeft() + QPointF(3, 3))
+    assert timeline_tooltip(lanes.content, middle(lanes, 2)) == ""
+    assert timeline_tooltip(lanes.content, lanes.at(0.6)) == ""
 
 
 def test_while_an_end_is_dragged_the_label_says_what_shift_would_do(lanes):

@@ -16,9 +16,9 @@ from skinsource.design.signal_path import UnplayableInput
 from skinsource.design.waveforms.pulses import Tap
 from skinsource.design.waveforms.tones import Tone
 from skinsource_gui.panels.timeline.content import ClipLengths
-from skinsource_gui.panels.timeline.gestures import Shown
+from skinsource_gui.panels.timeline.gestures import GesturePreview
 from skinsource_gui.panels.timeline.painting import mark_clip
-from skinsource_gui.qt.frames import KeptPicture
+from skinsource_gui.qt.frames import CachedPicture
 from skinsource_gui.qt.theme import DARK, apply_theme
 from tests.gui.timeline.bench import results_of
 from tests.gui.timeline.lanes_bench import LanesBench
@@ -110,11 +110,11 @@ def test_the_clip_under_the_pointer_repaints_its_lane(bench):
 
 
 def test_words_guide_and_marquee_of_a_gesture_repaint_no_lane(bench):
-    shown = Shown(guide_s=0.3, words="0.3 s", covered=bench.box(3))
+    shown = GesturePreview(guide_s=0.3, words="0.3 s", covered=bench.box(3))
     bench.lanes.over.show_over(shown, QPointF(100, 100))
     with_them = picture(bench)
     assert settled(bench) == 0
-    bench.lanes.over.show_over(Shown(), QPointF(100, 100))
+    bench.lanes.over.show_over(GesturePreview(), QPointF(100, 100))
     assert picture(bench) != with_them
     assert settled(bench) == 0
 
@@ -185,7 +185,7 @@ def test_only_clips_that_changed_are_asked_for_their_length(bench):
     assert second.of(second.design) is second
 
 
-class CountedPicture(KeptPicture):
+class CountedPicture(CachedPicture):
     """Counts how often something is painted anew."""
 
     def __init__(self):

@@ -10,7 +10,7 @@ from skinsource.base.work import counted
 from skinsource.design.clips import GAIN as CLIP_GAIN
 from skinsource.design.clips import LABEL, MUTED, ONSET, Clip, Fragment, Lane, numbered
 from skinsource.design.design import MAX_CLIPS, MAX_INPUTS, Design, Input
-from skinsource.design.edits.edit import Edit, Refusal, place_words, refused, with_clips
+from skinsource.design.edits.edit import Edit, Refusal, location_text, refused, with_clips
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.specs import codec as text
@@ -100,7 +100,7 @@ def remove_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refus
     beside = list(after.input(design.track_of(last.id).id).clips)
     beside.sort(key=lambda one: (one.onset_s < last.onset_s, abs(one.onset_s - last.onset_s)))
     return Edit(
-        label=f"Remove {clips_words(design, chosen)}",
+        label=f"Remove {clips_text(design, chosen)}",
         design=after,
         view=clips_selected(after, view, tuple(one.id for one in beside[:1])),
     )
@@ -169,7 +169,7 @@ def repeat_clips(design: Design, view: View, ids: Iterable[int], times: int) -> 
     copies = []
     for k in range(1, times):
         copies += _moved(design, chosen, k * length_s, 0)
-    return with_new_clips(design, view, f"Repeat {clips_words(design, chosen)}", copies)
+    return with_new_clips(design, view, f"Repeat {clips_text(design, chosen)}", copies)
 
 
 def set_clips(
@@ -188,7 +188,7 @@ def set_clips(
     verb = f"Change {_FIELDS[name].label.lower()} of"
     if name == "muted":
         verb = "Mute" if value else "Unmute"
-    return Edit(label=f"{verb} {clips_words(design, chosen)}", design=after, view=view)
+    return Edit(label=f"{verb} {clips_text(design, chosen)}", design=after, view=view)
 
 
 def toggle_mute_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
@@ -204,11 +204,11 @@ def present_clips(design: Design, ids: Iterable[int]) -> tuple[Clip, ...]:
     return tuple(one for one in design.clips if one.id in wanted)
 
 
-def clips_words(design: Design, chosen: tuple[Clip, ...]) -> str:
+def clips_text(design: Design, chosen: tuple[Clip, ...]) -> str:
     """What the history calls them: "clip at 7 (II pad)", or "3 clips"."""
     if len(chosen) != 1:
         return f"{len(chosen)} clips"
-    return f"clip at {place_words(design.track_of(chosen[0].id).location, design.limb)}"
+    return f"clip at {location_text(design.track_of(chosen[0].id).location, design.limb)}"
 
 
 def short(time_s: float) -> float:
@@ -272,7 +272,7 @@ def _moved(
 
 def _words_of(design: Design, moved: list[tuple[int, Clip]]) -> str:
     """What the history calls clips that were moved, by where they were."""
-    return clips_words(design, tuple(clip for _, clip in moved))
+    return clips_text(design, tuple(clip for _, clip in moved))
 
 
 def _onset(time_s: float) -> float:
@@ -309,7 +309,7 @@ def move_clips_to_place(
             return refused(error)
         target = design.ids[-1]
     verb = "Copy" if copies else "Move"
-    label = f"{verb} {clips_words(design, chosen)} to {place_words(location, design.limb)}"
+    label = f"{verb} {clips_text(design, chosen)} to {location_text(location, design.limb)}"
     if copies:
         return with_new_clips(design, view, label, [(target, clip) for clip in chosen])
     moved = {one.id for one in chosen}
@@ -377,7 +377,7 @@ def cut_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
         for one in design.inputs
     )
     return Edit(
-        label=f"Cut {clips_words(design, chosen)}",
+        label=f"Cut {clips_text(design, chosen)}",
         design=replace(design, inputs=inputs),
         view=replace(view, selected_clips=()),
     )

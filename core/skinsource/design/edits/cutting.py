@@ -18,7 +18,7 @@ from skinsource.design.edits.clips import (
     NO_CLIP,
     NO_TIME,
     clips_selected,
-    clips_words,
+    clips_text,
     present_clips,
     replace_clips,
     short,
@@ -66,7 +66,7 @@ def split_clips(design: Design, view: View, ids: Iterable[int], at_s: float) -> 
         return after
     known = {one.id for one in design.clips}
     later = tuple(one.id for one in after.clips if one.id not in known)
-    words = clips_words(design, tuple(one for one in chosen if one.id in cut))
+    words = clips_text(design, tuple(one for one in chosen if one.id in cut))
     return Edit(label=f"Split {words}", design=after, view=clips_selected(after, view, later))
 
 
@@ -298,7 +298,7 @@ def _changed(
         after = with_clips(design, {one.id: changes})
     except InvalidInputError as error:
         return refused(error)
-    return Edit(label=f"{verb} {clips_words(design, (one,))}", design=after, view=view)
+    return Edit(label=f"{verb} {clips_text(design, (one,))}", design=after, view=view)
 
 
 def _is_time(value: Any) -> bool:

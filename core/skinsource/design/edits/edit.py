@@ -13,7 +13,7 @@ from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.catalog import kinds
 from skinsource.design.waveforms.tones import Glide
-from skinsource.limbs.locations import input_words
+from skinsource.limbs.locations import input_name
 from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec, SamplesSpec
 from skinsource.specs.samples import Samples
@@ -61,18 +61,18 @@ def present(design: Design, ids: Iterable[int]) -> tuple[Input, ...]:
     return tuple(one for one in design.inputs if one.id in wanted)
 
 
-def inputs_words(chosen: tuple[Input, ...], limb: str) -> str:
+def tracks_text(chosen: tuple[Input, ...], limb: str) -> str:
     """What the history calls them: "input at 7 (II pad)", or "3 inputs"."""
     return (
-        f"input at {place_words(chosen[0].location, limb)}"
+        f"input at {location_text(chosen[0].location, limb)}"
         if len(chosen) == 1
         else (f"{len(chosen)} inputs")
     )
 
 
-def place_words(location: int, limb: str = "") -> str:
+def location_text(location: int, limb: str = "") -> str:
     """Number and short name of an input place of a limb, "7 (II pad)"."""
-    short = input_words(location, limb).short_name
+    short = input_name(location, limb).short_name
     return str(location) if short == f"place {location}" else f"{location} ({short})"
 
 
@@ -95,7 +95,7 @@ def changed(
         after = replace(design, inputs=inputs)
     except InvalidInputError as error:
         return refused(error)
-    return Edit(label=f"{verb} {inputs_words(chosen, design.limb)}", design=after, view=view)
+    return Edit(label=f"{verb} {tracks_text(chosen, design.limb)}", design=after, view=view)
 
 
 def with_clips(design: Design, changes: dict[int, dict[str, Any]]) -> Design:

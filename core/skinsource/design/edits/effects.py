@@ -12,7 +12,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import quoted, sentence
 from skinsource.design.clips import GAIN, LABEL, MAX_EFFECTS, ONSET, Clip
 from skinsource.design.design import AMPLITUDE, GAIN_CURVE, Design, Input
-from skinsource.design.edits.clips import NO_CLIP, clips_words, present_clips
+from skinsource.design.edits.clips import NO_CLIP, clips_text, present_clips
 from skinsource.design.edits.edit import (
     NOTHING_CHOSEN,
     Edit,
@@ -22,8 +22,8 @@ from skinsource.design.edits.edit import (
     changed,
     clip_of,
     clips_of,
+    location_text,
     nearest,
-    place_words,
     present,
     refused,
     with_clips,
@@ -44,7 +44,7 @@ from skinsource.signals.drawing import bounded_to_band
 from skinsource.signals.synthesis import Column, Curve, with_curve
 from skinsource.specs.breakpoints import Breakpoint
 from skinsource.specs.models import specs_of
-from skinsource.specs.numbers import ListSpec, NumberSpec, RecipeSpec
+from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec
 from skinsource.specs.samples import Samples
 from skinsource.specs.spec import ChoiceSpec, Spec
 
@@ -180,7 +180,7 @@ def _changed(
         after = with_clips(design, {id: {"effects": chain} for id, chain in chains.items()})
     except InvalidInputError as error:
         return refused(error)
-    return Edit(label=f"{verb} {clips_words(design, chosen)}", design=after, view=view)
+    return Edit(label=f"{verb} {clips_text(design, chosen)}", design=after, view=view)
 
 
 def _words(effect: Effect | type[Effect]) -> str:
@@ -196,7 +196,7 @@ def _words(effect: Effect | type[Effect]) -> str:
 Parts = tuple[Any, ...]
 
 
-def choices_of(spec: RecipeSpec) -> ChoiceSpec:
+def choices_of(spec: ModelSpec) -> ChoiceSpec:
     """What can be chosen for a recipe: its kinds, by name and title.
 
     Where there is one kind alone, it is what that holds which is chosen: of a clip the waveform.
@@ -207,7 +207,7 @@ def choices_of(spec: RecipeSpec) -> ChoiceSpec:
     return made(label=spec.label, hint=spec.hint, options=options)
 
 
-def new_part(spec: RecipeSpec, name: str, holder: Any = None) -> Any:
+def new_part(spec: ModelSpec, name: str, holder: Any = None) -> Any:
     """A new recipe of `choices_of` ``spec``; an effect fits the clip that is to hold it.
 
     Raises
@@ -228,7 +228,7 @@ def new_part(spec: RecipeSpec, name: str, holder: Any = None) -> Any:
     return kind()
 
 
-def part_words(part: Any) -> str:
+def part_text(part: Any) -> str:
     """What a part is called: the user's label, or the title of its kind or of what it holds."""
     held = _held(type(part))
     inside = _title(type(getattr(part, held[0]))) if held else ""
@@ -255,7 +255,7 @@ def with_part(parts: Parts, index: int, part: Any) -> Parts:
     return (*parts[:index], part, *parts[index + 1 :])
 
 
-def changing_words(spec: Spec, before: Any, after: Any) -> str:
+def change_text(spec: Spec, before: Any, after: Any) -> str:
     """What is done to a field, for the history: "Change onset of", "Add to parts of"."""
     label = spec.label.lower()
     if isinstance(spec, ListSpec) and spec.nests:
@@ -267,16 +267,16 @@ def changing_words(spec: Spec, before: Any, after: Any) -> str:
     return f"Change {label} of"
 
 
-def _chosen(spec: RecipeSpec) -> tuple[type, ...]:
+def _chosen(spec: ModelSpec) -> tuple[type, ...]:
     kinds = spec.kinds()
     held = _held(kinds[0]) if len(kinds) == 1 else None
     return kinds if held is None else held[1].kinds()
 
 
-def _held(kind: type) -> tuple[str, RecipeSpec] | None:
+def _held(kind: type) -> tuple[str, ModelSpec] | None:
     """The first field of a recipe that holds another one, if any does."""
     pairs = specs_of(kind).items()
-    return next(((name, spec) for name, spec in pairs if isinstance(spec, RecipeSpec)), None)
+    return next(((name, spec) for name, spec in pairs if isinstance(spec, ModelSpec)), None)
 
 
 def _title(kind: type) -> str:
@@ -421,7 +421,7 @@ def _values_set(
     except InvalidInputError as error:
         return refused(error)
     target, value = values[0]
-    verb = changing_words(target.spec(name), target.value(name), value)
+    verb = change_text(target.spec(name), target.value(name), value)
     return changed(design, view, verb, changes, of_clips)
 
 
@@ -489,7 +489,7 @@ def equalise_on_skin(
         )
     # A hundredth of a dB is less than anything that can be felt or set; -0.0 would be odd.
     gains_db = tuple(round(softest_db - one, 2) + 0.0 for one in levels_db)
-    note = f"{NOTED}{measure}, {design.limb}, {place_words(track.location, design.limb)}"
+    note = f"{NOTED}{measure}, {design.limb}, {location_text(track.location, design.limb)}"
     kept = [words for words in clip.label.split(_BETWEEN) if words and not words.startswith(NOTED)]
     label = _BETWEEN.join((*kept, note))
     change = {
@@ -513,7 +513,7 @@ def draw_clip(
     try:
         waveform = Drawn(Samples(values=samples, sample_rate_hz=sample_rate_hz))
         after = design.with_clip(clip_id, waveform=waveform)
-        place = place_words(design.track_of(clip_id).location, design.limb)
+        place = location_text(design.track_of(clip_id).location, design.limb)
     except InvalidInputError as error:
         return refused(error)
     return Edit(label=f"Draw at {place}", design=after, view=view)

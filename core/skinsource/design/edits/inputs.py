@@ -13,7 +13,7 @@ from skinsource.design.design import MAX_INPUTS, Design, track
 from skinsource.design.edits.clips import (
     NO_CLIP,
     clips_selected,
-    clips_words,
+    clips_text,
     present_clips,
     replace_clips,
     short,
@@ -24,11 +24,11 @@ from skinsource.design.edits.edit import (
     Refusal,
     changed,
     clip_of,
-    inputs_words,
     kept_selection,
-    place_words,
+    location_text,
     present,
     refused,
+    tracks_text,
 )
 from skinsource.design.motions import Motion
 from skinsource.design.view import View
@@ -70,7 +70,7 @@ def place_input(design: Design, view: View, location: int, besides: bool = False
         new = replace(new, amplitude=model.amplitude)
     after = design.adding(new)
     return Edit(
-        label=f"Place input at {place_words(location, design.limb)}",
+        label=f"Place input at {location_text(location, design.limb)}",
         design=after,
         view=replace(
             view,
@@ -95,8 +95,8 @@ def move_inputs(design: Design, view: View, ids: Iterable[int], location: int) -
     if isinstance(outcome, Refusal):
         return outcome
     # Where it comes from is not said: during a drag that is the place before.
-    what = "input" if len(chosen) == 1 else inputs_words(chosen, design.limb)
-    return replace(outcome, label=f"Move {what} to {place_words(location, design.limb)}")
+    what = "input" if len(chosen) == 1 else tracks_text(chosen, design.limb)
+    return replace(outcome, label=f"Move {what} to {location_text(location, design.limb)}")
 
 
 def duplicate_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
@@ -110,7 +110,7 @@ def duplicate_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | R
     for one in chosen:
         after = after.adding(one)
     return Edit(
-        label=f"Duplicate {inputs_words(chosen, design.limb)}",
+        label=f"Duplicate {tracks_text(chosen, design.limb)}",
         design=after,
         view=replace(view, selected_inputs=after.ids[len(design.inputs) :], selected_clips=()),
     )
@@ -123,7 +123,7 @@ def remove_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | Refu
         return NOTHING_CHOSEN
     after = replace(design, inputs=tuple(one for one in design.inputs if one not in chosen))
     return Edit(
-        label=f"Remove {inputs_words(chosen, design.limb)}",
+        label=f"Remove {tracks_text(chosen, design.limb)}",
         design=after,
         view=kept_selection(view, design, after),
     )
@@ -209,7 +209,7 @@ def group_clips(
     except InvalidInputError as error:
         return refused(error)
     view = clips_selected(after, view, (group.id,))
-    return Edit(label=f"Group {clips_words(design, chosen)}", design=after, view=view)
+    return Edit(label=f"Group {clips_text(design, chosen)}", design=after, view=view)
 
 
 def ungroup_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
@@ -271,7 +271,7 @@ def place_waveform(
     except InvalidInputError as error:
         return refused(error)
     return Edit(
-        label=f"Place {waveform.title.lower()} at {place_words(location, design.limb)}",
+        label=f"Place {waveform.title.lower()} at {location_text(location, design.limb)}",
         design=after,
         view=replace(view, selected_inputs=after.ids[-1:], selected_clips=()),
     )
@@ -316,7 +316,7 @@ def put_inputs_before(design: Design, view: View, ids: Iterable[int], index: int
     before = [one for one in design.inputs[: max(index, 0)] if one not in chosen]
     after = [one for one in design.inputs[max(index, 0) :] if one not in chosen]
     return Edit(
-        label=f"Reorder {inputs_words(chosen, design.limb)}",
+        label=f"Reorder {tracks_text(chosen, design.limb)}",
         design=replace(design, inputs=(*before, *chosen, *after)),
         view=view,
     )
@@ -332,7 +332,7 @@ def shift_inputs(design: Design, view: View, ids: Iterable[int], down: bool) -> 
         if order[place] in chosen and order[place - 1] not in chosen:
             order[place - 1], order[place] = order[place], order[place - 1]
     return Edit(
-        label=f"Reorder {inputs_words(chosen, design.limb)}",
+        label=f"Reorder {tracks_text(chosen, design.limb)}",
         design=replace(design, inputs=tuple(order[::-1] if down else order)),
         view=view,
     )

@@ -7,15 +7,7 @@ from typing import Any
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import quoted
 from skinsource.design.clips import Marker
-from skinsource.design.comparing import (
-    EDITED,
-    NUMBERS,
-    Snapshot,
-    gain_words,
-    louder,
-    name_of,
-    shown,
-)
+from skinsource.design.comparing import EDITED, NUMBERS, Snapshot, gain_text, louder, name_of, shown
 from skinsource.design.design import MAX_MARKERS, Design
 from skinsource.design.edits.edit import Edit, Refusal, changed, refused
 from skinsource.design.view import View
@@ -163,7 +155,7 @@ def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
     if gain == 1.0:
         return Refusal(sentence="The design is shown with the amplitudes that it has.")
     return Edit(
-        label=f"Keep {gain_words(gain) or 'the match gain'}",
+        label=f"Keep {gain_text(gain) or 'the match gain'}",
         design=louder(design, gain),
         view=view,
     )

@@ -113,7 +113,7 @@ def _shifts_s(
 LONGEST_S = 3600.0
 
 
-def refuse_too_long(duration_s: float) -> None:
+def check_duration(duration_s: float) -> None:
     """Refuse what would play longer than an hour, before it is made.
 
     Raises

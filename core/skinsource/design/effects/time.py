@@ -16,9 +16,9 @@ from skinsource.design.effects.effect import (
     stretched_in_time,
 )
 from skinsource.design.effects.playing import (
+    check_duration,
     own_times,
     part_of_sample,
-    refuse_too_long,
     samples_until,
     silent_outside,
 )
@@ -86,7 +86,7 @@ class Repeat:
         if self.times == 1 or not samples.size:
             return samples
         one_s = own_duration_s(samples, sample_rate_hz, shift_s, duration_s)
-        refuse_too_long(self.length(one_s))
+        check_duration(self.length(one_s))
         period = (one_s + self.gap_s) * sample_rate_hz
         delayed: dict[float, Floats] = {0.0: samples}
         found = np.zeros(round((self.times - 1) * period) + samples.size + 2)
@@ -240,7 +240,7 @@ class Stretch:
         if factor == 1.0 or not samples.size:
             return samples
         length_s = factor * whole_s
-        refuse_too_long(length_s)
+        check_duration(length_s)
         n = sample_count(length_s, sample_rate_hz) + (shift_s > 0.0)
         times_s = own_times(n, sample_rate_hz, shift_s)
         if self.pitch == "stays":

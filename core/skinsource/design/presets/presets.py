@@ -27,7 +27,7 @@ from skinsource.design.waveforms.samples import Layers
 from skinsource.specs import codec as text
 from skinsource.specs import fields, models
 from skinsource.specs.breakpoints import Breakpoint
-from skinsource.specs.numbers import ListSpec, RecipeSpec
+from skinsource.specs.numbers import ListSpec, ModelSpec
 from skinsource.specs.spec import Address, TextSpec
 
 # What the library holds: a piece of a design under a name.
@@ -39,7 +39,7 @@ TAG = TextSpec(label="Tag", longest=40, one_line=True)
 TAGS = ListSpec(label="Tags", of=TAG, most=MAX_TAGS, different=True)
 SOURCE = TextSpec(label="Source", longest=1000)
 DESCRIPTION = TextSpec(label="Description", longest=5000)
-FRAGMENT = RecipeSpec(label="Clips", kinds=lambda: (Fragment,))
+FRAGMENT = ModelSpec(label="Clips", kinds=lambda: (Fragment,))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -160,7 +160,7 @@ class Fault:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Shelf:
+class PresetFolder:
     """What a folder holds.
 
     Attributes
@@ -185,15 +185,15 @@ def users_folder() -> Path:
     return user_folder() / FOLDER
 
 
-def read_shelf(folder: Path) -> Shelf:
+def read_preset_folder(folder: Path) -> PresetFolder:
     """Read the presets of a folder; what is none, or cannot be read, is named and left out."""
     try:
         paths = sorted(path for path in folder.iterdir() if _is_meant(path))
     except (FileNotFoundError, NotADirectoryError):
-        return Shelf()
+        return PresetFolder()
     except OSError as error:
         words = f"{named(folder)}: cannot be looked through ({reason_of(error)})."
-        return Shelf(faults=(Fault(path=folder, sentence=words),))
+        return PresetFolder(faults=(Fault(path=folder, sentence=words),))
     entries, faults = [], []
     for path in paths[:MOST_FILES]:
         try:
@@ -204,7 +204,7 @@ def read_shelf(folder: Path) -> Shelf:
         words = f"{named(folder)}: holds {len(paths)} presets, the first {MOST_FILES} are read."
         faults.append(Fault(path=folder, sentence=words))
     entries.sort(key=lambda entry: (_by_number(entry.preset.name), entry.path))
-    return Shelf(entries=tuple(entries), faults=tuple(faults))
+    return PresetFolder(entries=tuple(entries), faults=tuple(faults))
 
 
 def _is_meant(path: Path) -> bool:

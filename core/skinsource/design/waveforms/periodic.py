@@ -12,7 +12,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.design.waveform import DURATION, WINDOW
 from skinsource.design.waveforms.tones import FREQUENCY, PHASE, count_of, harmonic_burst
 from skinsource.signals.generators import WindowName
-from skinsource.signals.synthesis import burst, refuse_aliases, sampled_series
+from skinsource.signals.synthesis import burst, check_below_half_rate, sampled_series
 from skinsource.specs import fields
 from skinsource.specs.numbers import NumberSpec
 
@@ -221,7 +221,7 @@ class PulseTrain:
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,); 1 is the height of the pulses without limit of their band."""
-        refuse_aliases("rate_hz", self.rate_hz, sample_rate_hz)
+        check_below_half_rate("rate_hz", self.rate_hz, sample_rate_hz)
         found = sampled_series(
             self._series,
             self.rate_hz,

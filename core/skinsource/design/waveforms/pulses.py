@@ -14,7 +14,7 @@ from skinsource.design.waveform import DURATION, WINDOW
 from skinsource.design.waveforms.tones import FREQUENCY, PHASE, count_of, instants
 from skinsource.signals.generators import TAP_S, WindowName, impulse, sample_count, tap, white_noise
 from skinsource.signals.sampling import band_limited_delay, shift_of, turns
-from skinsource.signals.synthesis import about_middle, begun, burst, refuse_aliases
+from skinsource.signals.synthesis import about_middle, begun, burst, check_below_half_rate
 from skinsource.specs import fields
 from skinsource.specs.numbers import NumberSpec
 
@@ -166,7 +166,7 @@ class DampedSine:
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), that stays below its decay of peak 1."""
-        refuse_aliases("frequency_hz", self.frequency_hz, sample_rate_hz)
+        check_below_half_rate("frequency_hz", self.frequency_hz, sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
         found = turns(self.frequency_hz, n, sample_rate_hz, shift_s)
         found *= 2.0 * pi

@@ -14,7 +14,7 @@ from skinsource.design.waveforms.tones import count_of
 from skinsource.signals.formula import functions, playing, reading
 from skinsource.signals.generators import window
 from skinsource.specs import fields
-from skinsource.specs.numbers import ListSpec, NumberSpec, OptionalSpec, RecipeSpec, SamplesSpec
+from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec, OptionalSpec, SamplesSpec
 from skinsource.specs.samples import Samples
 from skinsource.specs.spec import ChoiceSpec, TextSpec
 
@@ -174,7 +174,7 @@ MAX_PARTS = 100
 
 PARTS = ListSpec(
     label="Parts",
-    of=RecipeSpec(label="Clip", kinds=lambda: (Clip,)),
+    of=ModelSpec(label="Clip", kinds=lambda: (Clip,)),
     fewest=1,
     most=MAX_PARTS,
     hint="Clips, as they lie to each other",

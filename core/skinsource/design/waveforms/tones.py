@@ -13,16 +13,16 @@ from numpy.typing import NDArray
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import BAND_HZ
-from skinsource.design.waveform import DURATION, LONGEST_S, WINDOW, take_lists
+from skinsource.design.waveform import DURATION, LONGEST_S, WINDOW, lists_to_tuples
 from skinsource.signals.generators import WindowName, sample_count, sinusoid
 from skinsource.signals.sampling import shift_of, turns
 from skinsource.signals.synthesis import (
     DIGITS,
     bent_turns,
     burst,
+    check_below_half_rate,
     linear_sweep_turns,
     logarithmic_sweep_turns,
-    refuse_aliases,
     sampled_series,
 )
 from skinsource.specs import fields
@@ -146,10 +146,10 @@ class AmplitudeModulated:
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of peak 1."""
-        refuse_aliases("carrier_hz", self.carrier_hz, sample_rate_hz)
+        check_below_half_rate("carrier_hz", self.carrier_hz, sample_rate_hz)
         if self.depth:
             highest_hz = self.carrier_hz + self.modulator_hz
-            refuse_aliases("carrier_hz + modulator_hz", highest_hz, sample_rate_hz)
+            check_below_half_rate("carrier_hz + modulator_hz", highest_hz, sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
         found = turns(self.carrier_hz, n, sample_rate_hz, shift_s)
         found *= 2.0 * pi
@@ -222,10 +222,10 @@ class FrequencyModulated:
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of peak 1."""
-        refuse_aliases("carrier_hz", self.carrier_hz, sample_rate_hz)
-        refuse_aliases("modulator_hz", self.modulator_hz, sample_rate_hz)
+        check_below_half_rate("carrier_hz", self.carrier_hz, sample_rate_hz)
+        check_below_half_rate("modulator_hz", self.modulator_hz, sample_rate_hz)
         highest_hz = self.carrier_hz + self.deviation_hz
-        refuse_aliases("carrier_hz + deviation_hz", highest_hz, sample_rate_hz)
+        check_below_half_rate("carrier_hz + deviation_hz", highest_hz, sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
         swing = turns(self.modulator_hz, n, sample_rate_hz, shift_s)
         # Of a small angle the sine is more exact, and the deviation may multiply it by thousands.
@@ -293,8 +293,8 @@ class Chirp:
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of peak 1."""
-        refuse_aliases("start_hz", self.start_hz, sample_rate_hz)
-        refuse_aliases("end_hz", self.end_hz, sample_rate_hz)
+        check_below_half_rate("start_hz", self.start_hz, sample_rate_hz)
+        check_below_half_rate("end_hz", self.end_hz, sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
         if self.start_hz == self.end_hz:
             found = turns(self.start_hz, n, sample_rate_hz, shift_s)
@@ -348,7 +348,7 @@ class Glide:
     )
 
     def __post_init__(self) -> None:
-        take_lists(self, "points")
+        lists_to_tuples(self, "points")
         fields.check(self)
         if self.duration_s < _SHORTEST_S:
             raise InvalidInputError(
@@ -372,7 +372,7 @@ class Glide:
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), within the drawn amplitude of peak 1 or less."""
-        refuse_aliases("frequency_hz", max(hz for _, hz, _ in self.points), sample_rate_hz)
+        check_below_half_rate("frequency_hz", max(hz for _, hz, _ in self.points), sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
         found = np.zeros(n)
         rate, shift = Decimal(sample_rate_hz), Decimal(shift_s)
@@ -460,7 +460,7 @@ def harmonic_burst(
     InvalidInputError
         The frequency is not below half the sample rate.
     """
-    refuse_aliases("frequency_hz", recipe.frequency_hz, sample_rate_hz)
+    check_below_half_rate("frequency_hz", recipe.frequency_hz, sample_rate_hz)
     found = sampled_series(
         series,
         recipe.frequency_hz,

@@ -8,12 +8,12 @@ from typing import ClassVar, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.base.arguments import one_of, positive_number, whole_number
+from skinsource.base.arguments import integer, one_of, positive_number
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.waveform import CENTRE, CYCLES, refuse_length, take_lists
+from skinsource.design.waveform import CENTRE, CYCLES, check_waveform_duration, lists_to_tuples
 from skinsource.design.waveforms.tones import count_of
-from skinsource.signals.synthesis import DIGITS, bent_turns, refuse_aliases
+from skinsource.signals.synthesis import DIGITS, bent_turns, check_below_half_rate
 from skinsource.specs import fields
 from skinsource.specs.numbers import ListSpec, NumberSpec
 from skinsource.specs.spec import ChoiceSpec
@@ -62,7 +62,7 @@ def frequency_sweep(
         raise InvalidInputError(
             f"low_hz is {low:g}, expected at most high_hz, {high:g}; order 'down' turns them round"
         )
-    count = whole_number("count", count, 1, MOST)
+    count = integer("count", count, 1, MOST)
     one_of("spacing", spacing, ("linear", "logarithmic"))
     one_of("order", order, ("up", "down"))
     part = np.arange(count) / max(count - 1, 1)
@@ -167,14 +167,16 @@ class WaveletTrain:
     gains_db: tuple[float, ...] = fields.field(GAINS, ())
 
     def __post_init__(self) -> None:
-        take_lists(self, "frequencies_hz", "gains_db")
+        lists_to_tuples(self, "frequencies_hz", "gains_db")
         fields.check(self)
         if self.gains_db and len(self.gains_db) != len(self.frequencies_hz):
             raise InvalidInputError(
                 f"WaveletTrain.gains_db has {len(self.gains_db)} gains, expected one for each of "
                 f"the {len(self.frequencies_hz)} frequencies, or none"
             )
-        refuse_length("WaveletTrain", self.duration_s, "Shorten its slots or its wavelets.")
+        check_waveform_duration(
+            "WaveletTrain", self.duration_s, "Shorten its slots or its wavelets."
+        )
 
     @property
     def duration_s(self) -> float:
@@ -199,7 +201,7 @@ class WaveletTrain:
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of wavelets of peak 1."""
-        refuse_aliases("frequencies_hz", max(self.frequencies_hz), sample_rate_hz)
+        check_below_half_rate("frequencies_hz", max(self.frequencies_hz), sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
         found = np.zeros(n)
         rate, shift = Decimal(sample_rate_hz), Decimal(shift_s)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.waveform import CENTRE, CYCLES, refuse_length
+from skinsource.design.waveform import CENTRE, CYCLES, check_waveform_duration
 from skinsource.design.waveforms.tones import PHASE
 from skinsource.signals.generators import sample_count
 from skinsource.signals.sampling import shift_of
@@ -18,7 +18,7 @@ from skinsource.signals.synthesis import (
     about_middle,
     begun,
     bent_turns,
-    refuse_aliases,
+    check_below_half_rate,
     turns_about_middle,
 )
 from skinsource.specs import fields
@@ -57,7 +57,7 @@ class Gabor:
 
     def __post_init__(self) -> None:
         fields.check(self)
-        refuse_length("Gabor", self.duration_s, "Raise frequency_hz or lower cycles.")
+        check_waveform_duration("Gabor", self.duration_s, "Raise frequency_hz or lower cycles.")
 
     @property
     def sigma_s(self) -> float:
@@ -71,7 +71,7 @@ class Gabor:
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of a formula of peak 1."""
-        refuse_aliases("frequency_hz", self.frequency_hz, sample_rate_hz)
+        check_below_half_rate("frequency_hz", self.frequency_hz, sample_rate_hz)
         shift_s = shift_of(shift_s, sample_rate_hz)
         n = sample_count(self.duration_s, sample_rate_hz)
         envelope = about_middle(n, sample_rate_hz, shift_s)
@@ -128,7 +128,7 @@ class Morlet:
 
     def __post_init__(self) -> None:
         fields.check(self)
-        refuse_length("Morlet", self.duration_s, "Raise frequency_hz or lower w0.")
+        check_waveform_duration("Morlet", self.duration_s, "Raise frequency_hz or lower w0.")
 
     @property
     def duration_s(self) -> float:
@@ -141,7 +141,7 @@ class Morlet:
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of a formula of peak 1."""
-        refuse_aliases("frequency_hz", self.frequency_hz, sample_rate_hz)
+        check_below_half_rate("frequency_hz", self.frequency_hz, sample_rate_hz)
         shift_s = shift_of(shift_s, sample_rate_hz)
         n = sample_count(self.duration_s, sample_rate_hz)
         u = about_middle(n, sample_rate_hz, shift_s) / self._s
@@ -187,7 +187,7 @@ class Ricker:
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of a formula of peak 1."""
-        refuse_aliases("frequency_hz", self.frequency_hz, sample_rate_hz)
+        check_below_half_rate("frequency_hz", self.frequency_hz, sample_rate_hz)
         shift_s = shift_of(shift_s, sample_rate_hz)
         n = sample_count(self.duration_s, sample_rate_hz)
         a = np.square(about_middle(n, sample_rate_hz, shift_s) * (pi * self.frequency_hz))
@@ -257,7 +257,7 @@ class Chirplet:
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of a formula of peak 1."""
-        refuse_aliases("frequency_hz", self.frequency_hz, sample_rate_hz)
+        check_below_half_rate("frequency_hz", self.frequency_hz, sample_rate_hz)
         highest_hz = self.frequency_hz + abs(self.rate_hz_per_s) * _HEARD * self.sigma_s
         if highest_hz >= sample_rate_hz / 2:
             raise InvalidInputError(

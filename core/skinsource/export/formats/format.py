@@ -26,7 +26,7 @@ def nothing_lost(_: Mapping[str, str]) -> str:
     return ""
 
 
-def no_whole_numbers(_: Mapping[str, str]) -> bool:
+def no_rounding(_: Mapping[str, str]) -> bool:
     """Nothing is rounded."""
     return False
 
@@ -36,11 +36,11 @@ def no_response(_: Design) -> int:
     return 0
 
 
-def nothing_beside(_: Path) -> None:
+def no_second_file(_: Path) -> None:
     """No other file belongs to it."""
 
 
-def no_words(_: Facts) -> bytes:
+def no_second_text(_: Facts) -> bytes:
     """Nothing is in the other file, as there is none."""
     return b""
 
@@ -153,9 +153,9 @@ class StimulusFormat:
     one_channel_each: bool = False
     folder: bool = False
     to_device: bool = True
-    rounds: Callable[[Mapping[str, str]], bool] = no_whole_numbers
-    beside: Callable[[Path], Path | None] = nothing_beside
-    words_beside: Callable[[Facts], bytes] = no_words
+    rounds: Callable[[Mapping[str, str]], bool] = no_rounding
+    beside: Callable[[Path], Path | None] = no_second_file
+    words_beside: Callable[[Facts], bytes] = no_second_text
     loses: Callable[[Mapping[str, str]], str] = nothing_lost
 
     def chosen(self, choices: Mapping[str, str]) -> dict[str, str]:

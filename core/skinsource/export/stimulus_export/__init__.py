@@ -6,9 +6,9 @@ from skinsource.export.stimulus_export.preparing import (
     ChannelOverview,
     Limit,
     Overview,
-    Prepared,
+    PreparedStimulus,
     overview_of,
-    prepared,
+    prepare_stimulus,
 )
 
 __all__ = [
@@ -16,10 +16,10 @@ __all__ = [
     "Exported",
     "Limit",
     "Overview",
-    "Prepared",
+    "PreparedStimulus",
     "StimulusOptions",
     "export_stimulus",
     "overview_of",
-    "prepared",
+    "prepare_stimulus",
     "written_files",
 ]

@@ -20,14 +20,14 @@ from skinsource.export.formats.formats import format_named
 from skinsource.export.stimulus_export.options import StimulusOptions, sidecar_path
 from skinsource.export.stimulus_export.preparing import (
     Limit,
-    Prepared,
+    PreparedStimulus,
     calibration_of,
     edges_of,
     equalised_of,
     loses_of,
     lost_at_rate,
     objections,
-    prepared,
+    prepare_stimulus,
     refused_loss_of,
 )
 from skinsource.export.stimulus_export.sidecar import sidecar_of
@@ -120,7 +120,7 @@ def export_stimulus(
     target = Path(path)
     options = options or StimulusOptions()
     progress(0, 0, "Computing")
-    ready = prepared(
+    ready = prepare_stimulus(
         design,
         target,
         format_named(format, target),
@@ -139,7 +139,7 @@ def export_stimulus(
 
 
 def write_prepared(
-    ready: Prepared,
+    ready: PreparedStimulus,
     *,
     confirmed: bool = False,
     limits: Sequence[Limit] = (),
@@ -176,7 +176,7 @@ def _with_full_scale(options: StimulusOptions, full_scale: float | None) -> Stim
 
 
 def _write_file(
-    ready: Prepared,
+    ready: PreparedStimulus,
     path: Path,
     outgoing: Outgoing,
     confirmed: tuple[str, ...],
@@ -203,7 +203,7 @@ def _write_file(
 
 
 def _write_folder(
-    ready: Prepared,
+    ready: PreparedStimulus,
     path: Path,
     outgoing: Outgoing,
     confirmed: tuple[str, ...],

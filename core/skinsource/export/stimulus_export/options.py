@@ -235,7 +235,7 @@ def cut_ends(options: StimulusOptions) -> tuple[Ends, ...]:
     return () if options.from_s is None else ("begin",)
 
 
-def edge_words(stimuli: Sequence[Stimulus], cut: Sequence[Ends] = ()) -> str:
+def edges_text(stimuli: Sequence[Stimulus], cut: Sequence[Ends] = ()) -> str:
     """Return what is said of channels whose first or last sample is above 1 % of their peak.
 
     Parameters

@@ -35,14 +35,14 @@ from skinsource.export.stimulus_export.options import (
     StimulusOptions,
     about_rig,
     cut_ends,
-    edge_words,
+    edges_text,
     marked,
     parts,
     passed_limits,
 )
 from skinsource.signals.resampling import half_transition, passed
 from skinsource.specs import models
-from skinsource.specs.codec import taken_out
+from skinsource.specs.codec import without_samples
 
 # More is told of nothing: the stop band of `skinsource.resample`.
 _MOST_DB = 140.0
@@ -100,7 +100,7 @@ def _loss_db(samples: Floats) -> float:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
-class Prepared:
+class PreparedStimulus:
     """What will be written, file by file.
 
     Attributes
@@ -154,7 +154,7 @@ def clipped_samples(stimulus: Stimulus) -> np.ndarray:
     return np.array([np.count_nonzero((row > 1.0) | (row < -1.0)) for row in samples], np.int64)
 
 
-def prepared(
+def prepare_stimulus(
     design: Design,
     path: Path,
     format: StimulusFormat,
@@ -167,7 +167,7 @@ def prepared(
     equaliser: Equaliser | None = None,
     progress: Progress = silent,
     stop: Stop = never,
-) -> Prepared:
+) -> PreparedStimulus:
     """Make a design ready for files.
 
     Parameters
@@ -211,7 +211,7 @@ def prepared(
         (place, _outgoing(own, design, place.name, format, choices, options, gain, rig))
         for place, own in zip(places, apart.values(), strict=True)
     )
-    return Prepared(
+    return PreparedStimulus(
         format=format,
         gain=gain,
         drives=drives,
@@ -333,7 +333,7 @@ def _part_of(design: Design, stimulus: Stimulus, options: StimulusOptions) -> De
 
 def digest_of(design: Design) -> str:
     """SHA-256 of all that a design says, in hexadecimal; samples take part by theirs."""
-    return hashlib.sha256(dumped(taken_out(models.encode(design))[0])).hexdigest()
+    return hashlib.sha256(dumped(without_samples(models.encode(design))[0])).hexdigest()
 
 
 # What is said of an export beside its numbers: on the sheet, in a terminal, in the sidecars.
@@ -351,12 +351,12 @@ _RAW = {
 }
 
 
-def edges_of(ready: Prepared) -> str:
+def edges_of(ready: PreparedStimulus) -> str:
     """Which channels begin or end hard, in words; "": none."""
-    return edge_words([one.stimulus for _, one in ready.files], ready.cut)
+    return edges_text([one.stimulus for _, one in ready.files], ready.cut)
 
 
-def loses_of(ready: Prepared, only: Outgoing | None = None) -> str:
+def loses_of(ready: PreparedStimulus, only: Outgoing | None = None) -> str:
     """What of the drive is not in the files, or not in one of them, in words; "": nothing."""
     files = [one for _, one in ready.files] if only is None else [only]
     return " ".join(filter(None, (ready.format.loses(files[0].choices), lost_at_rate(files))))
@@ -382,7 +382,7 @@ def lost_at_rate(files: Sequence[Outgoing]) -> str:
     )
 
 
-def refused_loss_of(ready: Prepared) -> str:
+def refused_loss_of(ready: PreparedStimulus) -> str:
     """What to do where a channel loses more to the rate than it may unasked; "": none does."""
     if max(one.loss_db for one in ready.drives.channels) <= MOST_LOSS_DB:
         return ""
@@ -391,7 +391,7 @@ def refused_loss_of(ready: Prepared) -> str:
     return f"More than {MOST_LOSS_DB:g} dB is lost: {rate}lower the frequencies."
 
 
-def equalised_of(ready: Prepared) -> str:
+def equalised_of(ready: PreparedStimulus) -> str:
     """What the samples are equalised for, and by which equaliser, in words."""
     if ready.equaliser is None:
         return f"Not equalised ({_RAW.get(ready.drives.unit, 'raw drives')})"
@@ -400,7 +400,7 @@ def equalised_of(ready: Prepared) -> str:
     return f"Equalised for {title} ({ready.equaliser.title.lower()})"
 
 
-def calibration_of(ready: Prepared) -> str:
+def calibration_of(ready: PreparedStimulus) -> str:
     """Whether m/s² follow from the samples, in words."""
     return ready.files[0][1].calibration
 
@@ -412,7 +412,7 @@ def calibration_of(ready: Prepared) -> str:
 Limit = Callable[[Stimulus], Sequence[str]]
 
 
-def objections(ready: Prepared, limits: Sequence[Limit] = ()) -> tuple[str, ...]:
+def objections(ready: PreparedStimulus, limits: Sequence[Limit] = ()) -> tuple[str, ...]:
     """Sentences on what clips and on which limits are passed; none: it can be written."""
     found = []
     if ready.clipped:
@@ -516,7 +516,7 @@ class Overview:
 
 
 def overview_of(
-    ready: Prepared,
+    ready: PreparedStimulus,
     limits: Sequence[Limit] = (),
     *,
     progress: Progress = silent,

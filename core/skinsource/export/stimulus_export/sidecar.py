@@ -16,9 +16,9 @@ from skinsource.design.view import View
 from skinsource.engine.quantities import new_graph, sources
 from skinsource.engine.stimulus import Stimulus
 from skinsource.export.formats.format import Facts, Outgoing, about
-from skinsource.export.stimulus_export.options import about_channels, about_equaliser, edge_words
+from skinsource.export.stimulus_export.options import about_channels, about_equaliser, edges_text
 from skinsource.export.stimulus_export.preparing import (
-    Prepared,
+    PreparedStimulus,
     clipped_samples,
     equalised_of,
     loses_of,
@@ -57,7 +57,7 @@ _UPSTREAM = (
 
 
 def sidecar_of(
-    ready: Prepared,
+    ready: PreparedStimulus,
     outgoing: Outgoing,
     facts: Facts,
     *,
@@ -103,7 +103,7 @@ def sidecar_of(
         **about_validity(outgoing.design),
         "clip_count": int(sum(counts)),
         "confirmed": list(confirmed),
-        "edges": edge_words([stimulus], ready.cut),
+        "edges": edges_text([stimulus], ready.cut),
         "errors": _errors(stimulus, facts),
         "loses": loses_of(ready, outgoing),
         "versions": versions(),
@@ -115,7 +115,7 @@ def sidecar_of(
 
 
 def _about_rig(
-    ready: Prepared, stimulus: Stimulus, channels: list[dict[str, Any]]
+    ready: PreparedStimulus, stimulus: Stimulus, channels: list[dict[str, Any]]
 ) -> dict[str, Any]:
     """The channels, with what the rig says of them, and what it is."""
     wiring = about_channels(stimulus, ready.rig) if ready.rig is not None else []

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from skinsource.base.arguments import real_number, whole_number
+from skinsource.base.arguments import integer, real_number
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import (
     InvalidInputError,
@@ -71,13 +71,13 @@ class Output:
         for name, words in (("device", self.device), ("host_api", self.host_api)):
             if not isinstance(words, str) or len(words) > _LONGEST_NAME:
                 raise InvalidInputError(f"{name} is {quoted(words)}, expected a name")
-        whole_number("sample_rate_hz", self.sample_rate_hz, _LOWEST_RATE_HZ, _HIGHEST_RATE_HZ)
+        integer("sample_rate_hz", self.sample_rate_hz, _LOWEST_RATE_HZ, _HIGHEST_RATE_HZ)
         least_s, most_s = SHORTEST_LATENCY_S, LONGEST_LATENCY_S
         real_number("latency_s", self.latency_s, least=least_s, most=most_s)
         real_number("shift_hz", self.shift_hz, least=LEAST_SHIFT_HZ, most=MOST_SHIFT_HZ)
         for place, output in self.outputs:
-            whole_number("place", place, 1, MOST_PLACES)
-            whole_number("output", output, 1, MOST_OUTPUTS)
+            integer("place", place, 1, MOST_PLACES)
+            integer("output", output, 1, MOST_OUTPUTS)
         for name, numbers in zip(
             ("place", "output"), zip(*self.outputs, strict=True), strict=False
         ):
@@ -261,7 +261,7 @@ def devices() -> tuple[Device, ...]:
     )
 
 
-def look_again() -> tuple[Device, ...]:
+def refresh_devices() -> tuple[Device, ...]:
     """Return what can be played on now, with what was connected since; nothing may be playing."""
     library = sound_library()
     try:
@@ -337,7 +337,7 @@ def _takes(library: object, device: Device, rate_hz: int) -> bool:
 _WRONG_RATE, _TOO_MANY_CHANNELS, _UNAVAILABLE = -9997, -9998, -9985
 
 
-def refusal(error: Any, device: Device, sample_rate_hz: int, n_outputs: int) -> str:
+def playing_error_text(error: Any, device: Device, sample_rate_hz: int, n_outputs: int) -> str:
     """Say what a device does not play, and what to do."""
     channels = (
         f"{counted(n_outputs, 'output')}. Mute what has no actuator, give it another output, or "
@@ -346,7 +346,7 @@ def refusal(error: Any, device: Device, sample_rate_hz: int, n_outputs: int) -> 
     return _words(error, device.name, device.sample_rate_hz, sample_rate_hz, channels, "played on")
 
 
-def refusal_to_record(
+def recording_error_text(
     error: Any, name: str, prefers_hz: int, sample_rate_hz: int, n_inputs: int
 ) -> str:
     """Say what a device does not record, and what to do."""

@@ -537,7 +537,7 @@ _FALL_S = 0.001
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Swap:
+class MixChange:
     """A mix that is wanted in the place of the present one.
 
     Attributes
@@ -555,7 +555,7 @@ class Swap:
     handed_s: float
 
 
-class Deck:
+class PlayQueue:
     """The state behind a stream: one thread asks for things, another plays.
 
     What is asked for is one attribute each, which `skinsource.lab.playing.stream.next_block` looks
@@ -574,7 +574,7 @@ class Deck:
     def __init__(self, n_outputs: int, sample_rate_hz: int, gain_db: float = START_DB) -> None:
         self.n_outputs, self.sample_rate_hz = n_outputs, sample_rate_hz
         # What is wanted.
-        self.swap: Swap | None = None
+        self.swap: MixChange | None = None
         self.panic = False
         self.gain = Gain(factor_of(gain_db), sample_rate_hz, MOST_SAMPLES)
         # What is played: the mix, and the one it takes over from.
@@ -605,18 +605,18 @@ class Deck:
                 f"the mix has {mix.n_outputs} outputs at {mix.sample_rate_hz} Hz, the deck "
                 f"{self.n_outputs} at {self.sample_rate_hz} Hz"
             )
-        self.swap = Swap(mix, at, perf_counter())
+        self.swap = MixChange(mix, at, perf_counter())
 
     def seek(self, at: int) -> None:
         """Go on at another sample of what is played."""
         swap = self.swap
         mix = self.mix if swap is None else swap.mix
         if mix is not None:
-            self.swap = Swap(mix, at, perf_counter())
+            self.swap = MixChange(mix, at, perf_counter())
 
     def stop(self) -> None:
         """Fade out."""
-        self.swap = Swap(None, None, perf_counter())
+        self.swap = MixChange(None, None, perf_counter())
 
     def stop_at_once(self) -> None:
         """Fall silent within a millisecond, whatever else is going on."""

@@ -18,10 +18,10 @@ from skinsource.lab.playing.devices import (
     check_outputs,
     device_of,
     devices,
-    look_again,
     outputs_by_place,
+    refresh_devices,
 )
-from skinsource.lab.playing.mix import Deck, Mix, tone_of
+from skinsource.lab.playing.mix import Mix, PlayQueue, tone_of
 from skinsource.lab.playing.mixer import Mixer, loop_of
 from skinsource.lab.playing.stream import Stream
 from skinsource.limbs.catalogue import load_limb
@@ -160,7 +160,7 @@ class Session:
     def devices(self) -> tuple[Device, ...]:
         """What can be played on, with what was connected since; ends what is played."""
         self.close()
-        return look_again()
+        return refresh_devices()
 
     def play(
         self,
@@ -216,7 +216,7 @@ class Session:
         stop_if(stop)
         begin_s = _begin(at_s, mix.duration_s, loop_of(design, mix.duration_s, loops=loops))
         stream = self._open(mix, device, output, begin_s, gain_db)
-        return Playing(stream=stream, seen_s=seen_until_s(design, mix.duration_s))
+        return Playing(stream=stream, seen_s=response_end_s(design, mix.duration_s))
 
     def change(
         self,
@@ -229,7 +229,7 @@ class Session:
     ) -> Playing | None:
         """Go over to an edited design, where it is; None: nothing is played any more."""
         if playing.silent is not None:
-            duration_s = seen_until_s(design, self._mixer.stimulus(design).duration_s)
+            duration_s = response_end_s(design, self._mixer.stimulus(design).duration_s)
             playing.silent.change(duration_s, loop_of(design, duration_s, loops=loops))
             return playing
         stream = playing.stream
@@ -237,7 +237,7 @@ class Session:
             return None
         deck = stream.deck
         mix = self._mix(design, output, stream.device, loops=loops, rig=rig)
-        seen_s = seen_until_s(design, mix.duration_s)
+        seen_s = response_end_s(design, mix.duration_s)
         if mix.n_outputs <= deck.n_outputs:
             deck.play(mix)
             return playing if seen_s == playing.seen_s else replace(playing, seen_s=seen_s)
@@ -282,7 +282,7 @@ class Session:
     def _open(
         self, mix: Mix, device: Device, output: Output, at_s: float, gain_db: float
     ) -> Stream:
-        deck = Deck(mix.n_outputs, mix.sample_rate_hz, gain_db)
+        deck = PlayQueue(mix.n_outputs, mix.sample_rate_hz, gain_db)
         deck.play(mix, round(at_s * mix.sample_rate_hz))
         opened: list[Stream] = []
         stream = Stream(deck, device, output.latency_s, lambda: self._finished(opened[0]))
@@ -305,14 +305,14 @@ class Session:
     def _in_silence(
         self, design: Design, *, loops: bool, at_s: float, reason: str, slow_motion: float = 1.0
     ) -> Playing:
-        duration_s = seen_until_s(design, self._mixer.stimulus(design).duration_s)
+        duration_s = response_end_s(design, self._mixer.stimulus(design).duration_s)
         loop_s = loop_of(design, duration_s, loops=loops)
         begin_s = _begin(at_s, duration_s, loop_s)
         silent = SilentRun(duration_s, loop_s, begin_s, slow_motion=slow_motion)
         return Playing(silent=silent, reason=reason, seen_s=duration_s)
 
 
-def seen_until_s(design: Design, duration_s: float) -> float:
+def response_end_s(design: Design, duration_s: float) -> float:
     """When the skin comes to rest after a stimulus of ``duration_s``: one response later.
 
     Where the limb is not installed nothing is seen, and the stimulus is all there is.

@@ -13,21 +13,21 @@ import numpy as np
 
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import PlaybackError
-from skinsource.lab.playing.devices import Device, refusal, sound_library
+from skinsource.lab.playing.devices import Device, playing_error_text, sound_library
 from skinsource.lab.playing.mix import (
     MOST_SAMPLES,
-    Deck,
     Delay,
     DeviceClock,
     Ending,
     Frames,
     HeardPosition,
     Mix,
-    Swap,
+    MixChange,
+    PlayQueue,
 )
 
 
-def exceeds_the_rig(deck: Deck) -> bool:
+def exceeds_the_rig(deck: PlayQueue) -> bool:
     """Whether the gain is more than the rig allows; nothing of it is played then."""
     mix = deck.mix
     if mix is None or max(deck.gain.wanted, deck.gain.now) <= mix.most_gain:
@@ -39,7 +39,7 @@ def exceeds_the_rig(deck: Deck) -> bool:
     return True
 
 
-def playable_samples(deck: Deck, block: Floats) -> int:
+def playable_samples(deck: PlayQueue, block: Floats) -> int:
     """Samples before the first that may not be played; sets the ending where there is one."""
     magnitude = deck.other[:, : block.shape[1]]
     np.abs(block, out=magnitude)
@@ -65,7 +65,7 @@ def playable_samples(deck: Deck, block: Floats) -> int:
 # The next block of samples: all that happens between a mix and the device.
 
 
-def next_block(deck: Deck, out: Frames) -> None:
+def next_block(deck: PlayQueue, out: Frames) -> None:
     """Fill ``out`` with what is played next, and move the deck on.
 
     Nothing in here waits, and nothing grows: it runs in the thread of the device.  A sample never
@@ -89,7 +89,7 @@ def next_block(deck: Deck, out: Frames) -> None:
     deck.played_samples += n
 
 
-def _fill(deck: Deck, block: Floats, *, first: bool) -> None:
+def _fill(deck: PlayQueue, block: Floats, *, first: bool) -> None:
     if deck.panic and deck.ending is None:
         deck.ending = Ending(reason="panic")
         deck.fallen = 0
@@ -119,7 +119,7 @@ def _fill(deck: Deck, block: Floats, *, first: bool) -> None:
         _fall(deck, block)
 
 
-def _take_what_is_wanted(deck: Deck) -> None:
+def _take_what_is_wanted(deck: PlayQueue) -> None:
     """Begin to go over to the mix that is wanted, unless one is still on its way."""
     swap = deck.swap
     if swap is None or deck.faded < deck.fade.size:
@@ -133,7 +133,7 @@ def _take_what_is_wanted(deck: Deck) -> None:
         deck.waited_s = deck.taken_s - swap.handed_s
 
 
-def _position_in(mix: Mix, swap: Swap, deck: Deck) -> int:
+def _position_in(mix: Mix, swap: MixChange, deck: PlayQueue) -> int:
     """Where a mix goes on."""
     if swap.at is None and deck.old is not None:
         inside = mix.loop is None or deck.old_position < mix.loop[1]
@@ -147,7 +147,7 @@ def _position_in(mix: Mix, swap: Swap, deck: Deck) -> int:
     return wanted - deck.fade.size
 
 
-def _render(deck: Deck, block: Floats) -> None:
+def _render(deck: PlayQueue, block: Floats) -> None:
     """Samples before the gain."""
     if deck.mix is None:
         block[:] = 0.0
@@ -172,7 +172,7 @@ def _render(deck: Deck, block: Floats) -> None:
         deck.old = None
 
 
-def _fall(deck: Deck, block: Floats) -> None:
+def _fall(deck: PlayQueue, block: Floats) -> None:
     """Go on from the last samples to silence."""
     block[:] = 0.0
     if deck.fallen is None or deck.fallen >= deck.fall.size:
@@ -184,7 +184,7 @@ def _fall(deck: Deck, block: Floats) -> None:
     deck.fallen += n
 
 
-def _end_where_all_is_played(deck: Deck) -> None:
+def _end_where_all_is_played(deck: PlayQueue) -> None:
     if deck.faded < deck.fade.size or deck.swap is not None:
         return
     if deck.mix is None:
@@ -229,7 +229,7 @@ class Stream:
     """
 
     def __init__(
-        self, deck: Deck, device: Device, latency_s: float, finished: Callable[[], None]
+        self, deck: PlayQueue, device: Device, latency_s: float, finished: Callable[[], None]
     ) -> None:
         self._library = sound_library()
         self.deck, self.device = deck, device
@@ -254,7 +254,7 @@ class Stream:
                 finished_callback=self._finish,
             )
         except self._library.PortAudioError as error:
-            words = refusal(error, device, deck.sample_rate_hz, deck.n_outputs)
+            words = playing_error_text(error, device, deck.sample_rate_hz, deck.n_outputs)
             raise PlaybackError(words) from error
 
     def start(self) -> None:
@@ -270,7 +270,9 @@ class Stream:
             self._stream.start()
         except self._library.PortAudioError as error:
             self.close()
-            words = refusal(error, self.device, self.deck.sample_rate_hz, self.deck.n_outputs)
+            words = playing_error_text(
+                error, self.device, self.deck.sample_rate_hz, self.deck.n_outputs
+            )
             raise PlaybackError(words) from error
 
     def close(self) -> None:

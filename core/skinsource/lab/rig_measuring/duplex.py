@@ -12,8 +12,14 @@ from skinsource.base.errors import PlaybackError, Stopped
 from skinsource.base.job import Stop
 from skinsource.base.quoting import quoted
 from skinsource.base.work import counted
-from skinsource.lab.playing.devices import Device, listed, refusal, refusal_to_record, sound_library
-from skinsource.lab.playing.mix import Deck, Frames
+from skinsource.lab.playing.devices import (
+    Device,
+    listed,
+    playing_error_text,
+    recording_error_text,
+    sound_library,
+)
+from skinsource.lab.playing.mix import Frames, PlayQueue
 from skinsource.lab.playing.stream import next_block
 
 
@@ -180,7 +186,7 @@ class Duplex:
         sounddevice is missing, or the device does not take what it is asked for.
     """
 
-    def __init__(self, deck: Deck, card: Card, n_samples: int) -> None:
+    def __init__(self, deck: PlayQueue, card: Card, n_samples: int) -> None:
         self._library = sound_library()
         self._deck, self._card = deck, card
         self.recorded: Frames = np.zeros((card.n_inputs, n_samples), np.float32)
@@ -340,5 +346,5 @@ class Duplex:
         deck, card, rate_hz = self._deck, self._card, self._deck.sample_rate_hz
         if self._asks_inputs:
             name, prefers_hz = card.inputs.name, card.inputs.sample_rate_hz
-            return refusal_to_record(error, name, prefers_hz, rate_hz, card.n_inputs)
-        return refusal(error, card.device, rate_hz, deck.n_outputs)
+            return recording_error_text(error, name, prefers_hz, rate_hz, card.n_inputs)
+        return playing_error_text(error, card.device, rate_hz, deck.n_outputs)

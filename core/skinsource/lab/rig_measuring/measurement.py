@@ -26,7 +26,14 @@ from skinsource.base.errors import InvalidInputError, PlaybackError
 from skinsource.base.job import Progress, Stop, never, silent, stop_if
 from skinsource.base.quoting import quoted, sentence
 from skinsource.lab.playing.devices import MOST_OUTPUTS, Output, check_outputs, device_of, devices
-from skinsource.lab.playing.mix import HIGHEST_DB, LOWEST_DB, Deck, factor_of, fade_samples, mix_of
+from skinsource.lab.playing.mix import (
+    HIGHEST_DB,
+    LOWEST_DB,
+    PlayQueue,
+    factor_of,
+    fade_samples,
+    mix_of,
+)
 from skinsource.lab.rig_measuring.duplex import (
     Card,
     Duplex,
@@ -531,7 +538,7 @@ def _take(
         n_outputs=n_outputs,
     )
     mix = replace(mix, most_gain=margin.factor, limit=margin.words)
-    deck = Deck(n_outputs, bench.rate_hz, level_db)
+    deck = PlayQueue(n_outputs, bench.rate_hz, level_db)
     deck.play(mix, 0)
     duplex = Duplex(deck, bench.card, fade + row.size)
     duplex.run(stop, told)

@@ -8,7 +8,7 @@ from types import TracebackType
 from typing import Any, Self, TextIO
 
 from skinsource.base.errors import DatasetMissingError
-from skinsource.base.job import left_in_words, seconds_left
+from skinsource.base.job import seconds_left, time_left_text
 from skinsource.base.published import HAND_LENGTHS_MM
 from skinsource.limbs.dataset.download import fetch
 from skinsource.limbs.dataset.install import install
@@ -75,7 +75,7 @@ class WithTimeLeft:
         if self._before is None:
             self._before = done
         elapsed_s = time.monotonic() - self._start_s
-        left = left_in_words(seconds_left(done - self._before, total - self._before, elapsed_s))
+        left = time_left_text(seconds_left(done - self._before, total - self._before, elapsed_s))
         self._bar(done, total, f"{text}  {left}".rstrip())
 
 

@@ -23,9 +23,9 @@ from skinsource.limbs.dataset.matlab_files import (
     read_responses,
 )
 from skinsource.limbs.dataset.published import (
+    check_map_files,
     checksum_of,
     find_downloaded,
-    refuse_unpublished_maps,
     unpublished_files,
 )
 from skinsource.limbs.dataset.store import StoreInfo, describe
@@ -74,7 +74,7 @@ def install(
     found = find_downloaded(source)
     strange = unpublished_files(found)
     if not unpublished:
-        refuse_unpublished_maps(found, strange)
+        check_map_files(found, strange)
     folder = user_folder() if folder is None else folder
     make_folder(folder)
     path = folder / published.FILE_NAME
@@ -146,7 +146,7 @@ def _add_responses(store: Any, limb: int, responses: Responses) -> None:
 
 
 def _add(store: Any, name: str, array: NDArray[Any]) -> None:
-    part = store.create_dataset(name, data=array, dtype=published.whole_type(name))
+    part = store.create_dataset(name, data=array, dtype=published.stored_type(name))
     _note(part, "sha256", published.checksum(array))
 
 

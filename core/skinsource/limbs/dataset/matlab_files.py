@@ -44,7 +44,7 @@ class _Span(NamedTuple):
     name: str
 
 
-def refuse_scattered(path: Path) -> None:
+def check_contiguous(path: Path) -> None:
     """Refuse a MATLAB v7.3 file in which a piece of an array is missing, misplaced or shared.
 
     Other files pass: those of MATLAB v7 check themselves.
@@ -166,7 +166,7 @@ def read_variable(path: Path, name: str) -> Any:
             "download."
         ) from error
     try:
-        refuse_scattered(path)
+        check_contiguous(path)
         variables = matio.load_from_mat(str(path))
     except DatasetError:
         raise

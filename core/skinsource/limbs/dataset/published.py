@@ -62,7 +62,7 @@ def mask_name(limb: int) -> str:
     return f"masks/limb-{limb}"
 
 
-def whole_type(name: str) -> str:
+def stored_type(name: str) -> str:
     """Type of the values of what is stored in one piece."""
     return BYTES if name.startswith("masks/") else FLOATS
 
@@ -272,7 +272,7 @@ def unpublished_files(found: DownloadedFiles) -> tuple[str, ...]:
     return tuple(strange)
 
 
-def refuse_unpublished_maps(found: DownloadedFiles, unpublished: tuple[str, ...]) -> None:
+def check_map_files(found: DownloadedFiles, unpublished: tuple[str, ...]) -> None:
     """Raise `DatasetError` if any of the ``unpublished`` files is one of the map's.
 
     A damaged one moves sensors, and nothing in it tells.

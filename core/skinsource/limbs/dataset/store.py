@@ -191,7 +191,7 @@ class Contents:
     def whole(self, name: str) -> tuple[NDArray[Any], str]:
         """An array of the map, or a mask, and its SHA-256 as noted at installation; unchecked."""
         dataset = self._parts.dataset(
-            name, published.WHOLE_SHAPES[name], published.whole_type(name), None
+            name, published.WHOLE_SHAPES[name], published.stored_type(name), None
         )
         return np.asarray(dataset[()]), self._parts.attribute(dataset, DIGEST, "S").decode("ascii")
 

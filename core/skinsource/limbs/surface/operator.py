@@ -51,7 +51,7 @@ def pairs_at_same_place(sites: Floats, size: float) -> Pairs:
     return tuple(zip(first[second].tolist(), placed[second].tolist(), strict=True))
 
 
-def refuse_two_values_for_one_place(values: Floats, pairs: Pairs) -> None:
+def check_values_of_shared_places(values: Floats, pairs: Pairs) -> None:
     """Raise where two outputs at one place were given different values.
 
     Parameters
@@ -154,7 +154,7 @@ class SurfaceOperator:
                 "place on the map needs a finite value or -inf. Correct the values before "
                 "interpolating."
             )
-        refuse_two_values_for_one_place(given, self.same_place)
+        check_values_of_shared_places(given, self.same_place)
         # Zero times NaN must not reach the outputs that do have a place.
         usable = np.where(self._placed.reshape(-1, *[1] * (given.ndim - 1)), given, 0.0)
         surface = np.full((*self.mask.shape, *given.shape[1:]), np.nan)

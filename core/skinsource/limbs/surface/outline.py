@@ -261,7 +261,7 @@ def _close_crossings(
     inside[owner[~_look_up(filled, at).all(axis=1)]] = False
 
 
-def nearest_seen(
+def nearest_visible(
     region: SightRegion, vertices: Floats, outputs: Floats, count: int = 2
 ) -> tuple[Indices, Floats]:
     """Find the nearest outputs that each vertex sees.
@@ -416,7 +416,7 @@ def boundary_by_sight(outline: Floats, outputs: Floats, unit: float) -> Boundary
     """
     placed = np.flatnonzero(np.isfinite(outputs).all(axis=1))
     region = sight_region(outline, unit)
-    index, distance = nearest_seen(region, outline, outputs[placed])
+    index, distance = nearest_visible(region, outline, outputs[placed])
     index = np.where(index >= 0, placed[index], -1)
     return _boundary(index, distance, outline, outputs, unit)
 

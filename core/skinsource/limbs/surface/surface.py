@@ -243,7 +243,7 @@ _HEAD = b"skinsource operator 1\n"
 _DIGEST_BYTES = 32
 
 
-def kept_surface_operator(
+def cached_surface_operator(
     limb: Limb, spacing_mm: float = 1.0, *, stop: Stop = never
 ) -> SurfaceOperator:
     """Return `skinsource.limbs.surface.surface.surface_operator`, from disk if it was built before.

@@ -100,7 +100,7 @@ def predicted_noise_energy(
     InvalidInputError
         There is no drive, or none but of places whose noise is not given.
     """
-    refuse_unknown(drives, noise)
+    check_noise_known(drives, noise)
     parts = [
         n_taps * float(np.vdot(played, played)) * np.square(noise[place])
         for place, played in drives.items()
@@ -109,7 +109,7 @@ def predicted_noise_energy(
     return energy
 
 
-def refuse_unknown(drives: Mapping[int, Floats], noise: Mapping[int, Floats]) -> None:
+def check_noise_known(drives: Mapping[int, Floats], noise: Mapping[int, Floats]) -> None:
     """Raise `InvalidInputError` where there is no drive, or one at a place of unknown noise."""
     missing = sorted(drives.keys() - noise.keys())
     if missing or not drives:
@@ -134,7 +134,7 @@ def windowed_noise_energy(
     -------
     (n_windows, n_outputs, n_axes), sum of squares, m²/s⁴.
     """
-    refuse_unknown(drives, noise)
+    check_noise_known(drives, noise)
     edges = windows.first_sample + windows.window_samples * np.arange(windows.count + 1)
     energy = np.zeros((windows.count, *next(iter(noise.values())).shape))
     for place, played in drives.items():

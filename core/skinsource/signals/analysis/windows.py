@@ -6,7 +6,7 @@ from math import ceil, floor
 import numpy as np
 from numpy.typing import ArrayLike
 
-from skinsource.base.arguments import finite_array, positive_number, real_number, whole_number
+from skinsource.base.arguments import finite_array, integer, positive_number, real_number
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import PRE_TRIGGER_DELAY_S
@@ -73,8 +73,8 @@ def windows_over(
     InvalidInputError
         Neither or both are given, or one is out of range.
     """
-    samples = whole_number("stimulus_samples", stimulus_samples, 1, _MOST_SAMPLES)
-    until = whole_number("response_samples", response_samples, samples, _MOST_SAMPLES)
+    samples = integer("stimulus_samples", stimulus_samples, 1, _MOST_SAMPLES)
+    until = integer("response_samples", response_samples, samples, _MOST_SAMPLES)
     rate_hz = positive_number("sample_rate_hz", sample_rate_hz)
     if (count is None) == (window_s is None):
         raise InvalidInputError(
@@ -82,7 +82,7 @@ def windows_over(
         )
     first = floor(real_number("delay_s", delay_s, least=0.0) * rate_hz + NEAR)
     if count is not None:
-        most = whole_number("count", count, 1, MOST_WINDOWS)
+        most = integer("count", count, 1, MOST_WINDOWS)
         length = max(samples // most, 1)
     else:
         length = max(floor(positive_number("window_s", window_s or 0.0) * rate_hz + 0.5), 1)
@@ -129,8 +129,8 @@ def windowed_rms(signals: ArrayLike, window_samples: int, first_sample: int = 0)
     data = finite_array("signals", signals)
     if data.ndim == 0:
         raise InvalidInputError("signals is a single number, expected signals, (..., n_times)")
-    window = whole_number("window_samples", window_samples, 1, _MOST_SAMPLES)
-    first = whole_number("first_sample", first_sample, 0, _MOST_SAMPLES)
+    window = integer("window_samples", window_samples, 1, _MOST_SAMPLES)
+    first = integer("first_sample", first_sample, 0, _MOST_SAMPLES)
     n_windows = max(data.shape[-1] - first, 0) // window
     pieces = data[..., first : first + n_windows * window]
     pieces = pieces.reshape(*data.shape[:-1], n_windows, window)

@@ -14,7 +14,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import Band
 from skinsource.base.quoting import quoted
 from skinsource.design.amplitudes import amplitude_unit
-from skinsource.design.labels import signal_words
+from skinsource.design.labels import signal_label
 from skinsource.design.waveforms.tones import Chirp
 from skinsource.engine.evaluation import evaluate
 from skinsource.export.plot import (
@@ -23,8 +23,8 @@ from skinsource.export.plot import (
     INK,
     Bar,
     Levels,
+    PlotRow,
     Range,
-    Row,
     WindowedLevels,
     common_range,
     common_size,
@@ -556,7 +556,7 @@ def _traces(opened: OpenedScene, colours: Sequence[str], *, own_scale: bool) -> 
     with style():
         ax.set_xlabel("Time (ms)")
         words = "each row relative to its peak" if own_scale else f"a row is {size:.3g} m/s² high"
-        say_scale(ax, f"{signal_words(view.axes, view.method)}; {words}")
+        say_scale(ax, f"{signal_label(view.axes, view.method)}; {words}")
     names = [f"_{one.label.replace(' ', '_')}" if several else "" for one in opened.conditions]
     header = ["time_s"]
     header += [f"output_{n}{name}_m_per_s2" for name in names for n in view.outputs]
@@ -592,7 +592,7 @@ def _spectra(opened: OpenedScene, n_bins: int) -> Drawn:
 
 def _rows_sheet(
     opened: OpenedScene,
-    rows: Sequence[Row],
+    rows: Sequence[PlotRow],
     labels: Sequence[str],
     colours: Sequence[str],
     *,
@@ -608,14 +608,14 @@ def _rows_sheet(
     return sheet, ax
 
 
-def _own_row(number: int, x: Floats, curves: Floats) -> Row:
+def _own_row(number: int, x: Floats, curves: Floats) -> PlotRow:
     return _labelled(number, x, curves, None)
 
 
-def _labelled(number: int, x: Floats, curves: Floats, size: float | None) -> Row:
+def _labelled(number: int, x: Floats, curves: Floats, size: float | None) -> PlotRow:
     peak = float(np.abs(curves).max(initial=0.0))
     label = f"Output {number}" if size is not None else f"Output {number}\n{peak:.2g} m/s²"
-    return Row(label=label, x=x, curves=curves, unit_size=size)
+    return PlotRow(label=label, x=x, curves=curves, unit_size=size)
 
 
 def _within(opened: OpenedScene, time_s: Floats) -> Any:

@@ -32,7 +32,7 @@ from skinsource.signals.projection import magnitude
 from skinsource.studies.scenes.scene import OpenedScene
 
 
-def setup_words(opened: OpenedScene) -> str:
+def setup_text(opened: OpenedScene) -> str:
     """Limbs and scaling, as a sentence or two."""
     scaling = word_of(SCALINGS, opened.design.scaling).title
     return (
@@ -40,7 +40,7 @@ def setup_words(opened: OpenedScene) -> str:
     )
 
 
-def left_words(opened: OpenedScene, *, maps: bool) -> str:
+def broken_conditions_text(opened: OpenedScene, *, maps: bool) -> str:
     """Which conditions of the measurement are not kept; "" where all are.
 
     ``maps``: whether the figure shows some.  What lies between outputs matters to nothing else.
@@ -173,7 +173,7 @@ class Sheet:
         self, opened: OpenedScene, height_mm: float, note: str = "", *, maps: bool = False
     ) -> None:
         self.maps = maps
-        lines = _foot(opened, note, left_words(opened, maps=maps))
+        lines = _foot(opened, note, broken_conditions_text(opened, maps=maps))
         self._foot_mm = _LINE_MM * len(lines) + 2 * _FOOT_EDGE_MM
         self._height_mm = height_mm + _HEAD_MM + self._foot_mm
         self.figure = new_figure(WIDTH_MM, self._height_mm)
@@ -248,7 +248,7 @@ def _foot(opened: OpenedScene, note: str, left: str) -> list[tuple[str, str]]:
     said = [(known.sentence, INK), (f"After {known.source}.", DIM)]
     if known.inferred:
         said.append((sentence(f"Inferred: {'; '.join(known.inferred)}"), DIM))
-    said += [(words, DIM) for words in (setup_words(opened), left, note) if words]
+    said += [(words, DIM) for words in (setup_text(opened), left, note) if words]
     if opened.chosen:
         said.append((opened.chosen, INK))
     if opened.synthetic:

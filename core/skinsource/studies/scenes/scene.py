@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import words
+from skinsource.base.published import axes_text
 from skinsource.base.quoting import quoted, sentence
 from skinsource.base.work import counted
 from skinsource.design.amplitudes import ARBITRARY_UNIT, amplitude_unit
@@ -140,10 +140,10 @@ def reason_against(known: Scene, designs: tuple[Design, ...], view: View, limb: 
     if people > 1:
         return f"It compares {people} people, and this is one limb."
     if view.axes == "z" and "z" not in facts.axes:
-        return f"It is about motion along z, and this limb measures along {words(facts.axes)}."
+        return f"It is about motion along z, and this limb measures along {axes_text(facts.axes)}."
     beside = dict(dict(view.panels).get("side_by_side", ()))
     if beside.get("of") == "axes" and len(facts.axes) < 2:
-        return f"It compares axes, and this limb measures along {words(facts.axes)} alone."
+        return f"It compares axes, and this limb measures along {axes_text(facts.axes)} alone."
     needed, there = len(_places_of(designs)), len(_candidates(facts))
     if needed > there:
         return (

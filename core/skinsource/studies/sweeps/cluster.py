@@ -9,7 +9,7 @@ from skinsource.base.errors import MissingExtraError, SkinSourceError
 from skinsource.base.extras import package_of_extra
 from skinsource.base.job import Stop, stop_if
 from skinsource.base.quoting import printable, quoted
-from skinsource.studies.sweeps.measuring import Measurer, Metrics, found_of
+from skinsource.studies.sweeps.measuring import Measurer, Metrics, metrics_or_reason
 from skinsource.studies.sweeps.plan import Plan, chunks, plan_of
 from skinsource.studies.sweeps.workers import Row
 
@@ -108,7 +108,7 @@ def measure_chunk(text: str, digest: str, numbers: tuple[int, ...]) -> list[Row]
     known: tuple[str, Measurer] | None = getattr(_known, "measurer", None)
     if known is None or known[0] != digest:
         known = _known.measurer = (digest, Measurer(plan_of(text)))
-    return [(number, found_of(known[1], number)) for number in numbers]
+    return [(number, metrics_or_reason(known[1], number)) for number in numbers]
 
 
 def _rows(future: Any) -> list[tuple[int, Metrics | str]]:

@@ -33,12 +33,12 @@ from skinsource.studies.sweeps.metrics import (
     OF_EXTENT,
     DriveMetrics,
     Extents,
-    Prepared,
+    PreparedStimulus,
     Preparing,
     actuator_metrics,
     main_axes,
 )
-from skinsource.studies.sweeps.neighbours import Field, Fields, Together, Vibrations
+from skinsource.studies.sweeps.neighbours import Batch, Field, Fields, Vibrations
 from skinsource.studies.sweeps.plan import Plan, above_threshold
 
 # Outputs whose signals are looked at together when the loudest one is searched.
@@ -51,7 +51,7 @@ _Rows = Callable[[np.ndarray, tuple[int, ...]], Complexes]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Seen:
+class StimulusResult:
     """What is measured of the response to a stimulus, in m/s².
 
     Attributes
@@ -79,7 +79,7 @@ class Seen:
         return next(iter(self.windows))
 
 
-def looked_at(rms: Floats, plan: Plan) -> tuple[int, ...]:
+def outputs_of_interest(rms: Floats, plan: Plan) -> tuple[int, ...]:
     """Outputs whose signals are looked at, each once; the loudest first."""
     return _looked_at(int(np.argmax(rms)), plan)
 
@@ -96,14 +96,16 @@ def windows_of(traces: Floats, rate_hz: float) -> list[tuple[float, float]]:
     return list(zip(loudest.tolist(), peaks.tolist(), strict=True))
 
 
-def seen_alone(plan: Plan, field: Field, one: Prepared, extents: Extents, stop: Stop) -> Seen:
+def evaluate_stimulus(
+    plan: Plan, field: Field, one: PreparedStimulus, extents: Extents, stop: Stop
+) -> StimulusResult:
     """What is seen of one stimulus."""
     limb, n_times = one.limb, one.response_samples
     axes = axis_numbers(plan.axes, limb.axes)
     projection = Projection(axes, directions_of(field.moments, axes, plan.method, n_times))
     spectrum = field.spectrum
     rms = record_rms(field.moments, projection, spectrum, one.record_samples)
-    outputs = looked_at(rms, plan)
+    outputs = outputs_of_interest(rms, plan)
     rows = np.array(outputs) - 1
     spectra = spectrum.rows(rows, projection.axis_numbers)
     signals = _signals(projection.at(rows), spectra, spectrum.n_fft)
@@ -112,16 +114,16 @@ def seen_alone(plan: Plan, field: Field, one: Prepared, extents: Extents, stop: 
     if plan.level_db is not None:
         level = _level(plan, one, spectrum.rows, projection, rms, spectrum.n_fft, stop)
     (extent,) = extents.of([rms], [one])
-    return Seen(rms, dict(zip(outputs, windows, strict=True)), level, extent)
+    return StimulusResult(rms, dict(zip(outputs, windows, strict=True)), level, extent)
 
 
-def seen_together(
+def evaluate_batch(
     plan: Plan,
     vibrations: Vibrations,
-    stimuli: Sequence[Prepared | None],
+    stimuli: Sequence[PreparedStimulus | None],
     extents: Extents,
     stop: Stop,
-) -> list[Seen]:
+) -> list[StimulusResult]:
     """What is seen of each of several stimuli; of one that cannot be, nothing that counts."""
     limb = next(one.limb for one in stimuli if one is not None)
     # Of one that cannot be any length will do.
@@ -147,7 +149,7 @@ def seen_together(
             rows_of_one = _rows_of(vibrations, which)
             level = _level(plan, one, rows_of_one, here, rms[which], vibrations.n_fft, stop)
         of_outputs = {number: next(windows) for number in numbers}
-        found.append(Seen(rms[which], of_outputs, level, reach[which]))
+        found.append(StimulusResult(rms[which], of_outputs, level, reach[which]))
     return found
 
 
@@ -188,7 +190,7 @@ def _rows_of(vibrations: Vibrations, which: int) -> _Rows:
 
 def _level(
     plan: Plan,
-    one: Prepared,
+    one: PreparedStimulus,
     rows: _Rows,
     projection: Projection,
     rms: Floats,
@@ -279,11 +281,11 @@ class Measurer:
         self._graph = new_graph(shared)
         self._preparing = Preparing(shared)
         self._fields = Fields(plan.varying)
-        self._together = Together(self._preparing)
+        self._together = Batch(self._preparing)
         # Of the neighbours that were asked for latest; None: each by itself.
         self._latest = range(0)
-        self._prepared: dict[int, Prepared] = {}
-        self._seen: dict[int, Seen] | None = None
+        self._prepared: dict[int, PreparedStimulus] = {}
+        self._seen: dict[int, StimulusResult] | None = None
         # No input stands apart: which of them vary is another matter here.
         self._view = View(axes=plan.axes, method=plan.method, outputs=(), selected_inputs=())
         self._drives = DriveMetrics()
@@ -335,7 +337,7 @@ class Measurer:
             metrics |= actuator_metrics(prepared, factor, self.plan.limits)
         return {name: float(value) for name, value in metrics.items()}
 
-    def _looked_at(self, number: int, stop: Stop) -> tuple[Prepared, Seen]:
+    def _looked_at(self, number: int, stop: Stop) -> tuple[PreparedStimulus, StimulusResult]:
         """A stimulus, and what the skin does."""
         if number not in self._latest:
             neighbours = self.plan.neighbours(number)
@@ -346,14 +348,14 @@ class Measurer:
         seen = (self._seen or {}).get(number)
         return prepared, seen or self._seen_alone(prepared, stop)
 
-    def _prepare(self, number: int, stop: Stop) -> Prepared:
+    def _prepare(self, number: int, stop: Stop) -> PreparedStimulus:
         prepared = self._preparing.of(self.plan.design_of(number), stop)
         shown_outputs(self.plan.outputs, prepared.limb)
         return prepared
 
-    def _seen_together(self, neighbours: range, stop: Stop) -> dict[int, Seen] | None:
+    def _seen_together(self, neighbours: range, stop: Stop) -> dict[int, StimulusResult] | None:
         """What the skin does by each of the neighbours; None where they have little in common."""
-        found: list[Prepared | None] = []
+        found: list[PreparedStimulus | None] = []
         for number in neighbours:
             try:
                 one = self._prepared[number] = self._prepare(number, stop)
@@ -369,10 +371,10 @@ class Measurer:
         vibrations = self._together.of(found, stop, products=self._products(found))
         if vibrations is None:
             return None
-        seen = seen_together(self.plan, vibrations, found, self._extents, stop)
+        seen = evaluate_batch(self.plan, vibrations, found, self._extents, stop)
         return dict(zip(neighbours, seen, strict=True))
 
-    def _products(self, stimuli: Iterable[Prepared | None]) -> bool:
+    def _products(self, stimuli: Iterable[PreparedStimulus | None]) -> bool:
         """Whether products of different axes are needed of any."""
         plan = self.plan
         return any(
@@ -381,14 +383,14 @@ class Measurer:
             if one is not None
         )
 
-    def _seen_alone(self, one: Prepared, stop: Stop) -> Seen:
+    def _seen_alone(self, one: PreparedStimulus, stop: Stop) -> StimulusResult:
         responses = self._preparing.responses(one, one.n_fft())
         field = self._fields.of(responses, one.placed, stop, products=self._products([one]))
         if field is None:
             return self._seen_in_blocks(one, stop)
-        return seen_alone(self.plan, field, one, self._extents, stop)
+        return evaluate_stimulus(self.plan, field, one, self._extents, stop)
 
-    def _seen_in_blocks(self, one: Prepared, stop: Stop) -> Seen:
+    def _seen_in_blocks(self, one: PreparedStimulus, stop: Stop) -> StimulusResult:
         """The same of a long design, by the rules that stream it."""
         design, plan = one.design, self.plan
         rms = self._evaluate(design, self._view, "output_rms", stop)
@@ -402,12 +404,12 @@ class Measurer:
         if plan.level_db is not None:
             view = replace(self._view, span="loudest")
             level = float(self._evaluate(design, view, "output_rms", stop).max())
-        outputs = looked_at(rms, plan)
+        outputs = outputs_of_interest(rms, plan)
         view = replace(self._view, outputs=outputs)
         traces = self._evaluate(design, view, "selected_traces", stop)
         windows = windows_of(traces, one.limb.sample_rate_hz)
         (extent,) = self._extents.of([rms], [one])
-        return Seen(rms, dict(zip(outputs, windows, strict=True)), level, extent)
+        return StimulusResult(rms, dict(zip(outputs, windows, strict=True)), level, extent)
 
     def _evaluate(self, design: Design, view: View, name: str, stop: Stop) -> Floats:
         found: Floats = self._graph.evaluate((name,), sources(design, view), stop)[name]
@@ -438,7 +440,7 @@ def _of_output(before: str, rms: float, window: tuple[float, float], factor: flo
 # Measures stimuli in this process; one that cannot be measured does not end the sweep.
 
 
-def found_of(measurer: Measurer, number: int, stop: Stop = never) -> Metrics | str:
+def metrics_or_reason(measurer: Measurer, number: int, stop: Stop = never) -> Metrics | str:
     """Metrics of a stimulus, or the sentence that says why it has none."""
     try:
         return measurer.measure(number, stop)
@@ -457,4 +459,4 @@ def measured_here(
     measurer = Measurer(plan)
     for number in numbers:
         stop_if(stop)
-        yield number, found_of(measurer, number, stop)
+        yield number, metrics_or_reason(measurer, number, stop)

@@ -14,7 +14,7 @@ from skinsource.base.arrays import Floats
 from skinsource.base.job import Stop, stop_if
 from skinsource.base.published import Band
 from skinsource.design.design import Design, Input, audible_indices
-from skinsource.design.signal_path import Drive, refuse_unfollowed
+from skinsource.design.signal_path import Drive, check_drive
 from skinsource.engine.gains import Placed, Remembered, Responses
 from skinsource.engine.quantities import voices
 from skinsource.engine.shared import Shared
@@ -25,7 +25,7 @@ from skinsource.signals.spectra import share_outside_band
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Prepared:
+class PreparedStimulus:
     """A stimulus with its limb and its drives.
 
     Attributes
@@ -111,7 +111,7 @@ class Preparing:
     def _remembered(self) -> Remembered:
         return self._shared.remembered()
 
-    def of(self, design: Design, stop: Stop) -> Prepared:
+    def of(self, design: Design, stop: Stop) -> PreparedStimulus:
         """Draw what the inputs of ``design`` play.
 
         Raises
@@ -136,7 +136,7 @@ class Preparing:
         self._known = known
         found = tuple(one.placed for one in known.values())
         end = max([1, *(one.end for one in found)])
-        return Prepared(design, limb, found, n_taps, end)
+        return PreparedStimulus(design, limb, found, n_taps, end)
 
     def _placed(
         self, one: Input, rate_hz: float, band_hz: Band | None, actuation: Actuation | None
@@ -144,10 +144,10 @@ class Preparing:
         """An input that is heard, with what it plays."""
         (voice,) = voices(self._remembered, (one,), rate_hz)
         drive = self._remembered.drives.drawn(voice.unit, rate_hz)
-        refuse_unfollowed(actuation, drive, rate_hz, band_hz, voice.location)
+        check_drive(actuation, drive, rate_hz, band_hz, voice.location)
         return Placed(voice, drive, voice.start)
 
-    def responses(self, one: Prepared, n_fft: int | None) -> Responses:
+    def responses(self, one: PreparedStimulus, n_fft: int | None) -> Responses:
         """Responses of its limb at the length ``n_fft``."""
         return Responses(self._remembered, one.limb, one.design.scaling, n_fft)
 
@@ -236,7 +236,7 @@ ACTUATOR_METRICS = (
 _RINGS_S = 0.1
 
 
-def actuator_metrics(one: Prepared, factor: float, limits: Limits) -> dict[str, float]:
+def actuator_metrics(one: PreparedStimulus, factor: float, limits: Limits) -> dict[str, float]:
     """Metrics of the voltages at the actuators that a design is predicted through.
 
     ``limits_passed`` counts the limits that any channel passes, of ``limits`` and those that the
@@ -299,7 +299,7 @@ def _known_of(at: ActuatorAt) -> tuple[Limits, Thermal | None]:
     return about.limits, about.thermal
 
 
-def _drives_of(one: Prepared, factor: float) -> dict[int, Floats]:
+def _drives_of(one: PreparedStimulus, factor: float) -> dict[int, Floats]:
     """The drive of each place where anything moves, (n_times,), m/s² or V."""
     n_times = one.stimulus_samples
     channels: dict[int, Floats] = {}
@@ -329,7 +329,7 @@ class DriveMetrics:
     def __init__(self) -> None:
         self._known: dict[int, _drive_metrics_Known] = {}
 
-    def of(self, one: Prepared, factor: float) -> dict[str, float]:
+    def of(self, one: PreparedStimulus, factor: float) -> dict[str, float]:
         """Peak and RMS of all channels, and the share of energy outside the band.
 
         Parameters
@@ -404,7 +404,7 @@ class Extents:
         self._known: dict[_Key, Floats] = {}
 
     def of(
-        self, rms: Sequence[Floats], stimuli: Sequence[Prepared | None]
+        self, rms: Sequence[Floats], stimuli: Sequence[PreparedStimulus | None]
     ) -> list[dict[str, float]]:
         """What `skinsource.extent` says, by name, of each stimulus; NaN where there is none.
 

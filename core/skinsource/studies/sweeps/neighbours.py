@@ -17,7 +17,7 @@ from skinsource.engine.gains import Placed, Responses
 from skinsource.engine.moments import Moments, moments_of, pairs
 from skinsource.engine.spectra import TotalSpectrum
 from skinsource.engine.transforms import add_up
-from skinsource.studies.sweeps.metrics import Prepared, Preparing
+from skinsource.studies.sweeps.metrics import PreparedStimulus, Preparing
 
 # One thread has the cache to itself; smaller pieces cost more calls than they save.
 _OUTPUTS_AT_ONCE = 36
@@ -307,7 +307,7 @@ class Vibrations:
         return total
 
 
-class Together:
+class Batch:
     """Makes the vibrations of several stimuli at once; what they have in common is remembered."""
 
     def __init__(self, preparing: Preparing) -> None:
@@ -319,7 +319,7 @@ class Together:
         self._products: Products | None = None
 
     def of(
-        self, stimuli: Sequence[Prepared | None], stop: Stop, *, products: bool
+        self, stimuli: Sequence[PreparedStimulus | None], stop: Stop, *, products: bool
     ) -> Vibrations | None:
         """Vibrations by ``stimuli``; None where they have too little in common.
 
@@ -434,12 +434,12 @@ class _Source:
         return conjugates if self.drives is None else self.drives * conjugates
 
 
-def _moves_as(one: Prepared, other: Prepared) -> bool:
+def _moves_as(one: PreparedStimulus, other: PreparedStimulus) -> bool:
     """Whether responses are the same; a limb behind other actuators is another one."""
     return one.limb is other.limb and one.design.scaling == other.design.scaling
 
 
-def _split(stimuli: list[Prepared]) -> tuple[tuple[Placed, ...], dict[int, int]] | None:
+def _split(stimuli: list[PreparedStimulus]) -> tuple[tuple[Placed, ...], dict[int, int]] | None:
     """Inputs that all stimuli have alike, and the places of the others by id; None: they move."""
     by_id = [{each.voice.id: each for each in one.moving} for one in stimuli]
     fixed, places = [], {}

@@ -13,7 +13,7 @@ from skinsource.actuators.actuation import Actuation, ActuatorAt
 from skinsource.actuators.catalog import load
 from skinsource.actuators.equalising import RegularisedInverse
 from skinsource.actuators.prediction import Limits
-from skinsource.base.arguments import one_of, whole_number
+from skinsource.base.arguments import integer, one_of
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.json_text import Tree
@@ -260,9 +260,9 @@ class Order:
 
     def __post_init__(self) -> None:
         one_of("order", self.kind, KINDS)
-        whole_number("seed", self.seed, 0, _MOST_SEED)
-        whole_number("participants", self.participants, 1, _MOST)
-        whole_number("blocks", self.blocks, 1, _MOST)
+        integer("seed", self.seed, 0, _MOST_SEED)
+        integer("participants", self.participants, 1, _MOST)
+        integer("blocks", self.blocks, 1, _MOST)
 
 
 @dataclass(frozen=True, slots=True)

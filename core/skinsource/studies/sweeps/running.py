@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from skinsource.actuators.prediction import Limits
-from skinsource.base.arguments import one_of, real_number, whole_number
+from skinsource.base.arguments import integer, one_of, real_number
 from skinsource.base.errors import FileFormatError, InvalidInputError
 from skinsource.base.files import named, read_bytes
 from skinsource.base.job import Progress, Stop, never, silent
@@ -176,7 +176,7 @@ def run(
 def _measuring(n_left: int, processes: int | None) -> Measuring:
     if processes is None:
         processes = (os.cpu_count() or 1) if n_left >= _WORTH_PROCESSES else 1
-    count = whole_number("processes", processes, 1, _MOST_PROCESSES)
+    count = integer("processes", processes, 1, _MOST_PROCESSES)
     if count == 1:
         return measured_here
 
@@ -247,7 +247,7 @@ def _value(name: str, value: Any) -> Value:
     if hasattr(value, "item") and not isinstance(value, str | bytes):
         value = value.tolist()
     if isinstance(value, list | tuple):
-        return tuple(whole_number(f"{name}[{k}]", one, 1, 2**31) for k, one in enumerate(value))
+        return tuple(integer(f"{name}[{k}]", one, 1, 2**31) for k, one in enumerate(value))
     # What a report cannot hold is no value, and would be found out at the end.
     if isinstance(value, bool | int | str) or (isinstance(value, float) and isfinite(value)):
         return value
@@ -320,7 +320,7 @@ def _sweep(found: dict[str, Any], folder: Path) -> Sweep:
     plan = Plan(
         designs=named_designs(files),
         variables=variables_of(_table(found, "vary")),
-        outputs=tuple(whole_number("an output", one, 1, _MOST) for one in _list(found, "outputs")),
+        outputs=tuple(integer("an output", one, 1, _MOST) for one in _list(found, "outputs")),
         axes=one_of("axes", found.get("axes", "xyz"), AXES),
         method=one_of("method", found.get("method", "pca"), METHODS),
         **level_of(_level(found, folder)),
@@ -367,7 +367,7 @@ def _files(found: dict[str, Any]) -> StimulusFiles | None:
     rate_hz = table.get("rate_hz")
     return StimulusFiles(
         format=table.get("format", "wav"),
-        rate_hz=None if rate_hz is None else whole_number("rate_hz", rate_hz, 1, MAX_RATE_HZ),
+        rate_hz=None if rate_hz is None else integer("rate_hz", rate_hz, 1, MAX_RATE_HZ),
     )
 
 

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from skinsource.base.arguments import whole_number
+from skinsource.base.arguments import integer
 from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError, StorageError
 from skinsource.base.extras import package_of_extra
@@ -35,7 +35,7 @@ from skinsource.design.design import Design
 from skinsource.export.formats.formats import format_named
 from skinsource.export.stimulus_export.export import export_stimulus
 from skinsource.export.stimulus_export.options import StimulusOptions, sidecar_path
-from skinsource.export.stimulus_export.preparing import prepared
+from skinsource.export.stimulus_export.preparing import prepare_stimulus
 from skinsource.signals.resampling import MAX_RATE_HZ
 from skinsource.studies.sweeps.measuring import Metrics, columns_of
 from skinsource.studies.sweeps.plan import Order, Plan, trials
@@ -405,7 +405,7 @@ class StimulusFiles:
     def __post_init__(self) -> None:
         format_named(self.format, Path())
         if self.rate_hz is not None:
-            whole_number("rate_hz", self.rate_hz, 1, MAX_RATE_HZ)
+            integer("rate_hz", self.rate_hz, 1, MAX_RATE_HZ)
 
     def write(
         self,
@@ -472,7 +472,7 @@ class StimulusFiles:
         for done, (path, design) in enumerate(self._files(plan, table, out / FOLDER)):
             stop_if(stop)
             progress(done, len(table), "Looking for the largest drive")
-            found = prepared(design, path, kind, self.rate_hz, StimulusOptions(), stop=stop)
+            found = prepare_stimulus(design, path, kind, self.rate_hz, StimulusOptions(), stop=stop)
             largest = max(largest, float(np.abs(found.drives.samples).max(initial=0.0)))
         # A little more, so that rounding takes no sample beyond it.
         return largest * (1.0 + 2.0**-50) or 1.0

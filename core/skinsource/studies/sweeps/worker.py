@@ -12,7 +12,7 @@ import sys
 from typing import IO
 
 from skinsource.base.allocation import keep_freed_memory
-from skinsource.studies.sweeps.measuring import Measurer, found_of
+from skinsource.studies.sweeps.measuring import Measurer, metrics_or_reason
 from skinsource.studies.sweeps.plan import plan_of
 
 
@@ -29,7 +29,7 @@ def main() -> None:
             measurer = Measurer(plan_of(request["plan"]))
         elif measurer is not None:
             for number in request["measure"]:
-                found = found_of(measurer, number)
+                found = metrics_or_reason(measurer, number)
                 kind = "error" if isinstance(found, str) else "metrics"
                 text = json.dumps({"stimulus": number, kind: found})
                 answers.write(text.encode() + b"\n")
