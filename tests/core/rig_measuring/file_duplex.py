@@ -15,9 +15,8 @@ import scipy
 from skinsource.actuators.rigs import Rig, RigChannel
 from skinsource.lab.playing.devices import Output
 from skinsource.lab.playing.mix import factor_of, fade_samples
-from skinsource.lab.rig_measuring import duplex
+from skinsource.lab.rig_measuring import measurement
 from skinsource.lab.rig_measuring.duplex import Duplex
-from skinsource.lab.rig_measuring.measurement import measure
 
 sys.path.insert(0, str(Path(__file__).parents[3]))
 from tests.core.playing.file_card import configure_duplex
@@ -53,10 +52,10 @@ def main(folder: Path) -> dict:
             noise.astype(np.float32).tofile(came)
             super().__init__(deck, card, n_samples)
 
-    duplex.Duplex = Prepared
+    measurement.Duplex = Prepared
     rig = Rig(channels=(RigChannel(place=7, device="card", full_scale_v=VOLTS),))
     setup = replace(SETUP, repeats=2)
-    found = measure(rig, 7, setup, output=Output(sample_rate_hz=RATE_HZ))
+    found = measurement.measure(rig, 7, setup, output=Output(sample_rate_hz=RATE_HZ))
     return {"off": apart(found), "delay_s": found.delay_s, "points": len(found.response.points)}
 
 

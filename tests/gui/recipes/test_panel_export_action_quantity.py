@@ -16,7 +16,7 @@ SETTINGS = '''
 
 from dataclasses import dataclass
 
-from skinsource import fields
+from skinsource.specs import fields
 from skinsource.specs.fields import NumberSpec
 
 
@@ -226,7 +226,7 @@ def facts(make_copy, tmp_path_factory, older_design):
     exports = copy.studio / "pages" / "files" / "exports.py"
     copy.insert(
         exports,
-        "from skinsource.base.job import Progress, Stop\n",
+        "from skinsource.base.job import Job, Progress, Stop\n",
         "from skinsource.export.loudest import export_loudest\n",
     )
     copy.insert(exports, '    ExportSpec(\n        name="field"', EXPORTED)

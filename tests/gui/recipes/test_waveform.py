@@ -9,7 +9,7 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource import fields
+from skinsource.specs import fields
 from skinsource.specs.fields import CurveSpec, NumberSpec, OptionalSpec, SamplesSpec, TextSpec
 from skinsource.specs.samples import Samples
 
@@ -98,7 +98,7 @@ def test_a_new_waveform_is_a_file_and_a_name_and_a_new_field_is_a_line(
     # A file in waveforms and a name in MORE.
     copy.write(copy.library / "design" / "waveforms" / "clicks.py", CLICKS)
     kinds = copy.library / "design" / "waveforms" / "catalog.py"
-    line = "from skinsource.design.waveforms.pulses import Impulse\n"
+    line = "from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square, Triangle\n"
     copy.insert(kinds, line, "from skinsource.design.waveforms.clicks import Clicks\n")
     copy.insert(kinds, "    Impulse,\n", "    Clicks,\n")
     # A line in Input and one in View.
