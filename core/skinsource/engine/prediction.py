@@ -29,7 +29,7 @@ from skinsource.base.work import tally
 from skinsource.design.signal_path import LARGEST, Drive, check_drive, drive_of, first_unusable
 from skinsource.engine.drives import active_samples
 from skinsource.engine.gains import exceeds_rounding, unit_gains
-from skinsource.engine.memory import PREDICT_BYTES, PREDICT_GAINS_BYTES, Memory, room_for
+from skinsource.engine.memory import PREDICT_BYTES, PREDICT_GAINS_BYTES, Memory
 from skinsource.engine.spectra import (
     Norms,
     ResponseSpectra,
@@ -109,7 +109,7 @@ class _Places:
     def __init__(self, limb: Limb, n_fft: int, most_places: int) -> None:
         self.n_fft = n_fft
         self._shape = limb.n_outputs, limb.n_axes, n_fft // 2 + 1
-        self._values = room_for((most_places, *self._shape))
+        self._values = np.empty((most_places, *self._shape), np.complex128)
         self.known: dict[int, ResponseSpectrum] = {}
 
     @property
@@ -120,7 +120,7 @@ class _Places:
         """Transform responses by place; they are remembered as far as there is room."""
         first = len(self.known)
         rooms = list(self._values[first : first + len(taps)])
-        rooms += [room_for(self._shape) for _ in range(len(taps) - len(rooms))]
+        rooms += [np.empty(self._shape, np.complex128) for _ in range(len(taps) - len(rooms))]
         pairs = zip(taps.values(), rooms, strict=True)
         found = helped([partial(_response, *pair, self.n_fft) for pair in pairs])
         tally(forward_transforms=len(taps) * prod(self._shape[:2]))

@@ -15,7 +15,7 @@ from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.work import tally
 from skinsource.design.signal_path import LARGEST, first_unusable
-from skinsource.engine.memory import EXACT_SPECTRA_BYTES, RESPONSE_SPECTRA_BYTES, Memory, room_for
+from skinsource.engine.memory import EXACT_SPECTRA_BYTES, RESPONSE_SPECTRA_BYTES, Memory
 from skinsource.engine.transforms import Channel, driven, forward
 from skinsource.limbs.limb import Limb
 from skinsource.limbs.scaling import Scaling, per_probe_acceleration
@@ -110,15 +110,12 @@ class Norms:
 
 
 class _Places:
-    """Spectra at one length, made place by place.
-
-    They lie in one piece of memory, which the system serves in large pages.
-    """
+    """Spectra at one length, made place by place in one array."""
 
     def __init__(self, limb: Limb, n_fft: int) -> None:
         self._n_fft = n_fft
         shape = limb.n_inputs, limb.n_outputs, limb.n_axes, n_fft // 2 + 1
-        self._values = room_for(shape)
+        self._values = np.empty(shape, np.complex128)
         self._known: dict[int, ResponseSpectrum] = {}
 
     @property
