@@ -102,7 +102,8 @@ def test_a_sweep_that_is_none_is_refused(given, what):
 
 
 def test_what_is_equalised_has_the_same_word_in_the_window_and_in_files():
+    page = (Path(__file__).parents[2] / "docs" / "words.md").read_text("utf-8")
+    row = next(line for line in page.splitlines() if line.startswith("| equalise |"))
     for name, title in EQUALISE.options:
         assert title.lower() == name
-    page = (Path(__file__).parents[2] / "docs" / "words.md").read_text("utf-8")
-    assert "| equalise | what is made alike of all wavelets of a train: none, " in page
+        assert f"*{title}*" in row or f"*{name}*" in row
