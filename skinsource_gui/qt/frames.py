@@ -140,7 +140,7 @@ class PaintedAnew:
         depends_on: tuple[object, ...],
         paint_anew: Callable[[QPainter], None],
     ) -> None:
-        """Paint what ``paint_anew`` paints, as `KeptPicture.paint` does."""
+        """Paint what ``paint_anew`` paints, as `CachedPicture.paint` does."""
         painter.save()
         paint_anew(painter)
         painter.restore()

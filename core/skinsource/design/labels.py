@@ -210,9 +210,9 @@ def short_limb_title(name: str) -> str:
 def signal_label(axes: str, method: str) -> str:
     """How accelerations become one signal: ``"x, y, z, principal axis"``; one axis has no method.
 
-    >>> signal_words("z", "pca")
+    >>> signal_label("z", "pca")
     'z'
-    >>> signal_words("xy", "mag")
+    >>> signal_label("xy", "mag")
     'x, y, magnitude'
     """
     title = word_of(AXES, axes).title

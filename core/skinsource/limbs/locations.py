@@ -1,6 +1,6 @@
 """The 20 input places and the 72 output places of the published limbs: names, sides and regions.
 
-Limbs that a lab imported have places of their own, which `input_words` and `output_words` know.
+Limbs that a lab imported have places of their own, which `input_name` and `output_name` know.
 """
 
 from dataclasses import dataclass
@@ -248,7 +248,7 @@ def input_name(number: int, limb: str = "") -> LocationNames:
 
     Of a limb that is missing nobody knows more of a place than its number.
 
-    >>> input_words(25).name
+    >>> input_name(25).name
     'Place 25, not on this hand'
     """
     facts = facts_of(limb)
@@ -270,7 +270,7 @@ def input_name(number: int, limb: str = "") -> LocationNames:
 def output_name(number: int, limb: str = "") -> LocationNames:
     """What output place ``number`` is called; a limb may have places that are not named here.
 
-    >>> output_words(80).name
+    >>> output_name(80).name
     'Not on this limb'
     """
     facts = facts_of(limb)

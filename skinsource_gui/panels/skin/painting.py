@@ -511,7 +511,7 @@ class MapPainter:
     limb_map
         Outline and places.
     kept
-        `KeptPicture` on the screen, `PaintedAnew` for pages and files.
+        `CachedPicture` on the screen, `PaintedAnew` for pages and files.
     """
 
     def __init__(
