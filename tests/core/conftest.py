@@ -37,23 +37,25 @@ What a user should know:
 
 - Samples of a prediction are right to 1e-14 of the peak of their channel, short or streamed, by
   `skinsource.predict` and in the studio; levels are right to 1e-14 of themselves.
-- A quiet event after a loud one keeps its digits: a window of 100 ms is right to 1e-9 of itself, down to 126 dB
-  below the loudest.
+- A quiet event after a loud one keeps its digits: a window of 100 ms is right to 1e-9 of itself,
+  down to 126 dB below the loudest.
 - Silence is exactly 0: before, between and after drives, and at outputs without a response.
 - Drives that are not finite, or above 1e30 in size, are refused with input and sample.
-- Actuators are right to 1e-12; without any damping to 1e-9 over a million samples. Extremely light or stiff ones have
-  a bound of their own (case *j fast*).
-- A principal axis is right to 1e-9 degrees where the motion has one. Where two axes move nearly alike (gap
-  below 1e-3) there is none, and it is said.
+- Actuators are right to 1e-12; without any damping to 1e-9 over a million samples. Extremely
+  light or stiff ones have a bound of their own (case *j fast*).
+- A principal axis is right to 1e-9 degrees where the motion has one. Where two axes move nearly
+  alike (gap below 1e-3) there is none, and the studio says so.
 - The map's weights are right to 1e-12, and never negative.
-- Rounding is far below the errors of the measurement: amplitudes of the probe are known within about 3 dB.
+- Rounding is far below the errors of the measurement: amplitudes of the probe are known within
+  about 3 dB.
 
 The table is made by the tests, which also check it; do not edit it. To make it again:
 
     {command}
 
 How it is measured, and what *error*, *exact*, *both ways* and *ratio* mean:
-[internals/stability.md](internals/stability.md). Every number is the largest of its case, in float64.
+[internals/stability.md](internals/stability.md). Every number is the largest of its case, in
+float64.
 
 {machine}
 
