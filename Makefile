@@ -33,7 +33,7 @@ fix: .venv/ready-to-test  ## let ruff mend what it can
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
-pictures: .venv/ready-to-test  ## pictures of the window, light and dark, in build/pictures
+pictures: .venv/ready-to-test  ## pictures of the window in build/pictures, and docs/window.png
 	QT_QPA_PLATFORM=offscreen $(BIN)/python benchmarks/pictures.py
 	QT_QPA_PLATFORM=offscreen $(BIN)/python benchmarks/pictures_in_use.py
 

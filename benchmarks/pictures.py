@@ -1,6 +1,6 @@
 """Pictures of the whole window and of each panel, light and dark, in two sizes.
 
-make pictures     (writes build/pictures; open them and look)
+make pictures     (writes build/pictures; open them and look; and docs/window.png for the README)
 """
 
 import os
@@ -13,21 +13,27 @@ os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
 
 import numpy as np
 import soundfile
-from PySide6.QtGui import QPixmap
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtWidgets import QApplication
 
-from skinsource.design.design import Design, track
+from skinsource.design.clips import Clip
+from skinsource.design.design import Design, Input, track
 from skinsource.design.view import View
 from skinsource.design.waveforms.pulses import Noise, Tap
-from skinsource.design.waveforms.tones import Tone
+from skinsource.design.waveforms.tones import Chirp, Tone
+from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.limbs.catalogue import available_limbs, default_limb
 from skinsource_gui.app.app import make_application
 from skinsource_gui.pages.importing.form import OverviewStrip
+from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.shell.window import MainWindow
 from skinsource_gui.state.preferences import Preferences, start_design
 
 SIZES = ((1366, 768), (1920, 1080))
 FOLDER = Path("build/pictures")
+#: The picture in the README: of a synthetic limb, since nothing measured is ever committed.
+README_PICTURE, README_SIZE = Path("docs/window.png"), SIZES[0]
 
 
 def scenes() -> dict[str, tuple[Design, View, str]]:
@@ -71,15 +77,66 @@ def scenes() -> dict[str, tuple[Design, View, str]]:
     }
 
 
+def readme_design() -> Design:
+    """Four tracks on a synthetic limb: a train of wavelets, a tone, taps and a chirp."""
+    taps = tuple(Clip(onset_s=0.1 + 0.12 * k, waveform=Tap(), gain=1.0 - 0.1 * k) for k in range(6))
+    return Design(
+        limb="synthetic-1",
+        inputs=(
+            Input(location=7, clips=(Clip(waveform=WaveletTrain()),)),
+            track(location=3, waveform=Tone(120.0, duration_s=0.6), amplitude=0.5, colour=1),
+            Input(location=12, clips=taps, colour=2),
+            track(location=18, waveform=Chirp(duration_s=0.5), colour=3, onset_s=0.2),
+        ),
+    )
+
+
 def main() -> int:
     """Write all pictures."""
     make_application()
     FOLDER.mkdir(parents=True, exist_ok=True)
+    view = View(outputs=(29, 33, 61), axes="z", selected_inputs=(1,))
+    readme_picture(readme_design(), view)
     for name, (design, view, arrangement) in scenes().items():
         for theme in ("light", "dark"):
             for size in SIZES:
                 photograph(name, design, view, arrangement, theme, size)
     return 0
+
+
+def readme_picture(design: Design, view: View) -> None:
+    """Write the picture in the README, as if no measured limbs were installed."""
+    synthetic = [name for name in available_limbs() if name.startswith("synthetic")]
+    with tempfile.TemporaryDirectory() as folder:
+        preferences = Preferences(Path(folder) / "studio.ini")
+        preferences.theme_name = "light"
+        window = MainWindow(design, view=view, preferences=preferences, available_limbs=synthetic)
+        window.resize(*README_SIZE)
+        window.show()
+        window.do("arrange_design")
+        QApplication.processEvents()
+        window.catch_up()
+        QApplication.processEvents()
+        with_few_colours(window.grab().toImage()).save(str(README_PICTURE), quality=0)
+        window.close()
+        print(README_PICTURE)
+
+
+def with_few_colours(image: QImage) -> QImage:
+    """The image in 64 colours of its map and the 192 that it has most of: its file is small."""
+    image = image.convertToFormat(QImage.Format.Format_RGB32)
+    pixels = np.frombuffer(image.constBits(), np.uint32)
+    # Colours that nearly agree count as the same.
+    cells, which, counts = np.unique(
+        pixels & np.uint32(0xFFF8F8F8), return_inverse=True, return_counts=True
+    )
+    first = np.zeros(cells.size, np.uint32)
+    first[which] = pixels
+    common = first[np.argsort(-counts)[:192]]
+    table = [int(colour) for colour in (*colour_table()[::4], *common)]
+    return image.convertToFormat(
+        QImage.Format.Format_Indexed8, table, Qt.ImageConversionFlag.AvoidDither
+    )
 
 
 def photograph(

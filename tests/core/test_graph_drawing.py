@@ -8,7 +8,7 @@ from skinsource.cli.graph_drawing import brought_up_to_date, drawing, rules_of, 
 from skinsource.engine.graph import Graph
 from skinsource.engine.quantities import new_graph, sources
 
-DOCUMENT = Path(__file__).parents[2] / "docs" / "rendering.md"
+DOCUMENT = Path(__file__).parents[2] / "docs" / "internals" / "rendering.md"
 
 
 def total(parts, weights):
@@ -38,8 +38,8 @@ def test_a_drawing_shows_rules_what_they_need_and_what_comes_from_elsewhere():
 def test_the_document_shows_the_graph_as_it_is():
     text = DOCUMENT.read_text(encoding="utf-8")
     assert brought_up_to_date(text) == text, (
-        "docs/rendering.md shows another graph; run python -m skinsource.cli.graph_drawing "
-        "docs/rendering.md"
+        "docs/internals/rendering.md shows another graph; run "
+        "python -m skinsource.cli.graph_drawing docs/internals/rendering.md"
     )
 
 

@@ -10,7 +10,8 @@ DECISIONS = sorted((ROOT / "docs" / "adr").glob("0*.md"))
 BEGIN = ("README.md", "CONTRIBUTING.md")
 PAGES = [ROOT / name for name in (*BEGIN, "CHANGELOG.md")] + sorted((ROOT / "docs").rglob("*.md"))
 #: Paths that begin like this are those of files of the project.
-FOLDERS = (".ci", "benchmarks", "core", "data", "docs", "examples", "resources", "tests")
+CODE = "benchmarks", "core", "examples", "skinsource_gui", "tests"
+FOLDERS = (".ci", "data", "docs", "resources", *CODE)
 every = pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
 
 

@@ -2,7 +2,7 @@
 
 To bring those of a document up to date:
 
-    python -m skinsource.cli.graph_drawing docs/rendering.md
+    python -m skinsource.cli.graph_drawing docs/internals/rendering.md
 """
 
 import inspect
