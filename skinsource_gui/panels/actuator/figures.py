@@ -1,4 +1,4 @@
-"""What the panel draws, as plain arrays."""
+"""Curves and predicted figures of an actuator, as plain data, and the table of figures."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -38,16 +38,16 @@ _ALONE = CurveName(number=0, short="1 V", full="Acceleration after 1 V came on")
 
 @lru_cache(maxsize=8)
 def frequencies_of(band_hz: Band) -> Floats:
-    """Frequencies that are drawn on a limb that is followed in a band, (500,)."""
+    """Return the frequencies that are drawn on a limb with this band, (500,)."""
     low = min(_SHOWN_HZ[0], _BELOW * band_hz[0])
-    found = np.geomspace(low, max(_SHOWN_HZ[1], _ABOVE * band_hz[1]), _POINTS)
-    found.flags.writeable = False
-    return found
+    frequency_hz = np.geomspace(low, max(_SHOWN_HZ[1], _ABOVE * band_hz[1]), _POINTS)
+    frequency_hz.flags.writeable = False
+    return frequency_hz
 
 
 @lru_cache(maxsize=8)
 def frequency_axis(band_hz: Band) -> XAxis:
-    """The axis of these frequencies."""
+    """Return the axis of these frequencies."""
     shown = frequencies_of(band_hz)
     return XAxis(
         titles=(
@@ -64,7 +64,7 @@ def frequency_axis(band_hz: Band) -> XAxis:
 
 
 def response_curves(settings: ActuatorSettings, band_hz: Band) -> Curves:
-    """Gains over frequency: of the actuator, of the filter, and of both."""
+    """Return gains over frequency: of the actuator, of the filter, and of both."""
     frequency_hz = frequencies_of(band_hz)
     model = settings.model
     published: Any = settings.profile.model
@@ -76,11 +76,11 @@ def response_curves(settings: ActuatorSettings, band_hz: Band) -> Curves:
     if equaliser is None:
         rows = [(_BEFORE, _alone_db(model, band_hz))]
     else:
-        found = curves(equaliser, model, frequency_hz, band_hz)
+        responses = curves(equaliser, model, frequency_hz, band_hz)
         rows = [
-            (_BEFORE, found.before_db),
-            (_FILTER, found.filter_db),
-            (_AFTER, found.after_db),
+            (_BEFORE, responses.before_db),
+            (_FILTER, responses.filter_db),
+            (_AFTER, responses.after_db),
         ]
     if isinstance(published, Actuator) and model != published:
         rows.append((_PUBLISHED, _alone_db(published, band_hz)))
@@ -88,7 +88,7 @@ def response_curves(settings: ActuatorSettings, band_hz: Band) -> Curves:
 
 
 def step_curves(settings: ActuatorSettings) -> Curves | None:
-    """Acceleration after a voltage of 1 V came on; None for a shape."""
+    """Return the acceleration after a step of 1 V; None for a shape."""
     model, published = settings.model, settings.profile.model
     if model is None:
         return None
@@ -116,7 +116,7 @@ def _drawn(
     level_words: str,
     scaling: tuple[str, ...] = (),
 ) -> Curves:
-    """Curves of rows: levels where there are words for them, else accelerations."""
+    """Return curves of rows: levels where ``level_words`` is given, else accelerations."""
     unit = "db" if level_words else "m_per_s2"
     return Curves(
         x=x,
@@ -129,14 +129,12 @@ def _drawn(
     )
 
 
-# What a design asks of an actuator, in words.
-
 _DIGITS = 3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Figure:
-    """One row.
+    """One row of the table of predicted figures.
 
     Attributes
     ----------
@@ -166,13 +164,13 @@ _ROWS = (
 )
 
 
-def rows_of(settings: ActuatorSettings, found: Prediction) -> tuple[Figure, ...]:
-    """Each figure that is known, with its limit."""
+def rows_of(settings: ActuatorSettings, prediction: Prediction) -> tuple[Figure, ...]:
+    """Return a row for each figure that is known, with its limit."""
     limits = settings.profile.limits
-    passed = {one.name for one in breaches(found, limits)}
+    passed = {breach.name for breach in breaches(prediction, limits)}
     rows = []
     for label, name, unit, limit_name in _ROWS:
-        value = getattr(found, name)
+        value = getattr(prediction, name)
         if not isnan(value):
             limit = None if limit_name is None else getattr(limits, limit_name)
             rows.append(
@@ -186,9 +184,9 @@ def rows_of(settings: ActuatorSettings, found: Prediction) -> tuple[Figure, ...]
     # Beyond this velocity the measured skin was not seen to be linear; nothing breaks.
     velocity = Figure(
         label="Peak velocity",
-        value=_text(found.peak_velocity_m_per_s, "mm/s"),
+        value=_text(prediction.peak_velocity_m_per_s, "mm/s"),
         limit=_text(LARGEST_VELOCITY_M_PER_S, "mm/s"),
-        passed=found.linear_share > 1.0,
+        passed=prediction.linear_share > 1.0,
     )
     return (rows[0], velocity, *rows[1:])
 
@@ -201,11 +199,8 @@ def _text(value: float, unit: str) -> str:
     return value_text(value, unit, _DIGITS)
 
 
-# Rows of figures with their limits.
-
-
 class FiguresTable(QWidget):
-    """Label, value, and the limit where there is one; what passes its limit is red."""
+    """A table of label, value and limit; what exceeds its limit is red."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -241,8 +236,8 @@ class FiguresTable(QWidget):
             set_tone(limit, "error" if figure.passed else "dim")
         self.setAccessibleDescription(
             "; ".join(
-                f"{one.label} {one.value}" + (", beyond its limit" if one.passed else "")
-                for one in figures
+                f"{figure.label} {figure.value}" + (", beyond its limit" if figure.passed else "")
+                for figure in figures
             )
         )
 
@@ -256,13 +251,11 @@ class FiguresTable(QWidget):
         self._rows.append(labels)
 
 
-# Predicted figures of one place, or why there are none and what to do.
-
 _NOTHING = "Nothing plays: add an input to see what it asks of the actuator"
 
 
 class FiguresView(QWidget):
-    """A heading over the table of figures; where the equaliser refuses the drive, the reason.
+    """A heading over the table of figures, or the reason why the equaliser refuses the drive.
 
     Attributes
     ----------
@@ -297,28 +290,28 @@ class FiguresView(QWidget):
         column.addWidget(self.table)
 
     def show_demand(
-        self, found: Demand, settings: ActuatorSettings, *, tap: bool, limb: str = ""
+        self, demand: Demand, settings: ActuatorSettings, *, tap: bool, limb: str = ""
     ) -> None:
-        """Show the figures of an actuator; ``tap``: a tap could be replaced by another."""
-        rows = () if found.figures is None else rows_of(settings, found.figures)
+        """Show the figures of an actuator; ``tap``: a tap could be replaced by another one."""
+        rows = () if demand.figures is None else rows_of(settings, demand.figures)
         self.table.show_figures(rows)
-        reason = found.refusal or ("" if found.place is not None else _NOTHING)
+        reason = demand.refusal or ("" if demand.place is not None else _NOTHING)
         self.refusal.setText(reason)
         self.refusal.setVisible(bool(reason))
         # Where nothing plays, or is known yet, nothing is wrong.
-        set_tone(self.refusal, "dim" if found.refusal in ("", PREPARING) else "error")
+        set_tone(self.refusal, "dim" if demand.refusal in ("", PREPARING) else "error")
         beyond = _beyond(rows)
         self.limits.setText(beyond)
         self.limits.setVisible(bool(beyond))
-        self.centred.setVisible(found.leaves_velocity and tap)
-        words = "" if found.place is None else f"Place {found.place}, "
-        words += "" if found.place is None else input_name(found.place, limb).name
-        part = f" · the strongest {LONGEST_S:g} s" if found.part else ""
-        gain = " · uncalibrated gain" if words and not settings.profile.gain_calibrated else ""
-        self.heading.setText(f"{words}{part}{gain}")
+        self.centred.setVisible(demand.leaves_velocity and tap)
+        place = "" if demand.place is None else f"Place {demand.place}, "
+        place += "" if demand.place is None else input_name(demand.place, limb).name
+        part = f" · the strongest {LONGEST_S:g} s" if demand.part else ""
+        gain = " · uncalibrated gain" if place and not settings.profile.gain_calibrated else ""
+        self.heading.setText(f"{place}{part}{gain}")
 
 
 def _beyond(rows: tuple[Figure, ...]) -> str:
-    """Which figures pass their limits, in a sentence; "" where none does."""
-    names = [one.label.lower() for one in rows if one.passed]
+    """Return a sentence that names the figures beyond their limits; "" where there are none."""
+    names = [row.label.lower() for row in rows if row.passed]
     return f"Beyond its limit: {', '.join(names)}" if names else ""

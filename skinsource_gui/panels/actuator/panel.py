@@ -1,4 +1,7 @@
-"""The fields of the panel: which actuator, its parameters, and the equaliser."""
+"""The actuator panel: choice of actuator and equaliser, their response, and predicted figures.
+
+Predictions of the whole studio can go through what is chosen here.
+"""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -53,7 +56,7 @@ _PARAMETER = "parameter "
 
 
 class ActuatorChoices(QObject):
-    """Cells for all that can be chosen; those are shown that mean something now.
+    """Cells of all settings; only those are shown that have an effect now.
 
     Attributes
     ----------
@@ -101,8 +104,8 @@ class ActuatorChoices(QObject):
         column.addWidget(self.open, 0, Qt.AlignmentFlag.AlignLeft)
 
     def cell(self, name: str) -> FieldCell:
-        """The cell of a setting, or of ``"parameter "`` and a field of the model."""
-        return next(one for one in self._cells if one.name == name)
+        """Return the cell of a setting, or of ``"parameter "`` and a field of the model."""
+        return next(cell for cell in self._cells if cell.name == name)
 
     def show_settings(self, settings: ActuatorSettings, *, predicted: bool = False) -> None:
         """Show these settings; ``predicted``: amplitudes have a unit of their own."""
@@ -122,33 +125,33 @@ class ActuatorChoices(QObject):
         self.reset.setVisible(bool(settings.parameters))
 
     def _build(self) -> None:
-        """Show the cells that there are now; each is made once, and those not shown are hidden."""
+        """Show the cells that are needed now; each is made once and kept."""
         model = self._settings.model
-        wanted: dict[str, Spec] = {"actuator": actuator_spec(self._settings.measured_title)}
+        specs: dict[str, Spec] = {"actuator": actuator_spec(self._settings.measured_title)}
         if model is not None:
             own = specs_of(self._settings)
             names = ("equaliser", *_OF_EQUALISER[self._settings.equaliser])
             hidden = _OF_AMPLITUDES if self._predicted else ()
-            wanted |= {name: own[name] for name in names if name not in hidden}
-            wanted |= {
+            specs |= {name: own[name] for name in names if name not in hidden}
+            specs |= {
                 f"{_PARAMETER}{name}": spec
                 for name, spec in specs_of(model).items()
                 if isinstance(spec, NumberSpec)
             }
-        for name, spec in wanted.items():
+        for name, spec in specs.items():
             if (name, spec) not in self._kept:
                 cell = FieldCell(name, spec)
                 cell.edited.connect(self._edit)
                 self._kept[name, spec] = cell
-        self._cells = tuple(self._kept[one] for one in wanted.items())
+        self._cells = tuple(self._kept[key] for key in specs.items())
         parameters = tuple(cell for cell in self._cells if cell.name.startswith(_PARAMETER))
         self.grid.show_cells([cell for cell in self._cells if cell not in parameters])
         self._parameters.show_cells(parameters)
 
     def _words(self) -> str:
         profile = self._settings.profile
-        known = profile.calibration
-        lines = [profile.source, f"Calibrated: {known[:1].lower()}{known[1:]}"]
+        calibration = profile.calibration
+        lines = [profile.source, f"Calibrated: {calibration[:1].lower()}{calibration[1:]}"]
         changed = []
         for name, value in dict(self._settings.parameters).items():
             spec = specs_of(profile.model).get(name)
@@ -174,8 +177,6 @@ class ActuatorChoices(QObject):
         self.changed.emit(replace(self._settings, parameters=()), None)
 
 
-# The switch that lets predictions go through the actuator, and words on what they go through.
-
 _TITLE = "Predict through the actuator"
 _HINT = (
     "Levels, map, traces and spectra become those of the skin under this actuator and equaliser; "
@@ -190,7 +191,7 @@ _OTHER = "Predictions go through {words}, not through what is shown here."
 
 
 class ThroughSwitch(QWidget):
-    """Whether the design is predicted through an actuator.
+    """A switch that lets the design be predicted through an actuator.
 
     Attributes
     ----------
@@ -221,28 +222,26 @@ class ThroughSwitch(QWidget):
         actuated = design.actuated
         self.box.setChecked(actuated is not None)
         self.box.setEnabled(actuated is not None or settings.model is not None)
-        words = ""
+        text = ""
         if actuated is None and settings.model is None:
-            words = _SHAPE.format(title=settings.profile.title)
+            text = _SHAPE.format(title=settings.profile.title)
         elif actuated is not None and actuated != actuation_of(settings):
-            words = _OTHER.format(words=actuated.words)
+            text = _OTHER.format(words=actuated.words)
         elif actuated is not None and actuated.equaliser is None:
-            words = "An amplitude of 1 is 1 V at the actuator."
+            text = "An amplitude of 1 is 1 V at the actuator."
         elif actuated is not None:
-            words = "An amplitude of 1 asks the contactor for 1 m/s²."
-        self.box.setToolTip(_HINT if self.box.isEnabled() else words)
-        self.words.setText(words)
-        self.words.setVisible(bool(words))
+            text = "An amplitude of 1 asks the contactor for 1 m/s²."
+        self.box.setToolTip(_HINT if self.box.isEnabled() else text)
+        self.words.setText(text)
+        self.words.setVisible(bool(text))
 
-
-# An actuator, its equaliser, and what the design asks of both.
 
 _NO_STEP = "Too little is known of this actuator to move it"
 _PLOT_PX = 190
 
 
 class ActuatorPanel(Panel):
-    """Response and step of an actuator, the equaliser's part in it, and predicted figures.
+    """Response and step of an actuator, the effect of its equaliser, and predicted figures.
 
     Figures are those of the place of the selected input.
     """
@@ -296,8 +295,8 @@ class ActuatorPanel(Panel):
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
         # What the design is predicted through goes back with it; what is looked at does not.
-        kept = settings_of(view, self.name, ActuatorSettings)
-        settings = settings_through(kept, design.actuated)
+        saved = settings_of(view, self.name, ActuatorSettings)
+        settings = settings_through(saved, design.actuated)
         # Equal ones stay the same, so that nothing is computed twice.
         self._settings = self._settings if settings == self._settings else settings
         if self.isVisible():
@@ -355,9 +354,9 @@ class ActuatorPanel(Panel):
         actuated = None if self._design is None else self._design.actuated
         return actuated is not None and actuated == actuation_of(self._settings)
 
-    def _go_through(self, wanted: bool) -> None:
+    def _go_through(self, on: bool) -> None:
         if self._design is not None:
-            through = actuation_of(self._settings) if wanted else None
+            through = actuation_of(self._settings) if on else None
             outcome = edits.predict_through(self._design, self._view, through)
             self.edited.emit(outcome, None)
             # Where it was refused the box says what is.
@@ -382,13 +381,13 @@ class ActuatorPanel(Panel):
 
 
 def _band_of(limb: str) -> Band:
-    """In which drives are followed on a limb."""
+    """Return the band in which drives are followed on a limb."""
     facts = facts_of(limb)
     return followed_band(facts.band_hz, facts.sample_rate_hz)
 
 
 def _scrolled(*parts: QWidget) -> SteadyArea:
-    """Parts below each other."""
+    """Return a scroll area with the parts below each other."""
     inside = QWidget()
     column = QVBoxLayout(inside)
     column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX // 2, UNIT_PX)
@@ -405,7 +404,7 @@ def _scrolled(*parts: QWidget) -> SteadyArea:
 
 
 def _plays_tap(design: Design | None, view: View) -> bool:
-    """Whether the clip that is edited plays the upstream tap."""
+    """Return whether the edited clip plays a tap that leaves a velocity."""
     if design is None or view.selected_input not in design.ids:
         return False
     clip = clip_of(design.input(view.selected_input), view)

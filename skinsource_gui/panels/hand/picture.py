@@ -1,4 +1,4 @@
-"""The line below the hand."""
+"""The picture of the hand diagram: the drawing of each limb's hand, its painter and its caption."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -43,37 +43,35 @@ HINT = "Click a place on the hand"
 
 
 def caption_of(state: HandState, limb: str, fits: Callable[[str], bool]) -> str:
-    """What is said below the hand: a note, the place that is meant, or what can be done.
+    """Return the text below the hand: a note, the place pointed at, or what can be done.
 
-    Where the pointer is at another place than the ring, both are named.  The longest words that
-    fit are taken, else the shortest.
+    Where the pointer and the ring are at different places, both are named. The longest text that
+    fits is returned, else the shortest.
     """
     if state.note:
         return state.note
     ringed = state.selected_site if state.cursor is None else state.cursor
-    there = state.target or state.hovered
-    if there is None and ringed is None:
+    pointed = state.target or state.hovered
+    if pointed is None and ringed is None:
         return HINT if not state.marks else ""
-    if state.target is None and there and ringed and there != ringed:
-        wanted = _both(there, ringed, "Keys" if state.cursor else "Selected", limb)
+    if state.target is None and pointed and ringed and pointed != ringed:
+        phrases = _both(pointed, ringed, "Keys" if state.cursor else "Selected", limb)
     else:
-        site = there or ringed or 0
+        site = pointed or ringed or 0
         place = input_name(site, limb)
-        wanted = (f"{site} · {place.name}", f"{site} · {place.short_name}")
-    return next((one for one in wanted if fits(one)), wanted[-1])
+        phrases = (f"{site} · {place.name}", f"{site} · {place.short_name}")
+    return next((phrase for phrase in phrases if fits(phrase)), phrases[-1])
 
 
-def _both(there: int, ringed: int, ring: str, limb: str) -> tuple[str, ...]:
-    at, rung = input_name(there, limb), input_name(ringed, limb)
+def _both(pointed: int, ringed: int, ring: str, limb: str) -> tuple[str, ...]:
+    at, rung = input_name(pointed, limb), input_name(ringed, limb)
     return (
-        f"Pointer: {there} · {at.name}  |  {ring}: {ringed} · {rung.name}",
-        f"Pointer: {there} · {at.short_name}  |  {ring}: {ringed} · {rung.short_name}",
-        f"Pointer: {there} · {at.short_name}  |  {ring}: {ringed}",
-        f"Pointer: {there}  |  {ring}: {ringed}",
+        f"Pointer: {pointed} · {at.name}  |  {ring}: {ringed} · {rung.name}",
+        f"Pointer: {pointed} · {at.short_name}  |  {ring}: {ringed} · {rung.short_name}",
+        f"Pointer: {pointed} · {at.short_name}  |  {ring}: {ringed}",
+        f"Pointer: {pointed}  |  {ring}: {ringed}",
     )
 
-
-# The drawing of each limb's hand.
 
 # Outline pixels in one hand length, as in the project's own hand.
 _HAND_PX = 400.0
@@ -86,9 +84,9 @@ _FADE_PX = 40.0
 
 
 def drawing_of(limb: str) -> HandDrawing:
-    """The hand of a limb, by its name; of one that is not known, the project's own."""
-    found = own_map(limb)
-    return _standard() if found is None else _own(found, facts_of(limb))
+    """Return the hand of a limb by its name; for an unknown limb, the project's own hand."""
+    own = own_map(limb)
+    return _standard() if own is None else _own(own, facts_of(limb))
 
 
 @lru_cache(maxsize=1)
@@ -98,7 +96,7 @@ def _standard() -> HandDrawing:
 
 @lru_cache(maxsize=8)
 def _own(limb_map: LimbMap, facts: LimbFacts) -> HandDrawing:
-    """Outline and places as the lab gave them, seen from the palm."""
+    """Return outline and places as the lab gave them, seen from the palm."""
     scale = _HAND_PX / limb_map.hand_length_px
 
     def palmar(points: Floats) -> Floats:
@@ -131,17 +129,17 @@ def _own(limb_map: LimbMap, facts: LimbFacts) -> HandDrawing:
 
 
 def _bounds(outline: Floats, sites: Floats) -> QRectF:
-    """What is seen: the sites and the hand around them, of a long arm not the rest."""
+    """Return the visible area: the sites and the hand around them, not the rest of a long arm."""
     shown = sites if len(sites) else outline
-    around = _AROUND * _HAND_PX
-    low = np.maximum(outline.min(axis=0), shown.min(axis=0) - around)
-    high = np.minimum(outline.max(axis=0), shown.max(axis=0) + around)
+    margin = _AROUND * _HAND_PX
+    low = np.maximum(outline.min(axis=0), shown.min(axis=0) - margin)
+    high = np.minimum(outline.max(axis=0), shown.max(axis=0) + margin)
     width, height = np.maximum(high - low, 1.0)
     return QRectF(float(low[0]), float(low[1]), float(width), float(height))
 
 
 def _with_those_beside(sites: Floats, bounds: QRectF, left: float) -> tuple[Floats, QRectF]:
-    """Sites that lie nowhere, beside a hand that begins at ``left``; and what is seen then."""
+    """Return sites, those without a place beside the hand, and the visible area then."""
     nowhere = np.flatnonzero(np.isnan(sites[:, 0]))
     if not nowhere.size:
         return sites, bounds
@@ -150,30 +148,28 @@ def _with_those_beside(sites: Floats, bounds: QRectF, left: float) -> tuple[Floa
     all_sites = sites.copy()
     all_sites[nowhere, 0] = left - _BESIDE_PX * (0.5 + column)
     all_sites[nowhere, 1] = bounds.top() + _BESIDE_PX * (0.5 + row)
-    seen = QRectF(bounds)
-    seen.setLeft(left - _BESIDE_PX * (column.max() + 1.0))
-    return all_sites, seen
+    visible = QRectF(bounds)
+    visible.setLeft(left - _BESIDE_PX * (column.max() + 1.0))
+    return all_sites, visible
 
 
 def _told_apart(sites: Floats) -> Floats:
-    """Sites that are one point, as contacts of two kinds may be, moved off it to lie around it."""
+    """Return sites; those at one point, as contacts of two kinds may be, around it."""
     _, group, count = np.unique(sites, axis=0, return_inverse=True, return_counts=True)
-    apart = sites.copy()
+    separated = sites.copy()
     for shared in np.flatnonzero(count > 1):
         members = np.flatnonzero(group == shared)
         angles = 2.0 * np.pi * np.arange(members.size) / members.size
-        apart[members] += _AROUND_POINT_PX * np.column_stack((np.cos(angles), np.sin(angles)))
-    return apart
+        separated[members] += _AROUND_POINT_PX * np.column_stack((np.cos(angles), np.sin(angles)))
+    return separated
 
 
 def _spacing(sites: Floats) -> Floats:
-    """From each site to the nearest other one, (n_sites,)."""
-    apart = np.linalg.norm(sites[:, None] - sites[None], axis=-1)
-    np.fill_diagonal(apart, np.inf)
-    return apart.min(axis=1, initial=np.inf)
+    """Return the distance from each site to the nearest other one, (n_sites,)."""
+    distances = np.linalg.norm(sites[:, None] - sites[None], axis=-1)
+    np.fill_diagonal(distances, np.inf)
+    return distances.min(axis=1, initial=np.inf)
 
-
-# What the hand diagram shows, and how it is painted.
 
 _SIDE_ALIGNMENT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
 # From this height on there is a legend below the hand.
@@ -214,11 +210,11 @@ class HandPicture:
         self._layout: HandLayout
 
     def show_drawing(self, drawing: HandDrawing) -> None:
-        """Take another hand."""
+        """Take over another hand."""
         self._drawing = drawing
 
     def resize(self, size: QSize, metrics: QFontMetricsF) -> None:
-        """Take a widget's size; below the area of the hand there is text."""
+        """Take over the size of a widget; text has room below the hand."""
         self._size = size
         self._line_px = metrics.height() + 2.0
         general = QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont)
@@ -260,7 +256,7 @@ class HandPicture:
         return kept_hand_pixmap(*about, ratio, current_theme())
 
     def _in_order(self, state: HandState) -> list[int]:
-        """All sites, those above others last: in use, selected, pointed at."""
+        """Return all sites in the order of painting: in use, selected and pointed at come last."""
         above = [*sorted({mark.site for mark in state.marks}), state.selected_site, state.cursor]
         above += [state.hovered, state.target]
         # Each once, where it comes last.
@@ -311,16 +307,14 @@ class HandPicture:
     def _paint_caption(self, painter: QPainter, state: HandState) -> None:
         metrics, area = QFontMetricsF(painter.font()), self._line_area(self._lines)
         limb = self._drawing.limb
-        text = caption_of(
-            state, limb, lambda words: metrics.horizontalAdvance(words) <= area.width()
-        )
+        text = caption_of(state, limb, lambda text: metrics.horizontalAdvance(text) <= area.width())
         colour = current_theme().accent if text == HINT else current_theme().text
         text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, area.width())
         painter.setPen(QColor(colour))
         painter.drawText(area, Qt.AlignmentFlag.AlignCenter, text)
 
     def _paint_side(self, painter: QPainter) -> None:
-        """Which hand this is, in the free corner below the thumb."""
+        """Write which hand this is into the free corner below the thumb."""
         bottom = self._line_area(self._lines).bottomRight() - QPointF(0.0, 1.5 * self._line_px)
         metrics = QFontMetricsF(painter.font())
         # As wide as the words are, in letters of any size.
@@ -338,7 +332,7 @@ class HandPicture:
         advance = 2 * radius + UNIT_PX
         widths = _widths(metrics)
         left = area.center().x() - (sum(widths) + 2 * UNIT_PX) / 2
-        for (words, push), width in zip(_LEGEND, widths, strict=True):
+        for (text, push), width in zip(_LEGEND, widths, strict=True):
             sign = Place(
                 site=0,
                 centre=QPointF(left + radius, area.center().y() - (0 if push is None else 1)),
@@ -349,7 +343,7 @@ class HandPicture:
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.drawPath(sign.path())
             at = QRectF(QPointF(left + advance, area.top()), QSizeF(width, area.height()))
-            painter.drawText(at, Qt.AlignmentFlag.AlignVCenter, words)
+            painter.drawText(at, Qt.AlignmentFlag.AlignVCenter, text)
             left += width + 2 * UNIT_PX
 
     def _line_area(self, from_bottom: int) -> QRectF:
@@ -358,12 +352,10 @@ class HandPicture:
 
 
 def _widths(metrics: QFontMetricsF) -> list[float]:
-    """Of the parts of the legend, sign and words."""
+    """Return the widths of the parts of the legend, sign and text."""
     advance = 2 * 0.36 * metrics.height() + UNIT_PX
-    return [advance + metrics.horizontalAdvance(words) for words, _ in _LEGEND]
+    return [advance + metrics.horizontalAdvance(text) for text, _ in _LEGEND]
 
-
-# What the hand shows at present, and what part of it is seen.
 
 _CONTACTS = {
     "perpendicular": "perpendicular: pushes into the skin",
@@ -372,7 +364,7 @@ _CONTACTS = {
 
 
 class HandStage(QObject):
-    """The hand with its inputs, in pictures and in words, and where its sites are.
+    """The hand with its inputs, in a widget: what it shows and which part of it is visible.
 
     Parameters
     ----------
@@ -409,7 +401,7 @@ class HandStage(QObject):
         return self._drawing
 
     def show_drawing(self, drawing: HandDrawing, widget: QWidget) -> None:
-        """Take another hand, which has other sites."""
+        """Take over another hand, which has other sites."""
         if drawing is not self._drawing:
             self._drawing, self._outline = drawing, _points_of(drawing)
             self._picture.show_drawing(drawing)
@@ -420,7 +412,7 @@ class HandStage(QObject):
             self.changed.emit()
 
     def change(self, **changes: Any) -> None:
-        """Replace fields of the state, and tell if that makes a difference."""
+        """Replace fields of the state; emit `changed` where that makes a difference."""
         changed = replace(self.state, **changes)
         if changed != self.state:
             self.state = changed
@@ -442,16 +434,16 @@ class HandStage(QObject):
         self._picture.paint(painter, self.layout, state, ratio)
 
     def site_at(self, position: QPointF) -> int | None:
-        """Site under the mouse; what is magnified beyond the picture cannot be hit."""
+        """Return the site under the mouse; a site outside of the picture cannot be hit."""
         inside = self._picture.area.adjusted(0, -2, 0, float(self.layout.radii_px.max()))
         return self.layout.site_at(position) if inside.contains(position) else None
 
     def marker_area(self, site: int) -> QRectF:
-        """Square around the marker of a site."""
+        """Return square around the marker of a site."""
         return self.layout.marker_area(site)
 
     def words(self, site: int) -> str:
-        """What is at a site, in lines."""
+        """Return the text about a site, in lines."""
         place = input_name(site, self._drawing.limb)
         lines = [f"{site} · {place.name}", *filter(None, [_CONTACTS.get(place.kind, "")])]
         for index in self.state.at(site):
@@ -460,9 +452,9 @@ class HandStage(QObject):
         return "\n".join(lines)
 
     def description(self, site: int) -> str:
-        """What is at a site, in a sentence for assistive technology."""
-        words = "Place " + self.words(site).replace("\n", ". ")
-        return words if self.state.marks else f"{HINT}. {words}"
+        """Return the text about a site as a sentence for assistive technology."""
+        text = "Place " + self.words(site).replace("\n", ". ")
+        return text if self.state.marks else f"{HINT}. {text}"
 
     def _lay_out(self) -> None:
         if self.pan_zoom.frame is not None:

@@ -1,4 +1,4 @@
-"""The way from a waveform to where it is made."""
+"""The inspector: fields of the selected inputs and clips, their preview and their effects."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -57,7 +57,7 @@ from skinsource_gui.state.panel import Panel
 
 
 class ButtonCell(LabelledCell):
-    """A button: what it leads to is not changed here.
+    """A button that leads to where a value is changed.
 
     Parameters
     ----------
@@ -70,10 +70,10 @@ class ButtonCell(LabelledCell):
     wanted = Signal()
 
     def __init__(
-        self, label: str, words: str, hint: str, *, name: str, parent: QWidget | None = None
+        self, label: str, text: str, hint: str, *, name: str, parent: QWidget | None = None
     ) -> None:
         super().__init__(label, parent)
-        self.button = QPushButton(words, self)
+        self.button = QPushButton(text, self)
         self.button.setObjectName(name)
         self.button.setMinimumHeight(LABEL_PX)
         self.button.setToolTip(tooltip(hint))
@@ -84,18 +84,15 @@ class ButtonCell(LabelledCell):
 
 
 def pen_cell() -> ButtonCell:
-    """Leads from a drawn waveform to the pen: it is changed where it is seen large."""
+    """Return a button that shows a drawn waveform large, to be drawn with the pen."""
     hint = "Show the clip large, and draw on it with the pen"
     return ButtonCell("Pen", "Draw", hint, name="draw_button")
 
 
 def file_cell() -> ButtonCell:
-    """Leads from a recording to the file that it shall be taken from."""
+    """Return a button that imports a recording."""
     hint = "Import a recording, in place of these samples or beside them"
     return ButtonCell("File", "Choose file…", hint, name="recording_button")
-
-
-# The fields of an input.
 
 
 def _places_of(limb: str) -> ChoiceSpec:
@@ -114,6 +111,9 @@ def _places(limb: str, facts: LimbFacts) -> ChoiceSpec:
 
 class InputFields(QObject):
     """Fields of an input and a clip of it: kind, the waveform's own, amplitude, onset, place.
+
+    The gain of a clip is shown where its track has several clips, the gain curve of a track where
+    it has one.
 
     The gain of a clip is shown where it has others beside it, the gain curve of a track where
     there is one.
@@ -161,23 +161,23 @@ class InputFields(QObject):
 
     def show_input(
         self,
-        one: Input,
-        together: tuple[Input, ...],
+        track: Input,
+        batch: tuple[Input, ...],
         amplitude: NumberSpec,
         view: View,
         peak: str = "",
     ) -> None:
-        """Show an input, and where those that are edited ``together`` differ.
+        """Show an input, and where the inputs of the ``batch`` that is edited with it differ.
 
-        ``amplitude`` says what one means; ``view`` says which clips are selected; ``peak`` is said
-        of an input whose amplitude is a plain factor.
+        ``amplitude`` describes an amplitude of 1; ``view`` says which clips are selected; ``peak``
+        is the resulting peak of an input whose amplitude is a plain factor.
         """
         self._view = view
-        clip = clip_of(one, view)
+        clip = clip_of(track, view)
         kind = None if clip is None else type(clip.waveform)
-        several = len(one.clips) > 1
+        several = len(track.clips) > 1
         # A curve that is typed away can be typed again, until another track is looked at.
-        curved = one.id if one.gain_curve or self._curve_of == one.id else None
+        curved = track.id if track.gain_curve or self._curve_of == track.id else None
         lasts = "" if clip is None else played_length_text(clip)
         others = (several, curved) != (self._several, self._curve_of)
         before = self._said
@@ -192,14 +192,14 @@ class InputFields(QObject):
             self._length.words.setText(fixed_length_text(clip.waveform))
         self._amplitude.set_spec(amplitude)
         self._gain.set_spec(replace(GAIN, label="Clip gain") if peak else GAIN)
-        pairs = [(other, each) for other in together for each in clips_of(other, view) or (None,)]
+        pairs = [(other, each) for other in batch for each in clips_of(other, view) or (None,)]
         for cell in self._fields():
-            cell.set_value(_value(one, cell.name, clip))
-            found = {_value(other, cell.name, each) for other, each in pairs} - {None}
-            cell.show_differs(len(found) > 1)
+            cell.set_value(_value(track, cell.name, clip))
+            values = {_value(other, cell.name, each) for other, each in pairs} - {None}
+            cell.show_differs(len(values) > 1)
 
     def show_limb(self, limb: str) -> None:
-        """Take over which places there are, and in which band it was measured."""
+        """Take over the places of a limb and the band in which it was measured."""
         places = _places_of(limb)
         if places != self._places:
             self._places = places
@@ -207,7 +207,7 @@ class InputFields(QObject):
         self._take(self._played_at[0], facts_of(limb).band_hz)
 
     def show_rate(self, sample_rate_hz: float) -> None:
-        """Take over the rate of the limb, which says what frequencies can be played."""
+        """Take over the sample rate, which bounds the frequencies that can be played."""
         self._take(sample_rate_hz, self._played_at[1])
 
     def _take(self, sample_rate_hz: float, band_hz: Band | None) -> None:
@@ -219,10 +219,10 @@ class InputFields(QObject):
             if isinstance(cell, FieldCell):
                 cell.set_spec(specs[cell.name].at_rate(*self._played_at))
 
-    def show_refused(self, one: Input, name: str, reason: str) -> None:
-        """Show again what ``one`` has in this field, and why it stays so."""
+    def show_refused(self, track: Input, name: str, reason: str) -> None:
+        """Show the value of this field again, and the reason why it did not change."""
         cell = next(cell for cell in self._fields() if cell.name == name)
-        cell.set_value(_value(one, name, clip_of(one, self._view)))
+        cell.set_value(_value(track, name, clip_of(track, self._view)))
         cell.show_reason(reason)
 
     def forget_typing(self) -> None:
@@ -239,8 +239,8 @@ class InputFields(QObject):
         of_clip = () if self._built_for is None else (self._onset,)
         gain = (self._gain,) if self._several else ()
         lasts, peak = (
-            (cell,) if said else ()
-            for cell, said in zip((self._lasts, self._peak), self._said, strict=True)
+            (cell,) if shown else ()
+            for cell, shown in zip((self._lasts, self._peak), self._said, strict=True)
         )
         own = (self.kind, *self._own, *lasts)
         curve = () if self._curve_of is None else (self._curve,)
@@ -278,16 +278,13 @@ class InputFields(QObject):
             part.deleteLater()
 
 
-def _value(one: Input, name: str, clip: Clip | None) -> object:
-    """What the cell of this name shows of an input and its clip; None where there is no such."""
+def _value(track: Input, name: str, clip: Clip | None) -> object:
+    """Return the value of a cell for an input and its clip; None where there is none."""
     if name == "kind":
         return "" if clip is None else kind_name(clip.waveform)
     if name == "location":
-        return str(one.location)
-    return edits.value_of(one, name, clip) if name in edits.fields_of(one, clip) else None
-
-
-# Which input is being edited.
+        return str(track.location)
+    return edits.value_of(track, name, clip) if name in edits.fields_of(track, clip) else None
 
 
 class InputHeading(QWidget):
@@ -324,19 +321,19 @@ class InputHeading(QWidget):
         self._solo.clicked.connect(self.solo_toggled)
 
     def show_input(
-        self, shown: Input, limb: str, *, silent: bool, together: tuple[Input, ...]
+        self, shown: Input, limb: str, *, silent: bool, batch: tuple[Input, ...]
     ) -> None:
-        """Show an input, ``silent`` unless it is heard, of those that are edited ``together``."""
-        self._before = f"{len(together)} inputs, last: " if len(together) > 1 else ""
+        """Show the last input of a ``batch`` edited together; ``silent``: it is not heard."""
+        self._before = f"{len(batch)} inputs, last: " if len(batch) > 1 else ""
         place = input_name(shown.location, limb)
         self._place = place
         self._swatch.show_input(shown.location, shown.colour, silent=silent)
         contact = f" ({place.kind})" if place.kind else ""
         show_tooltip(self._words, f"Input place {place.number}: {place.name}{contact}")
-        of_whom = "last silent" if len(together) > 1 else "silent"
+        of_whom = "last silent" if len(batch) > 1 else "silent"
         self._state.setText(of_whom if silent else "")
-        self._mute.setChecked(all(one.muted for one in together))
-        self._solo.setChecked(all(one.solo for one in together))
+        self._mute.setChecked(all(track.muted for track in batch))
+        self._solo.setChecked(all(track.solo for track in batch))
         self._fit_words()
 
     def _fit_words(self) -> None:
@@ -353,11 +350,8 @@ class InputHeading(QWidget):
         self._words.setText(name)
 
 
-# The selected inputs, and what is done to them.
-
-
 class Selection(QObject):
-    """Knows the selected inputs and turns what fields and buttons tell into edits of them."""
+    """Holds the selected inputs, and translates what fields and buttons emit into edits of them."""
 
     #: `Edit` or `Refusal`, number of the gesture or None.
     edited = Signal(object, object)
@@ -380,22 +374,22 @@ class Selection(QObject):
     @property
     def together(self) -> tuple[Input, ...]:
         """All selected inputs, in the order of the design."""
-        return tuple(one for one in self._design.inputs if one.id in self._ids)
+        return tuple(track for track in self._design.inputs if track.id in self._ids)
 
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view."""
         self._design, self._view = design, view
 
     def change_kind(self, _: str, kind: str, gesture: int | None) -> None:
-        """Give all of them another kind of waveform."""
+        """Give all selected inputs another kind of waveform."""
         self._tell(edits.change_kind(self._design, self._view, self._ids, kind), gesture)
 
     def change_place(self, _: str, number: str, gesture: int | None) -> None:
-        """Move them to an input place."""
+        """Move all selected inputs to a place."""
         self._tell(edits.move_inputs(self._design, self._view, self._ids, int(number)), gesture)
 
     def change_field(self, name: str, value: object, gesture: int | None) -> None:
-        """Type or drag a field of theirs."""
+        """Change a field of all selected inputs, by typing or dragging."""
         if self.last is None:
             return
         ids = self._ids
@@ -427,8 +421,6 @@ class Selection(QObject):
             self.edited.emit(outcome, gesture)
 
 
-# Everything about the selected inputs.
-
 # In letters of any size, px.
 _LEAST = QSize(204, 224)
 
@@ -436,7 +428,8 @@ _LEAST = QSize(204, 224)
 class InspectorPanel(Panel):
     """Edits the selected inputs: place, waveform, the waveform's own fields, amplitude, onset.
 
-    Shown is the one that was selected last.  A typed value sets all; a drag moves all by as much.
+    The panel shows the input that was selected last. A typed value sets all inputs; a drag changes
+    all by the same amount.
     """
 
     title = "Inspector"
@@ -483,8 +476,8 @@ class InspectorPanel(Panel):
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
         self._selection.show_state(design, view)
-        one = self._selection.last
-        if one is None:
+        track = self._selection.last
+        if track is None:
             self._fields.forget_typing()
             self._chain.forget_typing()
             self._shown = ()
@@ -498,7 +491,7 @@ class InspectorPanel(Panel):
             self._shown = (view.selected_inputs, view.selected_clips)
             self._show_waveform()
         self._show_input(
-            one, silent=all(one is not heard for heard in audible_inputs(design.inputs))
+            track, silent=all(track is not audible for audible in audible_inputs(design.inputs))
         )
         self._stack.setCurrentWidget(self._editor)
 
@@ -507,8 +500,8 @@ class InspectorPanel(Panel):
         self._show_empty()
 
     def _show_empty(self) -> None:
-        words = how_to_select_input if self._design.inputs else how_to_add
-        self._empty.setText(words(self.in_sight))
+        hint = how_to_select_input if self._design.inputs else how_to_add
+        self._empty.setText(hint(self.in_sight))
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._results = {name: results[name] for name in self.needs}
@@ -516,7 +509,7 @@ class InspectorPanel(Panel):
         self._show_waveform()
 
     def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
-        self._problems = {one.id: one.problem for one in unplayable}
+        self._problems = {input_problem.id: input_problem.problem for input_problem in unplayable}
         if self._selection.last is not None:
             self._show_look(self._selection.last)
 
@@ -524,9 +517,9 @@ class InspectorPanel(Panel):
         results = self._results or {"input_waveforms": ()}
         waveforms = results["input_waveforms"]
         # Results of an older design may have another number of inputs; the next ones come soon.
-        one = self._selection.last
-        if one is not None and len(waveforms) == len(self._design.inputs):
-            samples = waveforms[self._design.index_of(one.id)]
+        track = self._selection.last
+        if track is not None and len(waveforms) == len(self._design.inputs):
+            samples = waveforms[self._design.index_of(track.id)]
             if samples is None:
                 self._preview.show_words("Cannot be sampled at the rate of this limb")
             else:
@@ -570,24 +563,24 @@ class InspectorPanel(Panel):
         self._stack.addWidget(self._editor)
         self.setFocusProxy(self._fields.kind)
 
-    def _show_input(self, one: Input, *, silent: bool) -> None:
-        together = self._selection.together
-        self._heading.show_input(one, self._design.limb, silent=silent, together=together)
+    def _show_input(self, track: Input, *, silent: bool) -> None:
+        batch = self._selection.together
+        self._heading.show_input(track, self._design.limb, silent=silent, batch=batch)
         amplitude, peak = amplitude_spec(self._design), ""
-        if is_gain(self._design, one):
-            amplitude, peak = AMPLITUDE_GAIN, peak_text(self._design, one)
+        if is_gain(self._design, track):
+            amplitude, peak = AMPLITUDE_GAIN, peak_text(self._design, track)
         self._fields.show_limb(self._design.limb)
-        self._fields.show_input(one, together, amplitude, self._view, peak)
-        self._show_chain(one, together)
-        self._show_look(one)
+        self._fields.show_input(track, batch, amplitude, self._view, peak)
+        self._show_chain(track, batch)
+        self._show_look(track)
 
-    def _show_look(self, one: Input) -> None:
-        problem = self._problems.get(one.id, "")
-        self._preview.set_look(one.colour, flipped=one.amplitude < 0, problem=problem)
+    def _show_look(self, track: Input) -> None:
+        problem = self._problems.get(track.id, "")
+        self._preview.set_look(track.colour, flipped=track.amplitude < 0, problem=problem)
 
-    def _show_chain(self, one: Input, together: tuple[Input, ...]) -> None:
-        clip = clip_of(one, self._view)
-        ids = tuple(each.id for other in together for each in clips_of(other, self._view))
+    def _show_chain(self, track: Input, batch: tuple[Input, ...]) -> None:
+        clip = clip_of(track, self._view)
+        ids = tuple(each.id for other in batch for each in clips_of(other, self._view))
         self._chain_edits.show_state(self._design, self._view, clip, ids)
         if clip is None:
             self._chain.show_chain(None, ())

@@ -1,4 +1,4 @@
-"""What can be done with presets, as buttons and as a menu."""
+"""The library panel: search, list, preview and buttons for presets."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -37,7 +37,7 @@ _PLACE = "library"
 
 
 class LibraryButtons(QWidget):
-    """Place, save, rename, delete."""
+    """Buttons that place, save, rename and delete presets."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -61,14 +61,14 @@ class LibraryButtons(QWidget):
         column.addWidget(FoldingRow((self.place, self.save, self.rename, self.delete), 4))
         self.show_current(False, False)
 
-    def show_current(self, there: bool, own: bool) -> None:
-        """Whether there is a preset to do it with, and whether it is the user's own."""
-        self.place.setEnabled(there)
+    def show_current(self, exists: bool, own: bool) -> None:
+        """Enable the buttons for a preset that ``exists`` and may be the user's ``own``."""
+        self.place.setEnabled(exists)
         self.rename.setEnabled(own)
         self.delete.setEnabled(own)
 
     def fill(self, menu: QMenu) -> None:
-        """Add the same to ``menu``."""
+        """Add the same actions to ``menu``."""
         for button in (self.place, self.rename, self.delete):
             entry = menu.addAction(button.text(), button.click)
             entry.setEnabled(button.isEnabled())
@@ -82,13 +82,11 @@ class LibraryButtons(QWidget):
         return button
 
 
-# Words to search for, and a tag.
-
 _ALL = "All tags"
 
 
 class SearchRow(QWidget):
-    """A line to type in, and the tags that there are."""
+    """A line to type in, and a choice of tags."""
 
     changed = Signal()
     #: Enter was pressed; Down was pressed.
@@ -121,16 +119,16 @@ class SearchRow(QWidget):
 
     @property
     def words(self) -> str:
-        """What is searched for."""
+        """The text to search for."""
         return self.line.text()
 
     @property
     def tag(self) -> str:
-        """The tag that is chosen, or ""."""
+        """The chosen tag, or ""."""
         return self.tags.currentText() if self.tags.currentIndex() > 0 else ""
 
     def show_tags(self, tags: Iterable[str]) -> None:
-        """Offer these; the chosen one stays, if it is among them."""
+        """Offer these tags; the chosen one stays if it is among them."""
         offered, chosen = [_ALL, *sorted(set(tags), key=str.casefold)], self.tag
         if offered == [self.tags.itemText(k) for k in range(self.tags.count())]:
             return
@@ -151,14 +149,12 @@ class SearchRow(QWidget):
         return super().eventFilter(watched, event)
 
 
-# Notices that files of a folder change, come or go.
-
 #: Files are written in several steps: what follows this soon is one change.
 _TOGETHER_MS = 150
 
 
 class FolderWatch(QObject):
-    """Watches a folder and its files, also one that is not there yet.
+    """Watches a folder and its files, also a folder that does not exist yet.
 
     Parameters
     ----------
@@ -179,7 +175,7 @@ class FolderWatch(QObject):
         self._pause.timeout.connect(self.changed)
 
     def watch(self, folder: Path) -> None:
-        """Watch ``folder`` and what is in it now, and nothing else."""
+        """Watch ``folder`` and its present files, and nothing else."""
         self.rest()
         self._watcher = QFileSystemWatcher(self)
         self._watcher.directoryChanged.connect(self._pause.start)
@@ -189,9 +185,9 @@ class FolderWatch(QObject):
             self._watcher.addPaths([str(folder), *files])
         except OSError:
             # What it comes to lie in is watched instead.
-            there = next((one for one in folder.parents if one.is_dir()), None)
-            if there is not None:
-                self._watcher.addPath(str(there))
+            ancestor = next((parent for parent in folder.parents if parent.is_dir()), None)
+            if ancestor is not None:
+                self._watcher.addPath(str(ancestor))
 
     def rest(self) -> None:
         """Watch nothing."""
@@ -201,11 +197,8 @@ class FolderWatch(QObject):
             self._watcher = None
 
 
-# The presets that there are: those of the user, and those that are shipped.
-
-
 class PresetFolders(QObject):
-    """Reads both folders, and the user's again when it changes; renames and deletes there."""
+    """Reads the folders of presets, the user's again when it changes; renames and deletes in it."""
 
     changed = Signal()
     #: Why something was not done.
@@ -220,23 +213,23 @@ class PresetFolders(QObject):
 
     @property
     def folder(self) -> Path:
-        """Where those of the user lie."""
+        """Folder of the user's presets."""
         return presets.users_folder()
 
     @property
     def entries(self) -> tuple[tuple[Entry, bool], ...]:
-        """All of them, the user's own first, and whether they are."""
+        """All entries, the user's own first, each with whether it is the user's own."""
         shipped = self._shipped or PresetFolder()
         own = tuple((entry, True) for entry in self._own.entries)
         return (*own, *((entry, False) for entry in shipped.entries))
 
     @property
     def faults(self) -> tuple[Fault, ...]:
-        """What was left out."""
+        """Files that could not be read."""
         return (*self._own.faults, *(self._shipped or PresetFolder()).faults)
 
     def read(self) -> None:
-        """Read them, and watch the user's."""
+        """Read both folders, and watch the user's."""
         if self._shipped is None:
             self._shipped = presets.read_preset_folder(presets.shipped_folder())
         # Watched before it is read: nothing is missed between.
@@ -245,11 +238,11 @@ class PresetFolders(QObject):
         self.changed.emit()
 
     def rest(self) -> None:
-        """Notice no changes."""
+        """Stop watching."""
         self._watch.rest()
 
     def rename(self, entry: Entry, name: str) -> Path:
-        """Give a preset of the user another name; returns its file."""
+        """Rename a preset of the user; return its file."""
         path = entry.path
         try:
             path = presets.rename_preset(self.folder, path, name)
@@ -267,15 +260,13 @@ class PresetFolders(QObject):
         self.read()
 
 
-# Panel of the library.
-
 _WIDE_PX, _HIGH_PX = 340, 440
 _NOTHING = "No preset is like that. Search for other words, or choose all tags."
 _NO = QMessageBox.StandardButton.No
 
 
 class LibraryPanel(Panel):
-    """Presets by name and tag; what they play; placed by Enter, a double click, or dragging."""
+    """Presets by name and tag, with a preview; placed by Enter, a double click, or dragging."""
 
     title: ClassVar[str] = "Library"
     name: ClassVar[str] = "library"
@@ -363,17 +354,17 @@ class LibraryPanel(Panel):
         self.buttons.delete.clicked.connect(self._delete_current)
 
     def _show_presets(self, at: Path | None = None) -> None:
-        """List what was found; the keys stay where they were, or go to the file ``at``."""
+        """List the matches; the cursor stays at its file, or goes to the file ``at``."""
         before = self.rows.current
-        wanted = at or (before.path if before is not None else None)
+        path = at or (before.path if before is not None else None)
         everything = self.shelves.entries
         self.search.show_tags(tag for entry, _ in everything for tag in entry.preset.tags)
         own = {entry.path for entry, is_own in everything if is_own}
-        found = matching((entry for entry, _ in everything), self.search.words, self.search.tag)
-        self.model.show_entries(tuple((entry, entry.path in own) for entry in found))
-        row = next((k for k, entry in enumerate(found) if entry.path == wanted), 0)
-        self.rows.show_words("" if found else _NOTHING)
-        if found:
+        matches = matching((entry for entry, _ in everything), self.search.words, self.search.tag)
+        self.model.show_entries(tuple((entry, entry.path in own) for entry in matches))
+        row = next((k for k, entry in enumerate(matches) if entry.path == path), 0)
+        self.rows.show_words("" if matches else _NOTHING)
+        if matches:
             self.rows.go_to(row)
         self._look(self.rows.current)
         faults = self.shelves.faults

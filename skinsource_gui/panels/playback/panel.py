@@ -1,4 +1,4 @@
-"""Fields of the device: which, at which rate, how late."""
+"""The playback panel: device, channel map, levels and delay of this machine."""
 
 from dataclasses import replace
 from functools import partial
@@ -63,7 +63,7 @@ _SHIFT = NumberSpec(
 
 
 class DeviceFields(QObject):
-    """Rows of a grid: words on the left, fields on the right."""
+    """Rows of a grid with the fields of the device: labels on the left, fields on the right."""
 
     #: The `Output` that is wanted.
     output_wanted = Signal(object)
@@ -119,20 +119,20 @@ class DeviceFields(QObject):
             ("Delay asked for", delay),
             ("Rig", self.rig),
         )
-        for row, (words, part) in enumerate(rows):
-            grid.addWidget(QLabel(words), row, 0)
+        for row, (label, part) in enumerate(rows):
+            grid.addWidget(QLabel(label), row, 0)
             grid.addWidget(part, row, 1)
         # A column of the grid would be as wide as these words: fields would have what is left.
         grid.addWidget(_row(self.stand_in, QLabel("shift"), self.shift), 4, 0, 1, 2)
 
     def show_played(self, played: Played) -> None:
-        """Take over what is chosen, and what can be."""
+        """Take over the chosen output and what can be chosen."""
         shown = played.output, played.devices, played.rates_hz, played.rig_title
         if shown == self._shown:
             return
         self._shown, self._output = shown, played.output
         options = [("", _SYSTEM)]
-        options += [(_key(one.name, one.host_api), one.title) for one in played.devices]
+        options += [(_key(device.name, device.host_api), device.title) for device in played.devices]
         _fill(self.device, options, _key_of(played))
         rates = sorted({*played.rates_hz, played.output.sample_rate_hz})
         words = [(str(rate), f"{rate:,} Hz".replace(",", " ")) for rate in rates]
@@ -164,7 +164,7 @@ class DeviceFields(QObject):
 
 
 def _row(*parts: QWidget) -> QWidget:
-    """Widgets beside each other, as wide as they like to be."""
+    """Return widgets beside each other, as wide as they prefer."""
     row = QWidget()
     layout = QHBoxLayout(row)
     layout.setContentsMargins(0, 0, 0, 0)
@@ -179,11 +179,11 @@ def _key(name: str, host_api: str) -> str:
 
 
 def _key_of(played: Played) -> str:
-    """That of the chosen device; where no system of it was chosen, of the first of its name."""
+    """Return the key of the chosen device; without a host API, of the first device of its name."""
     output = played.output
-    for one in played.devices:
-        if one.name == output.device and output.host_api in ("", one.host_api):
-            return _key(one.name, one.host_api)
+    for device in played.devices:
+        if device.name == output.device and output.host_api in ("", device.host_api):
+            return _key(device.name, device.host_api)
     return _key(output.device, output.host_api)
 
 
@@ -191,12 +191,10 @@ def _fill(field: ChoiceField, options: list[tuple[str, str]], chosen: str) -> No
     """Offer other choices."""
     with QSignalBlocker(field):
         field.clear()
-        for option, words in options:
-            field.addItem(words, option)
+        for option, title in options:
+            field.addItem(title, option)
         field.set_value(chosen)
 
-
-# One place of the design: its output, how loud that is, and a tone to find it by.
 
 _METER_PX, _LEAST_METER_PX, _OUTPUT_ROW_NUMBER_PX = 8, 48, 56
 _WIDEST_LEVEL = "\u2212100.0 dBFS"
@@ -204,7 +202,7 @@ _SILENT_DB = -200.0
 
 
 class OutputRow(QObject):
-    """Its widgets stand in one row of a grid.
+    """One place of the design in a row of a grid: its output, its level, and a test tone.
 
     Parameters
     ----------
@@ -221,9 +219,9 @@ class OutputRow(QObject):
 
     def __init__(self, grid: QGridLayout, row: int, place: int, output: int, limb: str) -> None:
         super().__init__()
-        words = input_name(place, limb)
+        names = input_name(place, limb)
         self.place = place
-        self.title = _Title(place, words)
+        self.title = _Title(place, names)
         spec = NumberSpec(
             label=f"Output of place {place}", minimum=1, maximum=MOST_OUTPUTS, whole=True
         )
@@ -250,7 +248,7 @@ class OutputRow(QObject):
 
     @property
     def widgets(self) -> tuple[QLabel, NumberField, QWidget, QToolButton]:
-        """From left to right."""
+        """The widgets from left to right."""
         return self.title, self.output, self.loudness, self.tone
 
     def show_output(self, output: int) -> None:
@@ -278,10 +276,10 @@ class OutputRow(QObject):
     def _choose(self, output: float, _gesture: int | None) -> None:
         self.output_wanted.emit(self.place, round(output))
 
-    def _say_level(self, words: str) -> None:
+    def _say_level(self, text: str) -> None:
         # Alone, the bar stands in the middle.
-        self.level.setText(words)
-        self.level.setVisible(bool(words))
+        self.level.setText(text)
+        self.level.setVisible(bool(text))
 
     def _offer_tone(self, missing: str) -> None:
         self.tone.setEnabled(not missing)
@@ -297,14 +295,14 @@ class OutputRow(QObject):
 
 
 class _Title(FittingLabel):
-    """A place and its name, which gives way to what is pressed and typed; the number stays."""
+    """Number and name of a place; the name is shortened where other widgets need the room."""
 
-    def __init__(self, place: int, words: LocationNames) -> None:
+    def __init__(self, place: int, names: LocationNames) -> None:
         super().__init__()
         self._least = f"{place} · …"
         self.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        self.show_phrases((f"{place} · {words.name}", f"{place} · {words.short_name}"))
-        self.setToolTip(words.name)
+        self.show_phrases((f"{place} · {names.name}", f"{place} · {names.short_name}"))
+        self.setToolTip(names.name)
 
     def minimumSizeHint(self) -> QSize:
         least = self.fontMetrics().horizontalAdvance(self._least) + 4
@@ -312,7 +310,7 @@ class _Title(FittingLabel):
 
 
 class _Loudness(QWidget):
-    """A bar, and its level below: beside it there would be no room in a narrow panel."""
+    """A level bar with its number below: beside it a narrow panel would have no room."""
 
     def __init__(self, meter: LevelMeter, level: QLabel) -> None:
         super().__init__()
@@ -329,8 +327,6 @@ class _Loudness(QWidget):
         return QSize(max(room_px, _LEAST_METER_PX), super().minimumSizeHint().height())
 
 
-# Panel of playback: device, channel map, levels, delay.
-
 _NO_INPUTS = "No place is in use: click one on the hand."
 _NOT_WIRED = "The rig wires no place that is in use."
 _METER_COLUMN = 2
@@ -338,7 +334,7 @@ _LEAST = QSize(300, 160)
 
 
 class PlaybackPanel(Panel):
-    """What this machine plays on; what is chosen here belongs to the machine, not to the design."""
+    """Settings of playback on this machine; they do not belong to the design."""
 
     title: ClassVar[str] = "Playback"
     name: ClassVar[str] = "playback"
@@ -415,7 +411,7 @@ class PlaybackPanel(Panel):
             self.show_played(self._played)
 
     def show_played(self, played: Played) -> None:
-        """Take over what is played, on what, and how loud; called while it is visible."""
+        """Take over what is played and how loud; called while the panel is visible."""
         self._played = played
         self.problem.setText(played.missing)
         self.problem.setVisible(bool(played.missing))
@@ -443,48 +439,50 @@ class PlaybackPanel(Panel):
             row.tone_wanted.connect(self.tone_wanted)
 
     def _meaning(self, played: Played) -> str:
-        """What a gain of 0 dB is, and whether that is calibrated."""
+        """Return what a gain of 0 dB means, and whether it is calibrated."""
         if not played.rig_title or played.output.stand_in:
             return (
                 f"At a gain of 0 dB an amplitude of 1{_gap(self._unit)} is full scale. "
                 "Uncalibrated: what reaches the skin depends on amplifier and actuator."
             )
-        known = f"{played.calibration[:1].upper()}{played.calibration[1:]}."
+        calibration = f"{played.calibration[:1].upper()}{played.calibration[1:]}."
         if self._in_volts:
-            return f"At a gain of 0 dB the actuators get the volts of the design. {known}"
-        return f"At a gain of 0 dB an amplitude of 1{_gap(self._unit)} is full scale. {known}"
+            return f"At a gain of 0 dB the actuators get the volts of the design. {calibration}"
+        return f"At a gain of 0 dB an amplitude of 1{_gap(self._unit)} is full scale. {calibration}"
 
     def _wire(self, place: int, output: int) -> None:
-        """Give a place an output; the place that had it takes the other's."""
+        """Give a place an output; the place that had it gets the other's."""
         before = dict(self._played.wired)
         pairs = {**dict(self._played.output.outputs), **before}
-        other = next((one for one, number in pairs.items() if number == output), None)
+        other = next(
+            (mapped_place for mapped_place, number in pairs.items() if number == output), None
+        )
         if other is not None and other != place:
             pairs[other] = pairs[place]
         pairs[place] = output
         self.output_wanted.emit(_wired(self._played.output, pairs))
 
     def _say(self, played: Played) -> None:
-        says = []
+        sentences = []
         if not played.wired:
-            says.append(_NOT_WIRED if played.rig_title else _NO_INPUTS)
+            sentences.append(_NOT_WIRED if played.rig_title else _NO_INPUTS)
         if played.output.stand_in:
-            says.append(
+            sentences.append(
                 f"All frequencies sound {played.output.shift_hz:g} Hz higher than they are felt."
             )
-        says.append(self._meaning(played))
+        sentences.append(self._meaning(played))
         if played.delay is not None:
-            says.append(f"{played.delay.words}.")
+            sentences.append(f"{played.delay.words}.")
         if played.levels is not None:
-            says.append(
+            sentences.append(
                 "The device never ran out of samples."
                 if not played.underruns
                 else f"The device ran out of samples {played.underruns} times: ask for a longer "
                 "delay."
             )
         elif not played.missing and not played.playing:
-            says.append(f"Press {shortcut_text('play')} to play.")
-        text = "\n".join(says)
+            sentences.append(f"Press {shortcut_text('play')} to play.")
+        text = "\n".join(sentences)
         if text != self.words.text():
             self.words.setText(text)
 

@@ -1,4 +1,4 @@
-"""Columns of the table of regions."""
+"""The regions panel: RMS levels by region, of snapshots and of all people's limbs."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -54,7 +54,7 @@ NO_REGIONS = "Of an own limb it is not known which outputs lie in which region"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Column:
-    """A column: its title, what it is, and a text and a number for each region.
+    """A column of the table: its title, a hint, and a number for each region.
 
     ``head`` is the title in two narrow lines, where it is not as narrow itself; ``spelt`` what the
     table for a spreadsheet has in its place; ``computing``: there are no numbers yet.
@@ -70,124 +70,132 @@ class Column:
 
     @property
     def has_levels(self) -> bool:
-        """Whether there is any number: there is none of a limb that is missing, or of silence."""
-        return any(np.isfinite(one) and one > FLOOR_DB for one in self.numbers)
+        """Whether any number is a level: a missing limb and silence have none."""
+        return any(np.isfinite(level_db) and level_db > FLOOR_DB for level_db in self.numbers)
 
     def texts(self) -> list[str]:
-        """As they are shown: a dash where there is no number, as for silence; dots until it is."""
+        """Return the shown texts: a dash for no level, dots while it is computed."""
         if self.computing:
             return ["…"] * len(self.numbers)
         return [
-            "–" if not np.isfinite(one) or one <= FLOOR_DB else f"{one:z.1f}".replace("-", "−")
-            for one in self.numbers
+            "–"
+            if not np.isfinite(level_db) or level_db <= FLOOR_DB
+            else f"{level_db:z.1f}".replace("-", "−")
+            for level_db in self.numbers
         ]
 
 
 def columns_of(snapshots: Sequence[Compared], *, matched: bool) -> list[Column]:
-    """Snapshots, where any is stored; ``matched``: they are shown as loud as each other."""
+    """Return columns of snapshots, if any is stored; ``matched``: they have matching levels."""
     if len(snapshots) < 2:
         return []
-    found = [_column(*_stored(one), one) for one in snapshots]
+    columns = [_column(*_stored(snapshot), snapshot) for snapshot in snapshots]
     if not matched:
-        return found
-    said = [f", {LEVELS_MATCHED} ({minus(f'{gain_db(one):+z.1f}')} dB)" for one in snapshots]
+        return columns
+    gains = [
+        f", {LEVELS_MATCHED} ({minus(f'{gain_db(snapshot):+z.1f}')} dB)" for snapshot in snapshots
+    ]
     return [
-        replace(column, hint=f"{column.hint}{words}") if column.has_levels else column
-        for column, words in zip(found, said, strict=True)
+        replace(column, hint=f"{column.hint}{gain}") if column.has_levels else column
+        for column, gain in zip(columns, gains, strict=True)
     ]
 
 
 def columns_of_people(people: Sequence[Compared]) -> list[Column]:
-    """People, their mean, and their standard deviation."""
-    of_people = [_column(*_names(one), one) for one in people]
-    found = list(of_people)
-    known = [one.numbers for one in of_people if np.isfinite(one.numbers).all()]
+    """Return columns of people, their mean, and their standard deviation."""
+    of_people = [_column(*_names(person), person) for person in people]
+    columns = list(of_people)
+    known = [column.numbers for column in of_people if np.isfinite(column.numbers).all()]
     # A mean of those that happen to be known already would change by itself.
-    computing = any(one.values is None and not one.problem for one in people)
+    computing = any(person.values is None and not person.problem for person in people)
     if len(known) > 1 and not computing:
         by_region = np.array(known).T
         pairs = [mean_and_spread(levels) for levels in by_region]
         # Silence is no level that others could lie about.
-        felt = [bool(np.all(levels > FLOOR_DB)) for levels in by_region]
-        what = f"over {len(known)} people, dB"
-        found.append(
+        audible = [bool(np.all(levels > FLOOR_DB)) for levels in by_region]
+        over_people = f"over {len(known)} people, dB"
+        columns.append(
             Column(
                 title="Mean",
-                hint=f"Mean {what} re 1 m/s²",
+                hint=f"Mean {over_people} re 1 m/s²",
                 numbers=tuple(mean for mean, _ in pairs),
                 spelt=f"Mean over {len(known)} people",
             )
         )
-        found.append(
+        columns.append(
             Column(
                 title="± dB",
                 head="±\ndB",
-                hint=f"Standard deviation {what}",
-                spelt=f"Standard deviation {what}",
+                hint=f"Standard deviation {over_people}",
+                spelt=f"Standard deviation {over_people}",
                 numbers=tuple(
-                    spread if heard else float("nan")
-                    for (_, spread), heard in zip(pairs, felt, strict=True)
+                    spread if is_audible else float("nan")
+                    for (_, spread), is_audible in zip(pairs, audible, strict=True)
                 ),
             )
         )
-    return found
+    return columns
 
 
-def _limb(one: Compared) -> str:
-    return one.snapshot.design.limb
+def _limb(compared: Compared) -> str:
+    return compared.snapshot.design.limb
 
 
-def _names(one: Compared) -> tuple[str, str]:
-    """Title and head of a limb; one that is computed is called so."""
-    number = _limb(one).rpartition("-")[2]
-    if _is_synthetic(one):
+def _names(compared: Compared) -> tuple[str, str]:
+    """Return title and head of a limb; a computed limb is called synthetic."""
+    number = _limb(compared).rpartition("-")[2]
+    if _is_synthetic(compared):
         return f"Synthetic {number}", f"Syn.\n{number}"
     return f"Limb {number}", f"Limb\n{number}"
 
 
-def _stored(one: Compared) -> tuple[str, str]:
-    """Title and head of a snapshot."""
-    return (f"{one.name}, synthetic", f"{one.name}\nsyn.") if _is_synthetic(one) else (one.name, "")
+def _stored(compared: Compared) -> tuple[str, str]:
+    """Return title and head of a snapshot."""
+    return (
+        (f"{compared.name}, synthetic", f"{compared.name}\nsyn.")
+        if _is_synthetic(compared)
+        else (compared.name, "")
+    )
 
 
-def _is_synthetic(one: Compared) -> bool:
-    return _limb(one).startswith("synthetic-")
+def _is_synthetic(compared: Compared) -> bool:
+    return _limb(compared).startswith("synthetic-")
 
 
-def _column(title: str, head: str, one: Compared) -> Column:
-    kind = "synthetic" if _is_synthetic(one) else "measured"
+def _column(title: str, head: str, compared: Compared) -> Column:
+    kind = "synthetic" if _is_synthetic(compared) else "measured"
     spelt = title if kind in title.lower() else f"{title}, {kind}"
-    if _limb(one) not in PUBLISHED:
+    if _limb(compared) not in PUBLISHED:
         spelt = title
-    said = partial(Column, title=title, head=head, synthetic=_is_synthetic(one), spelt=spelt)
+    column = partial(Column, title=title, head=head, synthetic=_is_synthetic(compared), spelt=spelt)
     nothing = (float("nan"),) * len(REGION_OUTPUTS)
-    if one.values is None:
-        computing = not one.problem
-        return said(hint=one.problem or COMPUTING, numbers=nothing, computing=computing)
-    if _limb(one) not in PUBLISHED:
-        return said(hint=NO_REGIONS, numbers=nothing)
-    rms = 10.0 ** (one.values["output_levels_db"] / 20.0)
-    levels = region_levels_db(rms * one.gain)
-    limb = word_of(LIMBS, _limb(one)).title
-    return said(hint=f"{title}: dB re 1 m/s², {limb}", numbers=tuple(levels.values()))
+    if compared.values is None:
+        computing = not compared.problem
+        return column(hint=compared.problem or COMPUTING, numbers=nothing, computing=computing)
+    if _limb(compared) not in PUBLISHED:
+        return column(hint=NO_REGIONS, numbers=nothing)
+    rms = 10.0 ** (compared.values["output_levels_db"] / 20.0)
+    levels = region_levels_db(rms * compared.gain)
+    limb = word_of(LIMBS, _limb(compared)).title
+    return column(hint=f"{title}: dB re 1 m/s², {limb}", numbers=tuple(levels.values()))
 
 
 def tab_separated(columns: Sequence[Column]) -> str:
-    """The table for a spreadsheet; empty where a dash is shown."""
+    """Return the table for a spreadsheet; a cell is empty where the panel shows a dash."""
     lines = [
         "\t".join(
             (
                 "region_db_re_1_m_per_s2",
-                *(one.spelt or one.title for one in columns),
+                *(column.spelt or column.title for column in columns),
             )
         )
     ]
     for row, region in enumerate(REGION_OUTPUTS):
-        lines.append("\t".join((region, *(copied_level(one.numbers[row]) for one in columns))))
+        lines.append(
+            "\t".join((region, *(copied_level(column.numbers[row]) for column in columns)))
+        )
     return "\n".join(lines) + "\n"
 
-
-# One table of levels: a row for each region, as high as all of them.
 
 #: Size of its words: six columns beside the names of regions need it.
 _TEXT = 0.9
@@ -198,7 +206,7 @@ _SHORT = {"Back of the hand": "Back", "Wrist, palm side": "W. palm"}
 
 
 class RegionTable(QTableWidget):
-    """Columns beside the names of regions; what is around it scrolls up and down."""
+    """A table with a row for each region; its height fits all rows, the area around it scrolls."""
 
     def __init__(self, name: str, title: str) -> None:
         super().__init__(len(REGION_OUTPUTS), 0)
@@ -214,11 +222,11 @@ class RegionTable(QTableWidget):
 
     @property
     def needed_px(self) -> int:
-        """Width that shows all columns beside whole names."""
+        """Width that shows all columns beside full names."""
         return self._names_px() + self.horizontalHeader().length() + 2 * self.frameWidth()
 
     def show_columns(self, columns: Sequence[Column]) -> None:
-        """Show them in this order."""
+        """Show these columns in their order."""
         self.setColumnCount(len(columns))
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         for k, column in enumerate(columns):
@@ -234,9 +242,9 @@ class RegionTable(QTableWidget):
         self._name_rows()
         self._fit_height()
 
-    def fit_words(self, around: QFont) -> None:
-        """Take over the size of the words around."""
-        font = scaled(tabular(around), _TEXT)
+    def fit_words(self, base: QFont) -> None:
+        """Take over the font of the surroundings."""
+        font = scaled(tabular(base), _TEXT)
         for part in (self, self.horizontalHeader(), self.verticalHeader()):
             part.setFont(font)
         self._name_rows()
@@ -262,7 +270,7 @@ class RegionTable(QTableWidget):
         return max(map(self.fontMetrics().horizontalAdvance, REGION_OUTPUTS)) + 2 * UNIT_PX
 
     def _name_rows(self) -> None:
-        """Call regions by their names, or shorter where the numbers need the room."""
+        """Show the names of regions, shorter ones where the numbers need the room."""
         names = list(REGION_OUTPUTS)
         if self.needed_px > self.width():
             names = [_SHORT.get(name, name) for name in names]
@@ -275,8 +283,6 @@ class RegionTable(QTableWidget):
         rows = self.verticalHeader()
         rows.setDefaultSectionSize(max(map(rows.sectionSizeHint, range(rows.count()))) + _ROW_PX)
 
-
-# RMS levels by region: of snapshots side by side, and of the design on all people's limbs.
 
 _NEEDS = frozenset({"output_levels_db"})
 
@@ -342,9 +348,9 @@ class RegionsPanel(Panel):
             self._about = missing or NO_REGIONS
             self._say_about()
             return
-        words = signal_label(view.axes, view.method)
+        signal = signal_label(view.axes, view.method)
         people = display_gain_text(design, view)
-        parts = f"RMS in dB re 1 m/s², {words}", span_label(view.span), "no sensor on the palm"
+        parts = f"RMS in dB re 1 m/s², {signal}", span_label(view.span), "no sensor on the palm"
         self._about = " · ".join([*parts, *([f"people: {people}"] if people else [])])
         self._say_about()
 
@@ -354,7 +360,7 @@ class RegionsPanel(Panel):
 
     def show_on_limbs(self, compared: Sequence[Compared]) -> None:
         self._on_limbs = compared
-        self.show_stale(any(one.late for one in compared))
+        self.show_stale(any(person.late for person in compared))
         self._show_columns()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -371,19 +377,19 @@ class RegionsPanel(Panel):
     def _show_columns(self) -> None:
         matched = have_matching_level(self._snapshots, matched=self._matched)
         stored = columns_of(self._snapshots, matched=matched)
-        told = matched and any(one.has_levels for one in stored)
-        self._shifted = (matched_text(self._snapshots) or LEVELS_MATCHED) if told else ""
+        has_gain = matched and any(column.has_levels for column in stored)
+        self._shifted = (matched_text(self._snapshots) or LEVELS_MATCHED) if has_gain else ""
         people = columns_of_people(self._on_limbs)
         self.columns = [*stored, *people]
-        computing = any(one.computing for one in self.columns)
-        self.copy.offer(not computing and any(one.has_levels for one in self.columns))
+        computing = any(column.computing for column in self.columns)
+        self.copy.offer(not computing and any(column.has_levels for column in self.columns))
         self.stored.show_columns(stored)
         self.table.show_columns(people)
         self._say_about()
         self._put_in_order()
 
     def _scrolled(self) -> SteadyArea:
-        """The tables, which go below each other where they have no room side by side."""
+        """Return a scroll area with the tables, side by side where they have room."""
         inside = QWidget()
         self._box = QBoxLayout(QBoxLayout.Direction.TopToBottom, inside)
         self._box.setContentsMargins(0, 0, 0, 0)
@@ -411,7 +417,7 @@ class RegionsPanel(Panel):
             self._box.setStretch(k, int(beside == (k < len(self._tables))))
 
     def _say_about(self) -> None:
-        some = any(one.synthetic for one in self.columns)
+        some = any(column.synthetic for column in self.columns)
         note = " · syn.: a synthetic limb, computed" if some else ""
         # Only the columns of snapshots are shifted: those of people are as they are.
         shifted = f" · snapshots: {self._shifted}" if self._shifted else ""

@@ -1,4 +1,4 @@
-"""Panel of windows that follow each other."""
+"""The panel of consecutive windows."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -54,8 +54,8 @@ class WindowedPanel(Panel):
         cut, *others = self.cells.values()
         for cell in self.cells.values():
             cell.edited.connect(self._change)
-        given = [part for cell in others for part in (cell.label, cell)]
-        row = BesideOrBelow((cut.label, cut, None), (*given, None), spacing_px=UNIT_PX // 2)
+        fields = [part for cell in others for part in (cell.label, cell)]
+        row = BesideOrBelow((cut.label, cut, None), (*fields, None), spacing_px=UNIT_PX // 2)
         column = QVBoxLayout(self)
         column.setContentsMargins(UNIT_PX // 2, UNIT_PX // 2, UNIT_PX // 2, UNIT_PX // 2)
         column.setSpacing(UNIT_PX // 2)
@@ -158,7 +158,7 @@ class WindowedPanel(Panel):
 
     @property
     def _looks(self) -> dict[str, Any]:
-        """What the content has from the view alone."""
+        """Fields of the content that follow from the view alone."""
         late_s = 0.0
         if self._design is not None and not self._view.delay_removed:
             late_s = facts_of(self._design.limb).pre_trigger_delay_s
