@@ -508,7 +508,11 @@ class SkinMap(QWidget):
             text = map_tooltip(self.content, self.stage.layout, QPointF(event.pos()))
             QToolTip.showText(event.globalPos(), text, self)
             return True
-        return claims_shortcut(event, self.picker.claims) or super().event(event)
+        return claims_shortcut(event, self._claims) or super().event(event)
+
+    def _claims(self, event: QKeyEvent) -> bool:
+        # Some events come before there is a picker: it is looked up for a key alone.
+        return self.picker.claims(event)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         self.stage.pan_zoom.wheel(event)
