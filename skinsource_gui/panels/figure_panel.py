@@ -12,7 +12,7 @@ from skinsource_gui.qt.labels import how_to_select_output
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.state.panel import Panel
 
-#: What is said until there are results, and where nothing moves.
+#: Messages until there are results, and where nothing moves.
 COMPUTING = "Computing…"
 SILENT = "Silent: nothing is driven"
 
@@ -23,7 +23,7 @@ class FigurePanel(Panel):
     Parameters
     ----------
     figure
-        What fills it.
+        Fills the panel.
 
     Attributes
     ----------
@@ -36,7 +36,7 @@ class FigurePanel(Panel):
         self.figure = figure
         self.setMinimumSize(240, 160)
         self.setFocusProxy(figure)
-        self._found = ""
+        self._result = ""
         self._copy: CopyButton | None = None
         self._above: NoteLabel | None = None
         self.words = NoteLabel(f"{self.name}_words")
@@ -47,7 +47,7 @@ class FigurePanel(Panel):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addLayout(self.choices)
-        # Words about the figure that would have too little room beside the choices.
+        # Text on the figure that would have too little room beside the choices.
         self.heads = QVBoxLayout()
         self.heads.setContentsMargins(UNIT_PX, 0, UNIT_PX, 1)
         column.addLayout(self.heads)
@@ -56,7 +56,7 @@ class FigurePanel(Panel):
         foot.setContentsMargins(UNIT_PX, 1, UNIT_PX, 2)
         foot.addWidget(self.words)
         column.addLayout(foot)
-        figure.reading.connect(self._read)
+        figure.reading.connect(self._show_reading)
         figure.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         figure.customContextMenuRequested.connect(self._open_menu)
 
@@ -74,15 +74,15 @@ class FigurePanel(Panel):
         self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
     ) -> None:
         """Draw figure and text for a page or a slide, without the controls; size in px."""
-        del theme  # that in use: the figure has its colours
-        # Words grow with the picture, and are no smaller than on the screen.
+        del theme  # the figure has the colours of the theme in use
+        # Text grows with the picture, and is not smaller than on the screen.
         scale = min(width / max(self.width(), 1), height / max(self.height(), 1))
         scale = max(scale, 1.0)
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.scale(scale, scale)
         room = QRectF(0.0, 0.0, width / scale, height / scale)
-        draw_figure(painter, room, self.figure, self.picture_words, self._found)
+        draw_figure(painter, room, self.figure, self.picture_words, self._result)
         painter.restore()
 
     def sizeHint(self) -> QSize:
@@ -112,7 +112,7 @@ class FigurePanel(Panel):
 
     def show_found(self, text: str) -> None:
         """Show a result below the figure while the cursor reads nothing."""
-        self._found = text
+        self._result = text
         if self.figure.cursor_at is None:
             self.words.say(text)
 
@@ -134,10 +134,10 @@ class FigurePanel(Panel):
             open_figure_menu(self.figure, self.figure.mapToGlobal(at), self._save_picture, copy)
 
     def _save_picture(self) -> None:
-        # What is saved is the panel that has the keyboard.
+        # The action saves the panel that has the keyboard focus.
         self.figure.setFocus(Qt.FocusReason.MouseFocusReason)
         self.action_wanted.emit("export_panel_picture")
 
-    def _read(self, text: str) -> None:
-        # While something is read its room stays: a figure that grows and shrinks would jump.
-        self.words.say(text or self._found, holding=bool(text))
+    def _show_reading(self, text: str) -> None:
+        # A reading keeps the room of its line; otherwise the figure would jump.
+        self.words.say(text or self._result, holding=bool(text))

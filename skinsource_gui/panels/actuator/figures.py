@@ -23,9 +23,9 @@ from skinsource_gui.plots.ranges import XAxis
 from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
 from skinsource_gui.state.panel import PREPARING
 
-# What is drawn at least, and how far beyond the band: what the equaliser lets go is seen.
+# Smallest drawn range of frequencies, and how far it extends beyond the band, in factors.
 _SHOWN_HZ, _BELOW, _ABOVE, _POINTS = (10.0, 2000.0), 0.4, 2.0, 500
-#: A step of the drive, low-passed by the band, and what comes after it.
+#: Sample rate and duration of the drawn step, and the time at which 1 V comes on.
 STEP_RATE_HZ, STEP_S, STEP_AT_S = 13_000, 0.1, 0.01
 
 TIME_AXIS = XAxis(titles=("Time (ms)",), unit="ms", factor=1e3, column="time_s")
@@ -139,15 +139,15 @@ class Figure:
     Attributes
     ----------
     label, value, limit
-        Words; the limit is empty where there is none.
-    passed
-        Whether the limit is.
+        Texts; the limit is empty where there is none.
+    exceeded
+        Whether the limit is exceeded.
     """
 
     label: str
     value: str
     limit: str = ""
-    passed: bool = False
+    exceeded: bool = False
 
 
 _ROWS = (
@@ -167,7 +167,7 @@ _ROWS = (
 def rows_of(settings: ActuatorSettings, prediction: Prediction) -> tuple[Figure, ...]:
     """Return a row for each figure that is known, with its limit."""
     limits = settings.profile.limits
-    passed = {breach.name for breach in breaches(prediction, limits)}
+    exceeded = {breach.name for breach in breaches(prediction, limits)}
     rows = []
     for label, name, unit, limit_name in _ROWS:
         value = getattr(prediction, name)
@@ -176,22 +176,22 @@ def rows_of(settings: ActuatorSettings, prediction: Prediction) -> tuple[Figure,
             rows.append(
                 Figure(
                     label=label,
-                    value=_text(value, unit),
-                    limit="" if limit is None else _text(limit, unit),
-                    passed=limit_name in passed,
+                    value=_value_text(value, unit),
+                    limit="" if limit is None else _value_text(limit, unit),
+                    exceeded=limit_name in exceeded,
                 )
             )
-    # Beyond this velocity the measured skin was not seen to be linear; nothing breaks.
+    # Above this velocity nothing breaks, but linearity of the skin was not measured.
     velocity = Figure(
         label="Peak velocity",
-        value=_text(prediction.peak_velocity_m_per_s, "mm/s"),
-        limit=_text(LARGEST_VELOCITY_M_PER_S, "mm/s"),
-        passed=prediction.linear_share > 1.0,
+        value=_value_text(prediction.peak_velocity_m_per_s, "mm/s"),
+        limit=_value_text(LARGEST_VELOCITY_M_PER_S, "mm/s"),
+        exceeded=prediction.linear_share > 1.0,
     )
     return (rows[0], velocity, *rows[1:])
 
 
-def _text(value: float, unit: str) -> str:
+def _value_text(value: float, unit: str) -> str:
     if unit == "mm/s":
         return f"{1e3 * value:.{_DIGITS}g} mm/s"
     if unit == "%":
@@ -232,11 +232,11 @@ class FiguresTable(QWidget):
             name.setText(figure.label)
             value.setText(figure.value)
             limit.setText(f"of {figure.limit}" if figure.limit else "")
-            set_tone(value, "error" if figure.passed else "")
-            set_tone(limit, "error" if figure.passed else "dim")
+            set_tone(value, "error" if figure.exceeded else "")
+            set_tone(limit, "error" if figure.exceeded else "dim")
         self.setAccessibleDescription(
             "; ".join(
-                f"{figure.label} {figure.value}" + (", beyond its limit" if figure.passed else "")
+                f"{figure.label} {figure.value}" + (", beyond its limit" if figure.exceeded else "")
                 for figure in figures
             )
         )
@@ -263,7 +263,7 @@ class FiguresView(QWidget):
         Its parts.
     """
 
-    #: Another tap is wanted in place of one that leaves a velocity.
+    #: The tap shall be replaced by one that leaves no velocity.
     centred_wanted = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -298,14 +298,15 @@ class FiguresView(QWidget):
         reason = demand.refusal or ("" if demand.place is not None else _NOTHING)
         self.refusal.setText(reason)
         self.refusal.setVisible(bool(reason))
-        # Where nothing plays, or is known yet, nothing is wrong.
+        # Silence and results that are not ready yet are no errors.
         set_tone(self.refusal, "dim" if demand.refusal in ("", PREPARING) else "error")
         beyond = _beyond(rows)
         self.limits.setText(beyond)
         self.limits.setVisible(bool(beyond))
         self.centred.setVisible(demand.leaves_velocity and tap)
-        place = "" if demand.place is None else f"Place {demand.place}, "
-        place += "" if demand.place is None else input_name(demand.place, limb).name
+        place = ""
+        if demand.place is not None:
+            place = f"Place {demand.place}, {input_name(demand.place, limb).name}"
         part = f" · the strongest {LONGEST_S:g} s" if demand.part else ""
         gain = " · uncalibrated gain" if place and not settings.profile.gain_calibrated else ""
         self.heading.setText(f"{place}{part}{gain}")
@@ -313,5 +314,5 @@ class FiguresView(QWidget):
 
 def _beyond(rows: tuple[Figure, ...]) -> str:
     """Return a sentence that names the figures beyond their limits; "" where there are none."""
-    names = [row.label.lower() for row in rows if row.passed]
+    names = [row.label.lower() for row in rows if row.exceeded]
     return f"Beyond its limit: {', '.join(names)}" if names else ""

@@ -68,7 +68,7 @@ class ActuatorChoices(QObject):
 
     #: The new `ActuatorSettings`, number of the gesture or None.
     changed = Signal(object, object)
-    #: A response that was measured shall be opened.
+    #: A measured response shall be opened.
     measured_wanted = Signal()
 
     def __init__(self, parent: QObject) -> None:
@@ -76,7 +76,7 @@ class ActuatorChoices(QObject):
         self._settings, self._predicted = ActuatorSettings(), False
         self._shown: tuple[object, ...] | None = None
         self._cells: tuple[FieldCell, ...] = ()
-        self._kept: dict[tuple[str, Spec], FieldCell] = {}
+        self._cached_cells: dict[tuple[str, Spec], FieldCell] = {}
         self.grid, self._parameters = FieldGrid(), FieldGrid()
         self.details = QWidget()
         self.about = QLabel()
@@ -121,7 +121,7 @@ class ActuatorChoices(QObject):
                 cell.set_value(getattr(model, cell.name.removeprefix(_PARAMETER)))
             else:
                 cell.set_value(getattr(settings, cell.name))
-        self.about.setText(self._words())
+        self.about.setText(self._about_text())
         self.reset.setVisible(bool(settings.parameters))
 
     def _build(self) -> None:
@@ -139,16 +139,16 @@ class ActuatorChoices(QObject):
                 if isinstance(spec, NumberSpec)
             }
         for name, spec in specs.items():
-            if (name, spec) not in self._kept:
+            if (name, spec) not in self._cached_cells:
                 cell = FieldCell(name, spec)
                 cell.edited.connect(self._edit)
-                self._kept[name, spec] = cell
-        self._cells = tuple(self._kept[key] for key in specs.items())
+                self._cached_cells[name, spec] = cell
+        self._cells = tuple(self._cached_cells[key] for key in specs.items())
         parameters = tuple(cell for cell in self._cells if cell.name.startswith(_PARAMETER))
         self.grid.show_cells([cell for cell in self._cells if cell not in parameters])
         self._parameters.show_cells(parameters)
 
-    def _words(self) -> str:
+    def _about_text(self) -> str:
         profile = self._settings.profile
         calibration = profile.calibration
         lines = [profile.source, f"Calibrated: {calibration[:1].lower()}{calibration[1:]}"]
@@ -195,27 +195,27 @@ class ThroughSwitch(QWidget):
 
     Attributes
     ----------
-    box, words
-        The switch; what amplitudes are then, or through what else it goes.
+    box, text
+        The switch; what an amplitude means then, or through which other actuator it goes.
     """
 
-    #: Whether predictions shall go through what the panel shows.
+    #: Whether predictions shall go through the actuator of the panel.
     wanted = Signal(bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.box, self.words = QCheckBox(_TITLE), QLabel()
+        self.box, self.text = QCheckBox(_TITLE), QLabel()
         self.box.setObjectName("actuator_through")
         self.box.setToolTip(_HINT)
         self.box.clicked.connect(self.wanted)
-        self.words.setObjectName("actuator_through_words")
-        set_tone(self.words, "dim")
-        self.words.setWordWrap(True)
+        self.text.setObjectName("actuator_through_words")
+        set_tone(self.text, "dim")
+        self.text.setWordWrap(True)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(UNIT_PX // 4)
         column.addWidget(self.box)
-        column.addWidget(self.words)
+        column.addWidget(self.text)
 
     def show_state(self, design: Design, settings: ActuatorSettings) -> None:
         """Show what the design is predicted through, beside what the panel shows."""
@@ -232,8 +232,8 @@ class ThroughSwitch(QWidget):
         elif actuated is not None:
             text = "An amplitude of 1 asks the contactor for 1 m/s²."
         self.box.setToolTip(_HINT if self.box.isEnabled() else text)
-        self.words.setText(text)
-        self.words.setVisible(bool(text))
+        self.text.setText(text)
+        self.text.setVisible(bool(text))
 
 
 _NO_STEP = "Too little is known of this actuator to move it"
@@ -274,7 +274,7 @@ class ActuatorPanel(Panel):
         outside.setContentsMargins(0, 0, 0, 0)
         outside.addWidget(
             _scrolled(
-                # What passes a limit is seen without scrolling, in a small window too.
+                # An exceeded limit is visible without scrolling, in a small window too.
                 self.choices.grid,
                 self.through,
                 self.figures,
@@ -294,10 +294,10 @@ class ActuatorPanel(Panel):
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
-        # What the design is predicted through goes back with it; what is looked at does not.
+        # Undo restores the actuator of the design, but not one that is only shown.
         saved = settings_of(view, self.name, ActuatorSettings)
         settings = settings_through(saved, design.actuated)
-        # Equal ones stay the same, so that nothing is computed twice.
+        # Equal settings stay the same object, so that nothing is computed twice.
         self._settings = self._settings if settings == self._settings else settings
         if self.isVisible():
             self._show_settings()
@@ -359,7 +359,7 @@ class ActuatorPanel(Panel):
             through = actuation_of(self._settings) if on else None
             outcome = edits.predict_through(self._design, self._view, through)
             self.edited.emit(outcome, None)
-            # Where it was refused the box says what is.
+            # After a refusal the box shows the state of the design again.
             self.through.show_state(self._design, self._settings)
 
     def _choose(self, settings: ActuatorSettings, gesture: int | None = None) -> None:
@@ -369,7 +369,7 @@ class ActuatorPanel(Panel):
         if self._design is None or not self._follows or through == self._design.actuated:
             self.view_changed.emit(view)
         else:
-            # What is predicted goes with what is shown; a shape ends it.
+            # Predictions follow the shown actuator; a shape ends them.
             self.edited.emit(edits.predict_through(self._design, view, through), gesture)
 
     def _put(self, name: str, value: object) -> None:

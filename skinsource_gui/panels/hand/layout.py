@@ -30,12 +30,12 @@ from skinsource_gui.qt.theme import Theme, tabular
 
 # Corner radius and circumradius of the triangle, in radii of the circle: about the same area.
 _TRIANGLE_RADII, _ROUNDING = 1.42, 0.3
-# How far further inputs at a site peep out behind the first, in radii.
+# Offset of further inputs at a site behind the first, in radii.
 _STEP_RADII = 0.3
 _MOST_BEHIND = 2
-# Size of a site without a number, in radii; of one that is small anyway it is larger.
+# Size of a site without a number, in radii; at least some px.
 _DOT_RADII, _DOT_PX = 0.34, 3.5
-# Of numbers: the smallest letters, and what each digit needs of the radius, in their height.
+# Smallest letters of numbers; the radius that each digit needs, in heights of its letters.
 _LETTERS_PX, _DIGIT = 9.0, 0.33
 #: Radius of the smallest site in use.
 _IN_USE_PX = 8.0
@@ -48,7 +48,7 @@ class Place:
     Attributes
     ----------
     site
-        Number written into it.
+        The number in the marker.
     centre, radius_px
         Of the circle.
     push
@@ -221,7 +221,7 @@ def _paint_number(painter: QPainter, place: Place, colour: QColor, *, bold: bool
     if place.push is not None:
         # The triangle is wider at its base.
         centre = centre - place.push * (0.12 * place.radius_px)
-    # As large as its place, unless it has many digits.
+    # As large as the marker, unless it has many digits.
     most = 1.0 / (_DIGIT * len(str(place.site)))
     size = place.radius_px * min(1.05 if place.push is None else 1.0, most)
     _paint_text(painter, centre, str(place.site), size, colour, bold=bold)
@@ -233,7 +233,7 @@ def _paint_count(
     size = max(9.0, 0.72 * radius_px)
     text = f"×{count}"
     width = QFontMetricsF(_number_font(painter, size, bold=True)).horizontalAdvance(text)
-    # A large count makes a longer badge: digits out of sight would make it another number.
+    # A large count makes a longer badge: cut digits would make it another number.
     half = QPointF(max(0.95 * size, width / 2 + 0.3 * size), 0.68 * size)
     area = QRectF(centre - half, centre + half)
     painter.setPen(QPen(QColor(theme.base), 1.0))
@@ -261,7 +261,7 @@ def _number_font(painter: QPainter, size_px: float, *, bold: bool) -> QFont:
     return font
 
 
-#: How much of the arm is drawn below the wrist, and where it begins to fade, in outline px.
+#: Length of the arm below the wrist, and where it begins to fade, in outline px.
 _ARM_PX = 52.0
 _FADE_PX = 12.0
 # Widths, px, and opacity of the soft shade along the edge.
@@ -283,11 +283,11 @@ class HandDrawing:
     pushes : (n_sites, 2)
         Unit vectors along which in-axis contacts push; zero for perpendicular ones.
     limb
-        Whose places they are, for their names.
+        Name of the limb, for the names of its places.
     side
-        Which hand this is, in words.
+        Text that says which hand this is.
     spacing : (n_sites,)
-        How far off the nearest other site is, where markers shrink so as not to cover each other;
+        Distance to the nearest other site, where markers shrink so as not to cover each other;
         infinite where there is room for all.
     contacts
         Whether it is known how contacts push.
@@ -375,8 +375,8 @@ def hand_pixmap(
     return pixmap
 
 
-#: The same for the screen: a window that opens in a size there was before does not draw it anew.
-kept_hand_pixmap = lru_cache(maxsize=2)(hand_pixmap)
+#: The same with a cache, for the screen.
+cached_hand_pixmap = lru_cache(maxsize=2)(hand_pixmap)
 
 
 def polygon(points: NDArray[np.float64]) -> QPolygonF:
@@ -393,7 +393,7 @@ def _pen(colour: QColor, opacity: float, width: float) -> QPen:
 
 #: Radius of a site in outline pixels; on the screen it is neither smaller nor larger than these.
 _SITE_PX, _LEAST_PX, _LARGEST_PX = 17.0, 11.0, 26.0
-# In a crowd it takes this share of the way to the nearest other one, but stays to be seen.
+# In a crowd the radius is this share of the distance to the nearest site, but stays visible.
 _OF_SPACING, _CROWDED_PX = 0.44, 2.5
 # Room beside and above the hand for the markers off its fingertips, in radii.
 _SIDE_RADII, _TOP_RADII = 1.6, 2.9
@@ -402,7 +402,7 @@ _OFF_TIP_RADII = 1.32
 # A click may miss a site by this factor of its radius; a drag snaps from farther, so that between
 # neighbouring sites there is no gap in which it would be cancelled.
 _HIT_RADII, _SNAP_RADII, _SNAP_OUTLINE_PX = 1.25, 2.6, 45.0
-#: No click must be nearer than this to a site, however small it is drawn, px.
+#: A click within this distance hits a site, however small it is drawn, px.
 _HIT_PX = 9.0
 
 
@@ -526,21 +526,17 @@ class Mark:
     Attributes
     ----------
     site
-        Where it is placed; not all places need be on this hand.
-    colour
-        Its colour everywhere.
+        Its place, which need not be on this hand.
     silent
         Whether it is not heard: muted, or others are solo.
-    words
+    text
         What it plays, for tooltips.
-    chosen
-        Whether it is selected.
     """
 
     site: int
     colour: QColor
     silent: bool = False
-    words: str = ""
+    text: str = ""
     chosen: bool = False
 
 

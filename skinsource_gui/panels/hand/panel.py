@@ -36,7 +36,7 @@ from skinsource_gui.qt.theme import current_theme, set_tone
 from skinsource_gui.qt.wheel import WHOLE
 from skinsource_gui.state.panel import Panel
 
-#: Two digits typed within this time make one number, ms.
+#: Two digits that are typed within this time make one number, ms.
 TYPING_MS = 800
 
 _PLACE = "hand"
@@ -59,13 +59,13 @@ class SiteKeys(QObject):
     Parameters
     ----------
     n_sites
-        How many sites the hand has.
+        Number of sites of the hand.
     """
 
     #: Direction (x right, y down).
     stepped = Signal(int, int)
     jumped = Signal(int)
-    #: Whether a further input is wanted.
+    #: Whether a further input shall be placed.
     activated = Signal(bool)
     #: Direction and gesture.
     shifted = Signal(int, int, int)
@@ -146,7 +146,7 @@ class SiteCursor(QObject):
         What moves it.
     """
 
-    #: It is at another site, or something else is there.
+    #: The cursor or what is at its site has changed.
     moved = Signal(int)
     #: Site of a new input.
     placed = Signal(int)
@@ -179,7 +179,7 @@ class SiteCursor(QObject):
         if site is not None and state.selected != before.selected and not focused:
             self.follow(site)
         elif site is not None and anew and site != before.selected_site:
-            # Another design: the cursor would name a place of the one before.
+            # It is another design: the cursor would name a place of the old one.
             (self.follow if before.cursor is None else self.go_to)(site)
         else:
             self.moved.emit(self.site)
@@ -216,7 +216,7 @@ class SiteCursor(QObject):
             return
         origin = state.marks[state.selected].site
         if not self._stage.layout.has(origin):
-            # It comes to the hand where the cursor is.
+            # An input from outside of the hand comes to the cursor.
             self.shifted.emit(state.selected, self.site, gesture)
             return
         site = self._stage.layout.neighbour(origin, (x, y))
@@ -234,7 +234,7 @@ _FURTHER = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifi
 class _Press:
     """A press of the left button on a site, and the drag that it became.
 
-    ``index`` is the input it is about, ``target`` the site which that input was sent to last.
+    ``index`` is the pressed input, ``target`` the site to which it was moved last.
     """
 
     site: int
@@ -266,7 +266,7 @@ class SiteMouse(QObject):
     stage
         The hand; its hover, ghost and target are changed here.
     widget
-        Where it is; its cursor is changed here.
+        The widget; its mouse cursor is changed here.
     """
 
     #: Site on which the button went down.
@@ -393,7 +393,7 @@ class SiteMouse(QObject):
             self.selected.emit(following)
 
 
-# Ways in which focus comes without the keyboard being used here.
+# Reasons of a focus change without a use of the keyboard here.
 _BY_MOUSE = (
     Qt.FocusReason.MouseFocusReason,
     Qt.FocusReason.ActiveWindowFocusReason,
@@ -426,7 +426,7 @@ class HandDiagram(QWidget):
     all_requested = Signal()
     #: Number of an input, its new site, gesture.
     move_requested = Signal(int, int, int)
-    #: Those that are selected.
+    #: The selected inputs shall be removed.
     remove_requested = Signal()
     #: Site, position on the screen.
     menu_requested = Signal(int, QPoint)
@@ -509,7 +509,7 @@ class HandDiagram(QWidget):
         painter = QPainter(self)
         self.stage.paint(painter, self.devicePixelRatioF())
         if self.hasFocus():
-            # The ring shows where keys act once they are used here; this, that they would be.
+            # The frame shows that keys act here; the ring shows where, once they are used.
             paint_focus_frame(painter, QRectF(self.rect()), current_theme())
         painter.end()
 
@@ -593,7 +593,7 @@ class HandDiagram(QWidget):
         """Return whether a key is handled here even if it is a shortcut of the window."""
         if event.key() == Qt.Key.Key_Escape:
             return self._mouse.busy
-        # Until keys are used here, Space is left to whom the window gives it.
+        # Until keys are used here, Space belongs to the window.
         if event.key() == Qt.Key.Key_Space and self.state.cursor is None:
             return False
         return self._cursor.keys.claims(event)
@@ -603,8 +603,8 @@ class HandDiagram(QWidget):
         if site is None or self.state.moving is not None:
             QToolTip.hideText()
         else:
-            area = self.stage.marker_area(site).toAlignedRect()
-            QToolTip.showText(event.globalPos(), self.stage.words(site), self, area)
+            area = self.stage.layout.marker_area(site).toAlignedRect()
+            QToolTip.showText(event.globalPos(), self.stage.text(site), self, area)
 
     def _describe(self, site: int) -> None:
         text = self.stage.description(site)
@@ -618,7 +618,7 @@ class Pointing(QObject):
     Attributes
     ----------
     design
-        Whose inputs there are.
+        Its inputs are pointed at.
     """
 
     #: Id of the input that is pointed at, or None.
@@ -650,7 +650,7 @@ class Pointing(QObject):
         state = self._stage.state
         index = None if state.hovered is None else state.front_at(state.hovered)
         ids = () if self.design is None else self.design.ids
-        # What is held may have gone.
+        # The design may have lost the input, by an undo perhaps.
         pointed_id = ids[index] if index is not None and index < len(ids) else None
         if pointed_id != self._pointed_at:
             self._pointed_at = pointed_id
@@ -667,7 +667,7 @@ class HandPanel(Panel):
         super().__init__(parent)
         self._design: Design | None = None
         self._view = View()
-        self._words: dict[int, tuple[Input, str]] = {}
+        self._texts: dict[int, tuple[Input, str]] = {}
         self.diagram = HandDiagram(drawing_of(""), self)
         self.diagram.add_requested.connect(self._add)
         self.diagram.add_besides_requested.connect(partial(self._add, besides=True))
@@ -679,7 +679,7 @@ class HandPanel(Panel):
         self.diagram.menu_requested.connect(self._open_menu)
         self._pointing = Pointing(self.diagram.stage)
         self._pointing.pointed_at.connect(self.input_pointed_at)
-        # Of a limb that is missing no hand is known: that of another has other places.
+        # The hand of a missing limb is unknown, and another hand has other places.
         self._missing = QLabel()
         self._missing.setObjectName("hand_missing")
         set_tone(self._missing, "dim")
@@ -723,23 +723,23 @@ class HandPanel(Panel):
         if self._design is None:
             return
         audible = {id(track) for track in audible_inputs(self._design.inputs)}
-        # Words of inputs that are as they were are not made again.
-        previous, self._words = (
-            self._words,
+        # Texts of inputs that did not change are not made again.
+        previous, self._texts = (
+            self._texts,
             {track.id: (track, "") for track in self._design.inputs},
         )
         anew = not any(
             previous.get(track.id, (None, ""))[0] is track for track in self._design.inputs
         )
-        for number, (track, _) in self._words.items():
+        for number, (track, _) in self._texts.items():
             before, text = previous.get(number, (None, ""))
-            self._words[number] = track, text if before is track else _words(track)
+            self._texts[number] = track, text if before is track else _text(track)
         marks = tuple(
             Mark(
                 site=track.location,
                 colour=current_theme().input_colour(track.colour),
                 silent=id(track) not in audible,
-                words=self._words[track.id][1],
+                text=self._texts[track.id][1],
                 chosen=track.id in self._view.selected_inputs,
             )
             for track in self._design.inputs
@@ -753,27 +753,24 @@ class HandPanel(Panel):
         return self._design.index_of(self._view.selected_input)
 
     def _select(self, index: int) -> None:
-        self._edit(edits.select_inputs, self._together(index, alone=True))
+        self._edit(edits.select_inputs, self._ids_at(index))
 
     def _toggle(self, index: int) -> None:
-        for track_id in self._together(index, alone=True):
+        for track_id in self._ids_at(index):
             self._edit(edits.toggle_selected, track_id)
 
     def _add(self, site: int, besides: bool = False) -> None:
         self._edit(edits.place_input, site, besides)
 
     def _move(self, index: int, site: int, gesture: int) -> None:
-        self._edit(edits.move_inputs, self._together(index, alone=True), site, gesture=gesture)
+        self._edit(edits.move_inputs, self._ids_at(index), site, gesture=gesture)
 
     def _remove(self) -> None:
         self._edit(edits.remove_inputs, self._view.selected_inputs)
 
-    def _together(self, index: int, *, alone: bool = False) -> tuple[int, ...]:
-        """Return the ids of all selected inputs if this is one of them, else its own."""
-        # What is held may have gone.
-        ids = self._design.ids[index : index + 1] if self._design else ()
-        several = not alone and set(ids) & set(self._view.selected_inputs)
-        return self._view.selected_inputs if several else ids
+    def _ids_at(self, index: int) -> tuple[int, ...]:
+        """Return the id of an input; empty where the design has lost it, by an undo perhaps."""
+        return self._design.ids[index : index + 1] if self._design else ()
 
     def _edit(
         self, edit: Callable[..., Edit | Refusal], *arguments: object, gesture: int | None = None
@@ -789,7 +786,9 @@ class HandPanel(Panel):
         add = f"Add input here\t{key_text('hand', 'place_another')}"
         menu.addAction(add, partial(self._add, site))
         menu.addSeparator()
-        ids = () if index is None else self._together(index)
+        ids = () if index is None else self._ids_at(index)
+        if set(ids) & set(self._view.selected_inputs):
+            ids = self._view.selected_inputs
         chosen = [track for track in self._design.inputs if track.id in ids] if self._design else []
         fill_inputs_menu(menu, chosen, lambda edit: self._edit(edit, ids), place="hand")
         menu.popup(at)
@@ -801,7 +800,7 @@ def _titles(track: Input) -> list[str]:
     return [*titles[:3], *(["…"] if len(titles) > 3 else [])] or [EMPTY]
 
 
-def _words(track: Input) -> str:
+def _text(track: Input) -> str:
     return ", ".join(
         [*_titles(track), *(["muted"] if track.muted else []), *(["solo"] if track.solo else [])]
     )

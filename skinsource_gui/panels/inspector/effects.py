@@ -38,7 +38,7 @@ class ChainEdits(QObject):
 
     #: `Edit` or `Refusal`, number of the gesture or None.
     edited = Signal(object, object)
-    #: Place of an effect, name of a field whose new value is not allowed, and why.
+    #: Place of an effect, name of a field whose new value is not allowed, and the reason.
     field_refused = Signal(int, str, str)
 
     def __init__(self, parent: QObject) -> None:
@@ -96,9 +96,9 @@ class EffectRow(QWidget):
     Attributes
     ----------
     effect
-        What it shows.
+        The effect that is shown.
     title
-        The name; tells of drags and keys.
+        The name; emits drags and keys.
     """
 
     switched = Signal(bool)
@@ -185,7 +185,7 @@ class EffectRow(QWidget):
 
     def _cell(self, name: str) -> FieldCell:
         cell = FieldCell(name, specs_of(self.effect)[name])
-        # Waveforms may have a field of that name, too.
+        # Waveforms may have a field of the same name.
         cell.field.setObjectName(f"effect_{name}_field")
         cell.edited.connect(self.edited)
         return cell
@@ -219,8 +219,8 @@ class EffectChain(QWidget):
         super().__init__(parent)
         self._clip_id: int | None = None
         self._adds = False
-        self._words = QLabel("Effects")
-        set_tone(self._words, "dim")
+        title = QLabel("Effects")
+        set_tone(title, "dim")
         self._add = QToolButton()
         self._add.setObjectName("add_effect")
         self._add.setText("Add…")
@@ -228,12 +228,12 @@ class EffectChain(QWidget):
         self._add.setToolTip(tooltip("Add an effect at the end of the chain"))
         self._add.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self._add.setMenu(QMenu(self._add))
-        # The dots say that there is more to choose.
+        # The dots on the button already show that it opens a menu.
         self._add.setStyleSheet("QToolButton::menu-indicator { image: none; width: 0; }")
         self._add.menu().aboutToShow.connect(self._fill_menu)
         head = QHBoxLayout()
         head.setContentsMargins(0, 0, 0, 0)
-        head.addWidget(self._words, 1)
+        head.addWidget(title, 1)
         head.addWidget(self._add)
         self._column = RowColumn(self._add)
         self._column.moved.connect(self.moved)
@@ -272,7 +272,7 @@ class EffectChain(QWidget):
         if self._adds and new is not None and same_clip:
             self._adds = False
             new.title.setFocus(Qt.FocusReason.OtherFocusReason)
-            # It has a place only when it was laid out.
+            # Only the layout gives it a place to scroll to.
             QTimer.singleShot(0, new, partial(_show_whole, new))
 
     def show_refused(self, index: int, name: str, reason: str) -> None:
@@ -332,7 +332,7 @@ def _row_for(
 
 def _show_whole(row: EffectRow) -> None:
     """Scroll to a new row; of one that is too tall, to its beginning."""
-    # Layouts inside layouts ask again; on some systems a timer comes before the last of them.
+    # Nested layouts post further requests; on some systems the timer fires before the last one.
     QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
     bring_into_sight(row)
     bring_into_sight(row.title)

@@ -61,13 +61,13 @@ class ButtonCell(LabelledCell):
 
     Parameters
     ----------
-    label, words, hint
-        What stands beside the button, on it, and what it says of itself.
+    label, text, hint
+        Label beside the button, text on it, and tooltip.
     name
-        Of the button, for whoever looks for it.
+        Its `objectName`.
     """
 
-    wanted = Signal()
+    clicked = Signal()
 
     def __init__(
         self, label: str, text: str, hint: str, *, name: str, parent: QWidget | None = None
@@ -77,7 +77,7 @@ class ButtonCell(LabelledCell):
         self.button.setObjectName(name)
         self.button.setMinimumHeight(LABEL_PX)
         self.button.setToolTip(tooltip(hint))
-        self.button.clicked.connect(lambda: self.wanted.emit())
+        self.button.clicked.connect(lambda: self.clicked.emit())
         self.stack.addWidget(self.button, 0, Qt.AlignmentFlag.AlignLeft)
         self.label.setBuddy(self.button)
         self.setFocusProxy(self.button)
@@ -121,16 +121,16 @@ class InputFields(QObject):
     Attributes
     ----------
     grid
-        Where they stand.
+        Contains the fields.
     kind, place
-        Which tell by themselves what is chosen; all others by ``edited``.
+        These emit what is chosen themselves; all others emit ``edited``.
     """
 
     #: Name of the field, its new value, number of the gesture or None.
     edited = Signal(str, object, object)
-    #: The pen shall be taken.
+    #: The clip shall be drawn with the pen.
     pen_wanted = Signal()
-    #: A file shall be chosen for a recording.
+    #: A file shall be imported as a recording.
     file_wanted = Signal()
 
     def __init__(self, parent: QObject) -> None:
@@ -155,9 +155,11 @@ class InputFields(QObject):
         self._peak = TextCell("Peak", "")
         self._peak.words.setObjectName("peak")
         self._peak.words.setToolTip("Of all that the track plays, with its gain")
-        self._lasts = TextCell("Lasts", "")
-        self._lasts.words.setObjectName("played_length")
-        self._lasts.words.setToolTip("What is heard of the waveform, or how long it is drawn out")
+        self._played_length = TextCell("Lasts", "")
+        self._played_length.words.setObjectName("played_length")
+        self._played_length.words.setToolTip(
+            "What is heard of the waveform, or how long it is drawn out"
+        )
 
     def show_input(
         self,
@@ -176,17 +178,17 @@ class InputFields(QObject):
         clip = clip_of(track, view)
         kind = None if clip is None else type(clip.waveform)
         several = len(track.clips) > 1
-        # A curve that is typed away can be typed again, until another track is looked at.
+        # A curve that was deleted can be typed again until another track is shown.
         curved = track.id if track.gain_curve or self._curve_of == track.id else None
         lasts = "" if clip is None else played_length_text(clip)
         others = (several, curved) != (self._several, self._curve_of)
-        before = self._said
-        self._lasts.words.setText(lasts)
+        before = self._notes_shown
+        self._played_length.words.setText(lasts)
         self._peak.words.setText(peak)
         if kind is not self._built_for or others:
             self._several, self._curve_of = several, curved
             self._build_own(None if clip is None else clip.waveform)
-        elif self._said != before:
+        elif self._notes_shown != before:
             self.grid.show_cells(self._cells())
         if self._length is not None and clip is not None:
             self._length.words.setText(fixed_length_text(clip.waveform))
@@ -204,13 +206,13 @@ class InputFields(QObject):
         if places != self._places:
             self._places = places
             self.place.set_spec(places)
-        self._take(self._played_at[0], facts_of(limb).band_hz)
+        self._update_specs(self._played_at[0], facts_of(limb).band_hz)
 
     def show_rate(self, sample_rate_hz: float) -> None:
         """Take over the sample rate, which bounds the frequencies that can be played."""
-        self._take(sample_rate_hz, self._played_at[1])
+        self._update_specs(sample_rate_hz, self._played_at[1])
 
-    def _take(self, sample_rate_hz: float, band_hz: Band | None) -> None:
+    def _update_specs(self, sample_rate_hz: float, band_hz: Band | None) -> None:
         if self._played_at == (sample_rate_hz, band_hz):
             return
         self._played_at = sample_rate_hz, band_hz
@@ -231,16 +233,18 @@ class InputFields(QObject):
             cell.forget_typing()
 
     @property
-    def _said(self) -> tuple[bool, bool]:
-        """Whether it is said how long a clip lasts, and which peak results."""
-        return bool(self._lasts.words.text()), bool(self._peak.words.text())
+    def _notes_shown(self) -> tuple[bool, bool]:
+        """Whether the played duration and the resulting peak are shown."""
+        return bool(self._played_length.words.text()), bool(self._peak.words.text())
 
     def _cells(self) -> tuple[LabelledCell, ...]:
         of_clip = () if self._built_for is None else (self._onset,)
         gain = (self._gain,) if self._several else ()
         lasts, peak = (
             (cell,) if shown else ()
-            for cell, shown in zip((self._lasts, self._peak), self._said, strict=True)
+            for cell, shown in zip(
+                (self._played_length, self._peak), self._notes_shown, strict=True
+            )
         )
         own = (self.kind, *self._own, *lasts)
         curve = () if self._curve_of is None else (self._curve,)
@@ -262,11 +266,11 @@ class InputFields(QObject):
             cells.append(self._length)
         if isinstance(waveform, Drawn):
             pen = pen_cell()
-            pen.wanted.connect(self.pen_wanted)
+            pen.clicked.connect(self.pen_wanted)
             cells.append(pen)
         if isinstance(waveform, Recording):
             file = file_cell()
-            file.wanted.connect(self.file_wanted)
+            file.clicked.connect(self.file_wanted)
             cells.append(file)
         self._own = tuple(cells)
         self._built_for = type(waveform) if waveform else None
@@ -298,12 +302,12 @@ class InputHeading(QWidget):
         self._place: LocationNames | None = None
         self._before = ""
         self._swatch = Swatch()
-        self._words = QLabel()
-        self._words.setObjectName("inspector_heading")
-        self._words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._title = QLabel()
+        self._title.setObjectName("inspector_heading")
+        self._title.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         font = QFont(self.font())
         font.setWeight(QFont.Weight.DemiBold)
-        self._words.setFont(font)
+        self._title.setFont(font)
         self._state = QLabel()
         set_tone(self._state, "warning")
         self._mute, self._solo = mute_button(), solo_button()
@@ -312,11 +316,11 @@ class InputHeading(QWidget):
         layout.setSpacing(UNIT_PX // 2)
         layout.addWidget(self._swatch)
         layout.addSpacing(UNIT_PX // 2)
-        layout.addWidget(self._words, 1)
+        layout.addWidget(self._title, 1)
         layout.addWidget(self._state)
         layout.addWidget(self._mute)
         layout.addWidget(self._solo)
-        RoomOrText(self).changed.connect(self._fit_words)
+        RoomOrText(self).changed.connect(self._fit_title)
         self._mute.clicked.connect(self.mute_toggled)
         self._solo.clicked.connect(self.solo_toggled)
 
@@ -329,25 +333,25 @@ class InputHeading(QWidget):
         self._place = place
         self._swatch.show_input(shown.location, shown.colour, silent=silent)
         contact = f" ({place.kind})" if place.kind else ""
-        show_tooltip(self._words, f"Input place {place.number}: {place.name}{contact}")
+        show_tooltip(self._title, f"Input place {place.number}: {place.name}{contact}")
         of_whom = "last silent" if len(batch) > 1 else "silent"
         self._state.setText(of_whom if silent else "")
         self._mute.setChecked(all(track.muted for track in batch))
         self._solo.setChecked(all(track.solo for track in batch))
-        self._fit_words()
+        self._fit_title()
 
-    def _fit_words(self) -> None:
+    def _fit_title(self) -> None:
         if self._place is None:
             return
         self._row.activate()
-        metrics, room = self._words.fontMetrics(), self._words.width()
+        metrics, room = self._title.fontMetrics(), self._title.width()
         name = f"{self._before}{self._place.name}"
         if metrics.horizontalAdvance(name) > room:
             short = f"{self._before}{self._place.short_name}"
             name = metrics.elidedText(
                 short[0].upper() + short[1:], Qt.TextElideMode.ElideRight, room
             )
-        self._words.setText(name)
+        self._title.setText(name)
 
 
 class Selection(QObject):
@@ -355,7 +359,7 @@ class Selection(QObject):
 
     #: `Edit` or `Refusal`, number of the gesture or None.
     edited = Signal(object, object)
-    #: Name of a field whose new value does not go with the others, and why.
+    #: Name of a field whose new value does not fit the others, and the reason.
     field_refused = Signal(str, str)
 
     def __init__(self, parent: QObject) -> None:
@@ -372,7 +376,7 @@ class Selection(QObject):
         return self._design.input(self._view.selected_input)
 
     @property
-    def together(self) -> tuple[Input, ...]:
+    def batch(self) -> tuple[Input, ...]:
         """All selected inputs, in the order of the design."""
         return tuple(track for track in self._design.inputs if track.id in self._ids)
 
@@ -414,14 +418,14 @@ class Selection(QObject):
         return self._view.selected_inputs
 
     def _tell(self, outcome: Edit | Refusal, gesture: int | None) -> None:
-        # A field that is held while its input goes has nothing more to say.
+        # A field may still be dragged while its input is removed.
         if self.last is not None and (
             isinstance(outcome, Refusal) or outcome.design != self._design
         ):
             self.edited.emit(outcome, gesture)
 
 
-# In letters of any size, px.
+# Smallest size with letters of any size, px.
 _LEAST = QSize(204, 224)
 
 
@@ -485,7 +489,7 @@ class InspectorPanel(Panel):
             self._stack.setCurrentWidget(self._empty)
             return
         if self._shown != (view.selected_inputs, view.selected_clips):
-            # What was being typed, or dragged, was meant for others.
+            # What was being typed or dragged belongs to other inputs.
             self._fields.forget_typing()
             self._chain.forget_typing()
             self._shown = (view.selected_inputs, view.selected_clips)
@@ -511,12 +515,12 @@ class InspectorPanel(Panel):
     def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
         self._problems = {input_problem.id: input_problem.problem for input_problem in unplayable}
         if self._selection.last is not None:
-            self._show_look(self._selection.last)
+            self._show_style(self._selection.last)
 
     def _show_waveform(self) -> None:
         results = self._results or {"input_waveforms": ()}
         waveforms = results["input_waveforms"]
-        # Results of an older design may have another number of inputs; the next ones come soon.
+        # Results of an older design may have another number of inputs; new ones come soon.
         track = self._selection.last
         if track is not None and len(waveforms) == len(self._design.inputs):
             samples = waveforms[self._design.index_of(track.id)]
@@ -564,7 +568,7 @@ class InspectorPanel(Panel):
         self.setFocusProxy(self._fields.kind)
 
     def _show_input(self, track: Input, *, silent: bool) -> None:
-        batch = self._selection.together
+        batch = self._selection.batch
         self._heading.show_input(track, self._design.limb, silent=silent, batch=batch)
         amplitude, peak = amplitude_spec(self._design), ""
         if is_gain(self._design, track):
@@ -572,9 +576,9 @@ class InspectorPanel(Panel):
         self._fields.show_limb(self._design.limb)
         self._fields.show_input(track, batch, amplitude, self._view, peak)
         self._show_chain(track, batch)
-        self._show_look(track)
+        self._show_style(track)
 
-    def _show_look(self, track: Input) -> None:
+    def _show_style(self, track: Input) -> None:
         problem = self._problems.get(track.id, "")
         self._preview.set_look(track.colour, flipped=track.amplitude < 0, problem=problem)
 

@@ -71,11 +71,6 @@ class PresetsModel(QAbstractListModel):
         super().__init__(parent)
         self._entries: tuple[tuple[Entry, bool], ...] = ()
 
-    @property
-    def entries(self) -> tuple[tuple[Entry, bool], ...]:
-        """The listed entries, each with whether it is the user's own."""
-        return self._entries
-
     def show_entries(self, entries: tuple[tuple[Entry, bool], ...]) -> None:
         """List other entries."""
         if entries != self._entries:
@@ -106,7 +101,7 @@ class PresetsModel(QAbstractListModel):
         entry = index.data(ENTRY)
         if role != _Role.EditRole or entry is None or value == entry.preset.name:
             return False
-        # What is listed follows from the files.
+        # The list follows from the files, so that nothing is changed here.
         self.rename_wanted.emit(entry, str(value))
         return False
 
@@ -129,10 +124,10 @@ class PresetsModel(QAbstractListModel):
 
 
 SIZE_PX = QSize(44, 26)
-#: Pixels of the screen for each of them, at most.
+#: Largest number of screen pixels for each px.
 _SHARPEST = 3
 _LINE_PX = 1.0
-# What is so small looks the same at the rate of any limb.
+# So small a picture looks the same at the sample rate of any limb.
 _RATE_HZ = 2000.0
 
 
@@ -183,7 +178,7 @@ class PresetDelegate(QStyledItemDelegate):
     def updateEditorGeometry(
         self, editor: QWidget, option: QStyleOptionViewItem, index: _Index
     ) -> None:
-        editor.setGeometry(self._words(option.rect))
+        editor.setGeometry(self._text_area(option.rect))
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: _Index) -> None:
         theme, rect = current_theme(), option.rect
@@ -200,7 +195,7 @@ class PresetDelegate(QStyledItemDelegate):
         picture = thumbnail(index.data(ENTRY).preset, theme.text, ratio)
         top = rect.center().y() - SIZE_PX.height() // 2
         painter.drawPixmap(rect.left() + UNIT_PX, top, picture)
-        text_area = self._words(rect)
+        text_area = self._text_area(rect)
         metrics, middle = option.fontMetrics, text_area.center().y()
         for text, colour, area in (
             (index.data(), theme.text, text_area.adjusted(0, 0, 0, middle - text_area.bottom())),
@@ -214,12 +209,12 @@ class PresetDelegate(QStyledItemDelegate):
             painter.drawRect(rect.adjusted(0, 0, -1, -1))
         painter.restore()
 
-    def _words(self, rect: QRect) -> QRect:
+    def _text_area(self, rect: QRect) -> QRect:
         return rect.adjusted(SIZE_PX.width() + 2 * UNIT_PX, 2, -UNIT_PX // 2, -2)
 
 
 _PLACE = "library"
-# How far from the pointer a dragged preset is shown, and how wide its name may be.
+# Distance of a dragged preset from the pointer, and largest width of its name.
 _ASIDE_PX, _WIDEST_TAG_PX = 14, 180
 
 
@@ -230,12 +225,12 @@ class PresetList(QListView):
     place_wanted = Signal(object)
     delete_wanted = Signal(object)
     search_wanted = Signal()
-    #: The `Entry` under the pointer, else the one that the keys have reached, or None.
-    looked_at = Signal(object)
+    #: The `Entry` under the pointer, else the one at the keyboard's cursor, or None.
+    preview_changed = Signal(object)
 
     def __init__(self, model: PresetsModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._words = ""
+        self._message = ""
         self._under: Entry | None = None
         self._delegate = PresetDelegate(self)
         self.setObjectName("preset_rows")
@@ -262,9 +257,9 @@ class PresetList(QListView):
         """Whether it is the user's own."""
         return bool(self.currentIndex().data(OWN))
 
-    def show_words(self, text: str) -> None:
+    def show_message(self, text: str) -> None:
         """Show why there are no rows."""
-        self._words = text
+        self._message = text
         self.viewport().update()
 
     def go_to(self, row: int) -> None:
@@ -282,7 +277,7 @@ class PresetList(QListView):
             drag = QDrag(self)
             drag.setMimeData(self.model().mimeData(chosen))
             drag.setPixmap(self._tag(str(chosen[0].data())))
-            # Beside the pointer: below it lies what it is dragged to.
+            # It lies beside the pointer, so that the target below stays visible.
             drag.setHotSpot(QPoint(-_ASIDE_PX, -_ASIDE_PX))
             drag.exec(actions, Qt.DropAction.CopyAction)
 
@@ -301,22 +296,18 @@ class PresetList(QListView):
         painter.end()
         return tag
 
-    def currentChanged(
-        self,
-        current: QModelIndex | QPersistentModelIndex,
-        previous: QModelIndex | QPersistentModelIndex,
-    ) -> None:
+    def currentChanged(self, current: _Index, previous: _Index) -> None:
         super().currentChanged(current, previous)
         self._under = None
-        self.looked_at.emit(self.current)
+        self.preview_changed.emit(self.current)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         super().mouseMoveEvent(event)
-        self._look(self.indexAt(event.position().toPoint()).data(ENTRY))
+        self._point_at(self.indexAt(event.position().toPoint()).data(ENTRY))
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
-        self._look(None)
+        self._point_at(None)
 
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, partial(meaning_of, _PLACE)) or super().event(event)
@@ -336,25 +327,25 @@ class PresetList(QListView):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        if self.model().rowCount() == 0 and self._words:
+        if self.model().rowCount() == 0 and self._message:
             painter = QPainter(self.viewport())
             painter.setPen(QColor(current_theme().dim))
             room = self.viewport().rect().adjusted(UNIT_PX, UNIT_PX, -UNIT_PX, -UNIT_PX)
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-            painter.drawText(room, flags, self._words)
+            painter.drawText(room, flags, self._message)
 
     def _place(self, index: QModelIndex) -> None:
         self.place_wanted.emit(index.data(ENTRY))
 
-    def _look(self, under: Entry | None) -> None:
+    def _point_at(self, under: Entry | None) -> None:
         if under != self._under:
             self._under = under
-            self.looked_at.emit(under or self.current)
+            self.preview_changed.emit(under or self.current)
 
 
 _LEAST_WIDTH_PX = 160
-_LEAST_STRIP_PX, _LEAST_SPECTRUM_PX, _LEAST_WORDS_PX = 58, 64, 40
-_MOST_STRIP_PX, _MOST_SPECTRUM_PX, _MOST_WORDS_PX = 84, 96, 92
+_LEAST_STRIP_PX, _LEAST_SPECTRUM_PX, _LEAST_TEXT_PX = 58, 64, 40
+_MOST_STRIP_PX, _MOST_SPECTRUM_PX, _MOST_TEXT_PX = 84, 96, 92
 
 
 class PresetPreview(QWidget):
@@ -364,7 +355,7 @@ class PresetPreview(QWidget):
         super().__init__(parent)
         self._preset: Preset | None = None
         self._limb = ""
-        self.strip, self.spectrum, self.words = ClipStrip(), SpectrumPreview(), QLabel()
+        self.strip, self.spectrum, self.text = ClipStrip(), SpectrumPreview(), QLabel()
         self.strip.setAccessibleName("Clips of the preset")
         scroll = QScrollArea()
         scroll.setObjectName("preset_about")
@@ -372,20 +363,20 @@ class PresetPreview(QWidget):
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         scroll.setWidgetResizable(True)
-        scroll.setWidget(self.words)
+        scroll.setWidget(self.text)
         scroll.viewport().setAutoFillBackground(False)
         for part, least, most in (
             (self.strip, _LEAST_STRIP_PX, _MOST_STRIP_PX),
             (self.spectrum, _LEAST_SPECTRUM_PX, _MOST_SPECTRUM_PX),
-            (scroll, _LEAST_WORDS_PX, _MOST_WORDS_PX),
+            (scroll, _LEAST_TEXT_PX, _MOST_TEXT_PX),
         ):
             part.setMinimumHeight(least)
             part.setMaximumHeight(most)
         self.setMinimumWidth(_LEAST_WIDTH_PX)
-        self.words.setObjectName("preset_words")
-        self.words.setWordWrap(True)
-        self.words.setTextFormat(Qt.TextFormat.RichText)
-        self.words.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.text.setObjectName("preset_words")
+        self.text.setWordWrap(True)
+        self.text.setTextFormat(Qt.TextFormat.RichText)
+        self.text.setAlignment(Qt.AlignmentFlag.AlignTop)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2)
@@ -422,21 +413,21 @@ class PresetPreview(QWidget):
         except SkinSourceError as error:
             self.strip.show_words(sentence(str(error)))
             self.spectrum.show_samples(None)
-        self._show_words(preset)
+        self._show_text(preset)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange and self._preset is not None:
-            self._show_words(self._preset)
+            self._show_text(self._preset)
 
-    def _show_words(self, preset: Preset) -> None:
+    def _show_text(self, preset: Preset) -> None:
         parts = [f"<b>{escape(preset.name)}</b> · {escape(_facts(preset, self._limb))}"]
         if preset.description:
             parts.append(escape(preset.description))
         if preset.source:
             dim = current_theme().dim
             parts.append(f"<span style='color:{dim}'>Source: {escape(preset.source)}</span>")
-        self.words.setText("<br>".join(parts))
+        self.text.setText("<br>".join(parts))
 
 
 def _facts(preset: Preset, limb: str) -> str:
@@ -448,9 +439,9 @@ def _facts(preset: Preset, limb: str) -> str:
         n = len(lanes[0].clips)
         return length if n == 1 else f"{length}, {n} clips"
     places = (lane.location for lane in lanes)
-    names = (input_name(k, limb).short_name if _is_there(k, limb) else str(k) for k in places)
+    names = (input_name(k, limb).short_name if _exists(k, limb) else str(k) for k in places)
     return f"{length}, {len(lanes)} tracks: {', '.join(names)}"
 
 
-def _is_there(place: int, limb: str) -> bool:
+def _exists(place: int, limb: str) -> bool:
     return place <= facts_of(limb).n_inputs

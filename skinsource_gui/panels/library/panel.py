@@ -118,7 +118,7 @@ class SearchRow(QWidget):
         row.addWidget(self.tags, 2)
 
     @property
-    def words(self) -> str:
+    def text(self) -> str:
         """The text to search for."""
         return self.line.text()
 
@@ -143,14 +143,14 @@ class SearchRow(QWidget):
             if event.key() == Qt.Key.Key_Down:
                 self.left_downwards.emit()
                 return True
-            if event.key() == Qt.Key.Key_Escape and self.words:
+            if event.key() == Qt.Key.Key_Escape and self.text:
                 self.line.clear()
                 return True
         return super().eventFilter(watched, event)
 
 
-#: Files are written in several steps: what follows this soon is one change.
-_TOGETHER_MS = 150
+#: Changes within this time are one change, since files are written in several steps.
+_BATCH_MS = 150
 
 
 class FolderWatch(QObject):
@@ -162,7 +162,7 @@ class FolderWatch(QObject):
         Files with this ending are watched.
     """
 
-    #: Something has changed; told once for many changes.
+    #: Something has changed; emitted once for many changes.
     changed = Signal()
 
     def __init__(self, suffix: str, parent: QObject) -> None:
@@ -171,7 +171,7 @@ class FolderWatch(QObject):
         self._watcher: QFileSystemWatcher | None = None
         self._pause = QTimer(self)
         self._pause.setSingleShot(True)
-        self._pause.setInterval(_TOGETHER_MS)
+        self._pause.setInterval(_BATCH_MS)
         self._pause.timeout.connect(self.changed)
 
     def watch(self, folder: Path) -> None:
@@ -184,7 +184,7 @@ class FolderWatch(QObject):
             files = [str(path) for path in folder.iterdir() if path.suffix == self._suffix]
             self._watcher.addPaths([str(folder), *files])
         except OSError:
-            # What it comes to lie in is watched instead.
+            # The nearest folder that exists is watched instead.
             ancestor = next((parent for parent in folder.parents if parent.is_dir()), None)
             if ancestor is not None:
                 self._watcher.addPath(str(ancestor))
@@ -232,7 +232,7 @@ class PresetFolders(QObject):
         """Read both folders, and watch the user's."""
         if self._shipped is None:
             self._shipped = presets.read_preset_folder(presets.shipped_folder())
-        # Watched before it is read: nothing is missed between.
+        # It is watched before it is read, so that no change is missed.
         self._watch.watch(self.folder)
         self._own = presets.read_preset_folder(self.folder)
         self.changed.emit()
@@ -275,7 +275,7 @@ class LibraryPanel(Panel):
         super().__init__(parent)
         self._design: Design | None = None
         self._view = View()
-        self.shelves = PresetFolders(self)
+        self.folders = PresetFolders(self)
         self.model = PresetsModel(self)
         self.search, self.rows = SearchRow(), PresetList(self.model)
         self.preview, self.buttons = PresetPreview(), LibraryButtons()
@@ -313,19 +313,19 @@ class LibraryPanel(Panel):
         self._view = view
 
     def showEvent(self, event: QShowEvent) -> None:
-        # What happened to the files meanwhile is not known.
-        self.shelves.read()
+        # The files may have changed while the panel was hidden.
+        self.folders.read()
         super().showEvent(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        # Where there is little height and some width, the preview stands beside the list.
-        beside = self.width() >= _WIDE_PX and self.height() < _HIGH_PX
+        # In a low and wide panel the preview lies beside the list.
+        is_wide = self.width() >= _WIDE_PX and self.height() < _HIGH_PX
         way = QBoxLayout.Direction
-        self._body.setDirection(way.LeftToRight if beside else way.TopToBottom)
+        self._body.setDirection(way.LeftToRight if is_wide else way.TopToBottom)
 
     def hideEvent(self, event: QHideEvent) -> None:
-        self.shelves.rest()
+        self.folders.rest()
         super().hideEvent(event)
 
     def place(self, entry: Entry | None) -> None:
@@ -337,19 +337,19 @@ class LibraryPanel(Panel):
             )
 
     def _connect(self) -> None:
-        self.shelves.changed.connect(self._show_presets)
-        self.shelves.failed.connect(self.failed)
+        self.folders.changed.connect(self._show_presets)
+        self.folders.failed.connect(self.failed)
         self.search.changed.connect(self._show_presets)
         self.search.accepted.connect(self._place_current)
         self.search.left_downwards.connect(self.rows.setFocus)
         self.rows.place_wanted.connect(self.place)
         self.rows.delete_wanted.connect(self._delete)
         self.rows.search_wanted.connect(self._search)
-        self.rows.looked_at.connect(self._look)
+        self.rows.preview_changed.connect(self._preview)
         self.rows.customContextMenuRequested.connect(self._open_menu)
         self.model.rename_wanted.connect(self._rename)
         self.buttons.place.clicked.connect(self._place_current)
-        self.buttons.save.clicked.connect(self._save)
+        self.buttons.save.clicked.connect(lambda: self.action_wanted.emit("save_to_library"))
         self.buttons.rename.clicked.connect(self.rows.rename)
         self.buttons.delete.clicked.connect(self._delete_current)
 
@@ -357,17 +357,17 @@ class LibraryPanel(Panel):
         """List the matches; the cursor stays at its file, or goes to the file ``at``."""
         before = self.rows.current
         path = at or (before.path if before is not None else None)
-        everything = self.shelves.entries
+        everything = self.folders.entries
         self.search.show_tags(tag for entry, _ in everything for tag in entry.preset.tags)
         own = {entry.path for entry, is_own in everything if is_own}
-        matches = matching((entry for entry, _ in everything), self.search.words, self.search.tag)
+        matches = matching((entry for entry, _ in everything), self.search.text, self.search.tag)
         self.model.show_entries(tuple((entry, entry.path in own) for entry in matches))
         row = next((k for k, entry in enumerate(matches) if entry.path == path), 0)
-        self.rows.show_words("" if matches else _NOTHING)
+        self.rows.show_message("" if matches else _NOTHING)
         if matches:
             self.rows.go_to(row)
-        self._look(self.rows.current)
-        faults = self.shelves.faults
+        self._preview(self.rows.current)
+        faults = self.folders.faults
         self.faults.setVisible(bool(faults))
         if faults:
             others = counted(len(faults) - 1, "other")
@@ -375,16 +375,13 @@ class LibraryPanel(Panel):
             self.faults.setText(f"Left out: {faults[0].sentence}{more}")
             self.faults.setToolTip("\n".join(fault.sentence for fault in faults))
 
-    def _look(self, entry: Entry | None) -> None:
+    def _preview(self, entry: Entry | None) -> None:
         self.preview.show_preset(None if entry is None else entry.preset)
         self.buttons.show_current(self.rows.current is not None, self.rows.current_is_own)
 
     def _search(self) -> None:
         self.search.line.setFocus()
         self.search.line.selectAll()
-
-    def _save(self) -> None:
-        self.action_wanted.emit("save_to_library")
 
     def _place_current(self) -> None:
         self.place(self.rows.current)
@@ -394,7 +391,7 @@ class LibraryPanel(Panel):
             self._delete(self.rows.current)
 
     def _rename(self, entry: Entry, name: str) -> None:
-        self._show_presets(self.shelves.rename(entry, name))
+        self._show_presets(self.folders.rename(entry, name))
 
     def _delete(self, entry: Entry) -> None:
         question = (
@@ -402,7 +399,7 @@ class LibraryPanel(Panel):
             "which it was placed keep it."
         )
         if agreed(self, "Delete from the library", question, otherwise=_NO):
-            self.shelves.delete(entry)
+            self.folders.delete(entry)
 
     def _open_menu(self, at: QPoint) -> None:
         if self.rows.current is None:

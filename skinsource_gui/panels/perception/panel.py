@@ -36,8 +36,12 @@ from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.figure_panel import COMPUTING
 from skinsource_gui.qt.asking import CopyButton, copied_level
 from skinsource_gui.qt.buttons import tool_button
-from skinsource_gui.qt.labels import SHORT_NAME, dress_table, give_names_the_rest
-from skinsource_gui.qt.labels import how_to_select_output as empty_words_output_words
+from skinsource_gui.qt.labels import (
+    SHORT_NAME,
+    dress_table,
+    give_names_the_rest,
+    how_to_select_output,
+)
 from skinsource_gui.qt.room import BesideOrBelow, LetterWidth
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
@@ -46,7 +50,7 @@ from skinsource_gui.state.panel import Panel
 Weighted = tuple[tuple[int, float], ...] | None
 
 _NO_WEIGHTED = "Wh: only where drives are accelerations of the probe"
-_MOST_SAID = 3
+_MOST_LISTED = 3
 # Word joiners: a line does not break at the slash.
 _UNIT = "m\u2060/\u2060s²"
 
@@ -60,7 +64,7 @@ def contact_text(weighted: Weighted, *, as_stored: bool = False) -> str:
         return _NO_WEIGHTED
     if not weighted:
         return ""
-    if len(weighted) <= _MOST_SAID:
+    if len(weighted) <= _MOST_LISTED:
         levels = f"{_listed(weighted, ', ')} RMS"
     else:
         place, most = max(weighted, key=lambda pair: pair[1])
@@ -73,7 +77,7 @@ def contact_text(weighted: Weighted, *, as_stored: bool = False) -> str:
 
 def contact_list(weighted: Weighted) -> str:
     """Return a line for each place; "" where the sentence names all of them."""
-    if weighted is None or len(weighted) <= _MOST_SAID:
+    if weighted is None or len(weighted) <= _MOST_LISTED:
         return ""
     return "Wh, RMS\n" + _listed(weighted, "\n")
 
@@ -177,7 +181,7 @@ def _numbers(sensation: Sensation, output: int) -> list[float]:
     ]
     if sensation.strength is None:
         return numbers
-    # What is not felt at all has no strength either.
+    # A vibration without sensation has no strength either.
     perceived = sensation.level_db[k] > SILENT_DB
     return [*numbers, float(sensation.strength[k]) if perceived else SILENT_DB]
 
@@ -190,7 +194,7 @@ _OWN_LIMITS = (
     "Thresholds are those of your table, the same at every output; sensors and force are not "
     "modelled. Compare designs on one limb only."
 )
-_TAKE_OWN = "Take thresholds from a CSV file: frequency_hz, threshold_m_per_s2 (RMS)"
+_IMPORT_HINT = "Take thresholds from a CSV file: frequency_hz, threshold_m_per_s2 (RMS)"
 _MOST_NAME_PX, _MOST_AREA_PX = 120, 96
 
 
@@ -204,10 +208,10 @@ class PerceptionPanel(Panel):
         super().__init__(parent)
         self.setMinimumSize(240, 160)
         self._view, self._settings = View(), PerceptionSettings()
-        self._found: Sensation | None = None
+        self._sensation: Sensation | None = None
         self._outputs: tuple[int, ...] = ()
         self._limb = ""
-        # What is said where levels are those of a design that is shown louder or softer.
+        # Text on the display gain where levels are louder or softer than stored.
         self._matched = ""
         self._weighted: Weighted = None
         self._folder = Path()
@@ -235,7 +239,7 @@ class PerceptionPanel(Panel):
         self._lay_out()
         self._connect()
         self.setFocusProxy(self.table)
-        self._say(empty_words_output_words(self.in_sight))
+        self._show_message(how_to_select_output(self.in_sight))
 
     @property
     def needs(self) -> frozenset[str]:
@@ -246,7 +250,7 @@ class PerceptionPanel(Panel):
         return QSize(380, 320)
 
     def heightForWidth(self, width: int) -> int:
-        # The table gives way before words below it have to be scrolled for.
+        # The table shrinks before the text below it has to be scrolled.
         layout = self.layout()
         return -1 if layout is None else layout.minimumHeightForWidth(width)
 
@@ -261,12 +265,12 @@ class PerceptionPanel(Panel):
         middle = Qt.TextElideMode.ElideMiddle
         short = self.fontMetrics().elidedText(name, middle, _MOST_NAME_PX)
         self.own.setText(short if own else "Own thresholds…")
-        self.own.setToolTip(f"{name}. {_TAKE_OWN}" if own else _TAKE_OWN)
-        self.limits.setText(_limits(self._settings, self._found, self._matched))
+        self.own.setToolTip(f"{name}. {_IMPORT_HINT}" if own else _IMPORT_HINT)
+        self.limits.setText(_limits(self._settings, self._sensation, self._matched))
         if not view.outputs:
-            self._say(empty_words_output_words(self.in_sight))
-        elif self.message.text() == empty_words_output_words(self.in_sight):
-            self._say(COMPUTING)
+            self._show_message(how_to_select_output(self.in_sight))
+        elif self.message.text() == how_to_select_output(self.in_sight):
+            self._show_message(COMPUTING)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         sensation, outputs = results["sensation"], results["shown_outputs"]
@@ -275,10 +279,10 @@ class PerceptionPanel(Panel):
         self.contact.setText(contact_text(self._weighted, as_stored=bool(self._matched)))
         self.contact.setToolTip(contact_list(self._weighted))
         if sensation.problem or not outputs:
-            self._say(sensation.problem or empty_words_output_words(self.in_sight))
+            self._show_message(sensation.problem or how_to_select_output(self.in_sight))
             return
-        self._found, self._outputs, self._limb = sensation, outputs, results["limb_data"].name
-        self.limits.setText(_limits(self._settings, self._found, self._matched))
+        self._sensation, self._outputs, self._limb = sensation, outputs, results["limb_data"].name
+        self.limits.setText(_limits(self._settings, self._sensation, self._matched))
         self.table.fill(header(sensation), outputs, rows(sensation, outputs, self._limb))
         loudest = int(np.argmax(sensation.level_db))
         synthetic = " Synthetic limb." if results["limb_data"].synthetic else ""
@@ -291,24 +295,24 @@ class PerceptionPanel(Panel):
 
     def show_late(self, late: bool) -> None:
         super().show_late(late)
-        # One line is too little for words over it: it is left out.
+        # The text is hidden: its single line has no room for the mark of stale results.
         self.contact.setHidden(late)
 
     def show_problem(self, reason: str) -> None:
-        self._say(reason)
+        self._show_message(reason)
         self.contact.setText("")
         self.contact.setToolTip("")
 
     def show_in_sight(self, names: frozenset[str]) -> None:
-        shows_hint = self.message.text() == empty_words_output_words(self.in_sight)
+        shows_hint = self.message.text() == how_to_select_output(self.in_sight)
         super().show_in_sight(names)
         if shows_hint:
-            self.message.setText(empty_words_output_words(self.in_sight))
+            self.message.setText(how_to_select_output(self.in_sight))
 
     def show_folder(self, folder: Path) -> None:
         self._folder = folder
 
-    def take_thresholds(self, path: Path) -> None:
+    def import_thresholds(self, path: Path) -> None:
         """Import the thresholds of a file and compare levels with them."""
         try:
             table = read_threshold_table(path)
@@ -341,11 +345,11 @@ class PerceptionPanel(Panel):
             self, "Own thresholds", str(self._folder), "CSV (*.csv)"
         )
         if chosen:
-            self.take_thresholds(Path(chosen))
+            self.import_thresholds(Path(chosen))
 
-    def _say(self, message: str) -> None:
-        self._found, self._matched = None, ""
-        self.limits.setText(_limits(self._settings, self._found, self._matched))
+    def _show_message(self, message: str) -> None:
+        self._sensation, self._matched = None, ""
+        self.limits.setText(_limits(self._settings, self._sensation, self._matched))
         self.table.hide()
         self.message.setText(message)
         self.message.show()
@@ -353,9 +357,9 @@ class PerceptionPanel(Panel):
 
     def _numbers(self) -> str:
         """Return all numbers, with tabs between the columns; empty while there are none."""
-        if self._found is None:
+        if self._sensation is None:
             return ""
-        levels = tab_separated(self._found, self._outputs, self._limb)
+        levels = tab_separated(self._sensation, self._outputs, self._limb)
         return levels + contact_table(self._weighted)
 
     def _change(self, message: str = "", **changes: Any) -> None:

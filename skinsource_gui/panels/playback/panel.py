@@ -1,7 +1,6 @@
 """The playback panel: device, channel map, levels and delay of this machine."""
 
 from dataclasses import replace
-from functools import partial
 from typing import Any, ClassVar
 
 from PySide6.QtCore import QObject, QSignalBlocker, QSize, Qt, Signal
@@ -65,23 +64,23 @@ _SHIFT = NumberSpec(
 class DeviceFields(QObject):
     """Rows of a grid with the fields of the device: labels on the left, fields on the right."""
 
-    #: The `Output` that is wanted.
+    #: The chosen `Output`.
     output_wanted = Signal(object)
     devices_wanted = Signal()
-    #: The rig file that is wanted, `Path`, or None.
+    #: The chosen rig file, `Path`, or None.
     rig_wanted = Signal(object)
 
     def __init__(self, grid: QGridLayout) -> None:
         super().__init__()
         self._output = Output()
-        self._shown: tuple[object, ...] = ()
+        self._played: tuple[object, ...] = ()
         self.device = ChoiceField(ChoiceSpec(label="Device", options=(("", _SYSTEM),)))
         self.device.chosen.connect(self._choose_device)
-        self.look = QToolButton()
-        self.look.setText("Look again")
-        self.look.setObjectName("look_for_devices")
-        self.look.setToolTip("Look for devices that were connected since; ends what is played")
-        self.look.clicked.connect(self.devices_wanted)
+        self.rescan = QToolButton()
+        self.rescan.setText("Look again")
+        self.rescan.setObjectName("look_for_devices")
+        self.rescan.setToolTip("Look for devices that were connected since; ends what is played")
+        self.rescan.clicked.connect(self.devices_wanted)
         self.rate = ChoiceField(ChoiceSpec(label="Sample rate", options=()))
         self.rate.chosen.connect(self._choose_rate)
         self.latency = NumberField(_LATENCY)
@@ -112,7 +111,7 @@ class DeviceFields(QObject):
             widget.setAccessibleName(name.replace("_", " ").capitalize())
         for field in (self.latency, self.shift):
             LetterWidth(field, _NUMBER_PX)
-        delay = _row(self.latency, self.look)
+        delay = _row(self.latency, self.rescan)
         rows: tuple[tuple[str, QWidget], ...] = (
             ("Device", self.device),
             ("Sample rate", self.rate),
@@ -122,15 +121,15 @@ class DeviceFields(QObject):
         for row, (label, part) in enumerate(rows):
             grid.addWidget(QLabel(label), row, 0)
             grid.addWidget(part, row, 1)
-        # A column of the grid would be as wide as these words: fields would have what is left.
+        # In a column of the grid this text would take the room of the fields.
         grid.addWidget(_row(self.stand_in, QLabel("shift"), self.shift), 4, 0, 1, 2)
 
     def show_played(self, played: Played) -> None:
         """Take over the chosen output and what can be chosen."""
         shown = played.output, played.devices, played.rates_hz, played.rig_title
-        if shown == self._shown:
+        if shown == self._played:
             return
-        self._shown, self._output = shown, played.output
+        self._played, self._output = shown, played.output
         options = [("", _SYSTEM)]
         options += [(_key(device.name, device.host_api), device.title) for device in played.devices]
         _fill(self.device, options, _key_of(played))
@@ -196,7 +195,7 @@ def _fill(field: ChoiceField, options: list[tuple[str, str]], chosen: str) -> No
         field.set_value(chosen)
 
 
-_METER_PX, _LEAST_METER_PX, _OUTPUT_ROW_NUMBER_PX = 8, 48, 56
+_METER_PX, _LEAST_METER_PX, _OUTPUT_NUMBER_PX = 8, 48, 56
 _WIDEST_LEVEL = "\u2212100.0 dBFS"
 _SILENT_DB = -200.0
 
@@ -207,7 +206,7 @@ class OutputRow(QObject):
     Parameters
     ----------
     grid, row
-        Where.
+        Where its widgets are added.
     place, output
         Input place, and the output, from 1, that drives its actuator.
     """
@@ -229,7 +228,7 @@ class OutputRow(QObject):
         self.output.setObjectName(f"output_of_{place}")
         self.output.setAccessibleName(spec.label)
         self.output.setToolTip("Number of the output of the device that its actuator is wired to")
-        LetterWidth(self.output, _OUTPUT_ROW_NUMBER_PX)
+        LetterWidth(self.output, _OUTPUT_NUMBER_PX)
         self.output.edited.connect(self._choose)
         self.meter = LevelMeter()
         self.meter.setFixedHeight(_METER_PX)
@@ -241,7 +240,7 @@ class OutputRow(QObject):
         self.tone = QToolButton()
         self.tone.setText("Test tone")
         self.tone.setObjectName(f"tone_of_{place}")
-        self.tone.clicked.connect(partial(self._ask_tone))
+        self.tone.clicked.connect(self._request_tone)
         for column, widget in enumerate(self.widgets):
             grid.addWidget(widget, row, column)
         self.show_output(output)
@@ -263,11 +262,11 @@ class OutputRow(QObject):
         levels = played.levels
         if levels is None or index >= levels.rms_db.size:
             self.meter.show_level(_SILENT_DB, _SILENT_DB)
-            self._say_level("")
+            self._show_level_text("")
             return
         self.meter.show_level(float(levels.rms_db[index]), float(levels.peak_db[index]))
         highest_db = float(levels.highest_db[index])
-        self._say_level(
+        self._show_level_text(
             "silent"
             if highest_db <= _SILENT_DB
             else f"{highest_db:z.1f} dBFS".replace("-", "\u2212")
@@ -276,8 +275,8 @@ class OutputRow(QObject):
     def _choose(self, output: float, _gesture: int | None) -> None:
         self.output_wanted.emit(self.place, round(output))
 
-    def _say_level(self, text: str) -> None:
-        # Alone, the bar stands in the middle.
+    def _show_level_text(self, text: str) -> None:
+        # Without a text the bar is centred.
         self.level.setText(text)
         self.level.setVisible(bool(text))
 
@@ -290,7 +289,7 @@ class OutputRow(QObject):
             f"to find the actuator of place {self.place}",
         )
 
-    def _ask_tone(self) -> None:
+    def _request_tone(self) -> None:
         self.tone_wanted.emit(round(self.output.value_si))
 
 
@@ -322,7 +321,7 @@ class _Loudness(QWidget):
         below.addWidget(level)
 
     def minimumSizeHint(self) -> QSize:
-        # Kept while nothing is heard: rows would widen, and cut what is beside them.
+        # This room is also kept in silence; otherwise rows would widen and cut other widgets.
         room_px = self._level.fontMetrics().horizontalAdvance(_WIDEST_LEVEL)
         return QSize(max(room_px, _LEAST_METER_PX), super().minimumSizeHint().height())
 
@@ -344,7 +343,7 @@ class PlaybackPanel(Panel):
     output_wanted = Signal(object)
     #: The rig file that shall be played for, `Path`, or None.
     rig_wanted = Signal(object)
-    #: Devices shall be looked for.
+    #: The devices shall be listed again.
     devices_wanted = Signal()
     #: The output that shall play a tone.
     tone_wanted = Signal(int)
@@ -361,10 +360,10 @@ class PlaybackPanel(Panel):
         self.problem = QLabel()
         self.problem.setObjectName("playback_problem")
         set_tone(self.problem, "error")
-        self.words = QLabel()
-        self.words.setObjectName("playback_words")
-        set_tone(self.words, "dim")
-        for label in (self.problem, self.words):
+        self.text = QLabel()
+        self.text.setObjectName("playback_words")
+        set_tone(self.text, "dim")
+        for label in (self.problem, self.text):
             label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         device = QGridLayout()
@@ -381,15 +380,15 @@ class PlaybackPanel(Panel):
         column.addWidget(self.problem)
         column.addLayout(device)
         column.addLayout(self._table)
-        column.addWidget(self.words)
+        column.addWidget(self.text)
         column.addStretch(1)
         area = SteadyArea()
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setWidget(content)
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.addWidget(area)
+        outside = QVBoxLayout(self)
+        outside.setContentsMargins(0, 0, 0, 0)
+        outside.addWidget(area)
         self.setFocusProxy(self.fields.device)
         self.show_played(self._played)
 
@@ -405,7 +404,7 @@ class PlaybackPanel(Panel):
         self._unit = amplitude_unit(design)
         self._in_volts = design.actuated is not None
         if design.limb != self._limb:
-            # The same places, but other names.
+            # The places are the same, but have other names.
             self._limb = design.limb
             self._make_rows(dict(self._played.wired))
             self.show_played(self._played)
@@ -423,7 +422,7 @@ class PlaybackPanel(Panel):
             row.show_output(wired[row.place])
             row.show_played(played)
             row.output.setEnabled(not played.output.stand_in and not played.rig_title)
-        self._say(played)
+        self._show_text(played)
 
     def _make_rows(self, wired: dict[int, int]) -> None:
         for row in self._rows:
@@ -460,9 +459,10 @@ class PlaybackPanel(Panel):
         if other is not None and other != place:
             pairs[other] = pairs[place]
         pairs[place] = output
-        self.output_wanted.emit(_wired(self._played.output, pairs))
+        outputs = tuple(sorted(pairs.items()))
+        self.output_wanted.emit(replace(self._played.output, outputs=outputs))
 
-    def _say(self, played: Played) -> None:
+    def _show_text(self, played: Played) -> None:
         sentences = []
         if not played.wired:
             sentences.append(_NOT_WIRED if played.rig_title else _NO_INPUTS)
@@ -483,13 +483,9 @@ class PlaybackPanel(Panel):
         elif not played.missing and not played.playing:
             sentences.append(f"Press {shortcut_text('play')} to play.")
         text = "\n".join(sentences)
-        if text != self.words.text():
-            self.words.setText(text)
+        if text != self.text.text():
+            self.text.setText(text)
 
 
 def _gap(unit: str) -> str:
     return f" {unit}" if unit != "×" else ""
-
-
-def _wired(output: Output, pairs: dict[int, int]) -> Output:
-    return replace(output, outputs=tuple(sorted(pairs.items())))

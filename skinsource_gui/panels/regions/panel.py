@@ -48,7 +48,7 @@ from skinsource_gui.state.compared import (
 )
 from skinsource_gui.state.panel import Panel
 
-#: What is said of own limbs.
+#: Message for own limbs.
 NO_REGIONS = "Of an own limb it is not known which outputs lie in which region"
 
 
@@ -56,8 +56,8 @@ NO_REGIONS = "Of an own limb it is not known which outputs lie in which region"
 class Column:
     """A column of the table: its title, a hint, and a number for each region.
 
-    ``head`` is the title in two narrow lines, where it is not as narrow itself; ``spelt`` what the
-    table for a spreadsheet has in its place; ``computing``: there are no numbers yet.
+    ``head`` is the title in two narrow lines, if it has any; ``full_title`` is the title in a
+    spreadsheet; ``computing``: there are no numbers yet.
     """
 
     title: str
@@ -66,7 +66,7 @@ class Column:
     head: str = ""
     synthetic: bool = False
     computing: bool = False
-    spelt: str = ""
+    full_title: str = ""
 
     @property
     def has_levels(self) -> bool:
@@ -106,12 +106,12 @@ def columns_of_people(people: Sequence[Compared]) -> list[Column]:
     of_people = [_column(*_names(person), person) for person in people]
     columns = list(of_people)
     known = [column.numbers for column in of_people if np.isfinite(column.numbers).all()]
-    # A mean of those that happen to be known already would change by itself.
+    # A mean of the limbs that are computed first would change while others are computed.
     computing = any(person.values is None and not person.problem for person in people)
     if len(known) > 1 and not computing:
         by_region = np.array(known).T
         pairs = [mean_and_spread(levels) for levels in by_region]
-        # Silence is no level that others could lie about.
+        # Silence is not a level, so that there is no spread around it.
         audible = [bool(np.all(levels > FLOOR_DB)) for levels in by_region]
         over_people = f"over {len(known)} people, dB"
         columns.append(
@@ -119,7 +119,7 @@ def columns_of_people(people: Sequence[Compared]) -> list[Column]:
                 title="Mean",
                 hint=f"Mean {over_people} re 1 m/s²",
                 numbers=tuple(mean for mean, _ in pairs),
-                spelt=f"Mean over {len(known)} people",
+                full_title=f"Mean over {len(known)} people",
             )
         )
         columns.append(
@@ -127,7 +127,7 @@ def columns_of_people(people: Sequence[Compared]) -> list[Column]:
                 title="± dB",
                 head="±\ndB",
                 hint=f"Standard deviation {over_people}",
-                spelt=f"Standard deviation {over_people}",
+                full_title=f"Standard deviation {over_people}",
                 numbers=tuple(
                     spread if is_audible else float("nan")
                     for (_, spread), is_audible in zip(pairs, audible, strict=True)
@@ -164,10 +164,12 @@ def _is_synthetic(compared: Compared) -> bool:
 
 def _column(title: str, head: str, compared: Compared) -> Column:
     kind = "synthetic" if _is_synthetic(compared) else "measured"
-    spelt = title if kind in title.lower() else f"{title}, {kind}"
+    full_title = title if kind in title.lower() else f"{title}, {kind}"
     if _limb(compared) not in PUBLISHED:
-        spelt = title
-    column = partial(Column, title=title, head=head, synthetic=_is_synthetic(compared), spelt=spelt)
+        full_title = title
+    column = partial(
+        Column, title=title, head=head, synthetic=_is_synthetic(compared), full_title=full_title
+    )
     nothing = (float("nan"),) * len(REGION_OUTPUTS)
     if compared.values is None:
         computing = not compared.problem
@@ -186,7 +188,7 @@ def tab_separated(columns: Sequence[Column]) -> str:
         "\t".join(
             (
                 "region_db_re_1_m_per_s2",
-                *(column.spelt or column.title for column in columns),
+                *(column.full_title or column.title for column in columns),
             )
         )
     ]
@@ -197,11 +199,11 @@ def tab_separated(columns: Sequence[Column]) -> str:
     return "\n".join(lines) + "\n"
 
 
-#: Size of its words: six columns beside the names of regions need it.
+#: Relative size of the text, with which six columns fit beside the names of regions.
 _TEXT = 0.9
-# Of a row, besides what its name needs.
+# Height of a row beyond that of its name.
 _ROW_PX = 1
-#: Names where those of the table have too little room.
+#: Shorter names for narrow panels.
 _SHORT = {"Back of the hand": "Back", "Wrist, palm side": "W. palm"}
 
 
@@ -216,9 +218,9 @@ class RegionTable(QTableWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         dress_table(self)
-        # Names stay in sight where there are more columns than have room.
+        # The names stay visible while columns are scrolled.
         self.verticalHeader().show()
-        self.fit_words(self.font())
+        self.fit_font(self.font())
 
     @property
     def needed_px(self) -> int:
@@ -242,7 +244,7 @@ class RegionTable(QTableWidget):
         self._name_rows()
         self._fit_height()
 
-    def fit_words(self, base: QFont) -> None:
+    def fit_font(self, base: QFont) -> None:
         """Take over the font of the surroundings."""
         font = scaled(tabular(base), _TEXT)
         for part in (self, self.horizontalHeader(), self.verticalHeader()):
@@ -278,7 +280,7 @@ class RegionTable(QTableWidget):
         for row, name in enumerate(REGION_OUTPUTS):
             item = self.verticalHeaderItem(row)
             item.setToolTip(name)
-            # The header itself takes over the font around it once it is shown.
+            # When it is shown, the header takes over the font of its surroundings.
             item.setFont(self.font())
         rows = self.verticalHeader()
         rows.setDefaultSectionSize(max(map(rows.sectionSizeHint, range(rows.count()))) + _ROW_PX)
@@ -339,20 +341,20 @@ class RegionsPanel(Panel):
 
     def show_state(self, design: Design, view: View) -> None:
         self._matched = view.levels_matched
-        # Of others it is not known which outputs lie where.
+        # For other limbs it is unknown which outputs lie in which region.
         self._limbs = related_limbs(design.limb) if design.limb in PUBLISHED else ()
         if self._on_limbs and not self._limbs:
             self.show_on_limbs(())
         if not self._limbs:
             missing = missing_limb(design.limb, design.limb_digest).rstrip(".")
             self._about = missing or NO_REGIONS
-            self._say_about()
+            self._show_about()
             return
         signal = signal_label(view.axes, view.method)
         people = display_gain_text(design, view)
         parts = f"RMS in dB re 1 m/s², {signal}", span_label(view.span), "no sensor on the palm"
         self._about = " · ".join([*parts, *([f"people: {people}"] if people else [])])
-        self._say_about()
+        self._show_about()
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
         self._snapshots = compared
@@ -371,7 +373,7 @@ class RegionsPanel(Panel):
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
             for table in self._tables:
-                table.fit_words(self.font())
+                table.fit_font(self.font())
             self._put_in_order()
 
     def _show_columns(self) -> None:
@@ -385,7 +387,7 @@ class RegionsPanel(Panel):
         self.copy.offer(not computing and any(column.has_levels for column in self.columns))
         self.stored.show_columns(stored)
         self.table.show_columns(people)
-        self._say_about()
+        self._show_about()
         self._put_in_order()
 
     def _scrolled(self) -> SteadyArea:
@@ -403,7 +405,7 @@ class RegionsPanel(Panel):
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         area.setWidget(inside)
-        # It takes what there is: the dock around it need not scroll as well.
+        # It takes the room that there is, so that the dock around it does not scroll as well.
         area.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
         return area
 
@@ -412,13 +414,13 @@ class RegionsPanel(Panel):
         beside = needed <= self.width()
         ways = QBoxLayout.Direction
         self._box.setDirection(ways.LeftToRight if beside else ways.TopToBottom)
-        # What is left over is theirs beside each other, and below them otherwise.
+        # Side by side the tables share the remaining room; otherwise it stays below them.
         for k in range(self._box.count()):
             self._box.setStretch(k, int(beside == (k < len(self._tables))))
 
-    def _say_about(self) -> None:
+    def _show_about(self) -> None:
         some = any(column.synthetic for column in self.columns)
         note = " · syn.: a synthetic limb, computed" if some else ""
-        # Only the columns of snapshots are shifted: those of people are as they are.
+        # Only the columns of snapshots have a display gain.
         shifted = f" · snapshots: {self._shifted}" if self._shifted else ""
         self.about.say(f"{self._about}{shifted}{note}")

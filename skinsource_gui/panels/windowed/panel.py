@@ -28,7 +28,7 @@ from skinsource_gui.qt.room import BesideOrBelow
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper
 from skinsource_gui.state.panel import Panel
 
-# In a flat picture letters are so small that maps and plot have room beside the words.
+# Height of a picture in lines of text, so that maps and plot have room in a flat picture.
 _LINES_OF_PICTURE = 26
 _SILENT = "Silent: nothing is driven"
 _TOO_SHORT = "No whole window fits into the response. Choose shorter ones."
@@ -92,7 +92,7 @@ class WindowedPanel(Panel):
             return
         looks = self._looks
         if any(getattr(content, name) != value for name, value in looks.items()):
-            # Only its words and colours change: nothing is computed for it.
+            # Only texts and colours change, which needs no new results.
             self.strip.show_content(replace(content, **looks), self.strip.message)
 
     def show_playhead(self, view: View) -> None:

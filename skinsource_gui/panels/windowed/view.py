@@ -47,7 +47,7 @@ class WindowedContent:
     Attributes
     ----------
     design
-        Whose inputs are marked.
+        Its inputs are marked on the maps.
     small
         Outline, places and pixels that all maps share.
     windows, sample_rate_hz
@@ -59,15 +59,15 @@ class WindowedContent:
     extents
         Of each window; None where it is silent.
     noisy, in_noise
-        Outputs of each window that are mostly noise, and whether all of it is: noise has no extent.
+        Outputs of each window that are mostly noise, and whether all of them are.
     synthetic
         Whether the responses are computed, not measured.
-    traces_late_s
-        How much later than here the traces show what is shown; 0 where they do not.
+    traces_delay_s
+        How much later the traces show the same, s; 0 where their delay is removed.
     matched
         By how much levels are louder or softer than they were stored, or "".
     look
-        Colours and range that were chosen on the skin map.
+        Colours and range of the skin map.
     """
 
     design: Design
@@ -80,16 +80,16 @@ class WindowedContent:
     synthetic: bool
     noisy: tuple[tuple[int, ...], ...] = ()
     in_noise: tuple[bool, ...] = ()
-    traces_late_s: float = 0.0
+    traces_delay_s: float = 0.0
     matched: str = ""
     look: LevelLook = USUAL_LOOK
 
     @property
     def time_phrases(self) -> tuple[str, ...]:
         """Texts that say what the times of the windows are, the longest first."""
-        if not self.traces_late_s:
+        if not self.traces_delay_s:
             return "Times of the stimulus, as in the traces", "Times of the stimulus"
-        delay = f"{self.traces_late_s * 1e3:.0f} ms"
+        delay = f"{self.traces_delay_s * 1e3:.0f} ms"
         return (
             f"Times of the stimulus; the traces show it about {delay} later",
             f"Stimulus time; traces {delay} later",
@@ -107,9 +107,9 @@ class WindowedContent:
             f"{length} each",
         )
         whole = f"Windows of {length}; above each when it begins, in {unit} of the stimulus"
-        if not self.traces_late_s:
+        if not self.traces_delay_s:
             return whole, *plain, unit
-        delay = f"{self.traces_late_s * 1e3:.0f} ms"
+        delay = f"{self.traces_delay_s * 1e3:.0f} ms"
         return (
             f"{whole}; the traces show it about {delay} later",
             f"{plain[0]}; traces {delay} later",
@@ -119,18 +119,18 @@ class WindowedContent:
         )
 
     @property
-    def told_extents(self) -> tuple[Extent | None, ...]:
+    def shown_extents(self) -> tuple[Extent | None, ...]:
         """Extents of the windows, None where a window is silent or mostly noise."""
         if not any(self.in_noise):
             return self.extents
         pairs = zip(self.extents, self.in_noise, strict=True)
         return tuple(None if in_noise else extent for extent, in_noise in pairs)
 
-    def extent_words(self, window: int) -> str:
+    def extent_text(self, window: int) -> str:
         """Return the measures of a window, for a tooltip."""
         if self.in_noise and self.in_noise[window]:
             return "Mostly noise of the measurement: its extent means nothing"
-        return _extent_words(self.extents[window], self.origin)
+        return _extent_text(self.extents[window], self.origin)
 
     @property
     def origin(self) -> str:
@@ -188,7 +188,7 @@ def window_length_text(length_s: float) -> str:
     return f"{length_ms:.0f} ms" if length_ms >= 100.0 else f"{length_ms:.3g} ms"
 
 
-def _extent_words(extent: Extent | None, origin: str) -> str:
+def _extent_text(extent: Extent | None, origin: str) -> str:
     if extent is None:
         return "Silent: nothing has an extent"
     return (
@@ -206,13 +206,13 @@ class WindowTitles:
 
     Attributes
     ----------
-    words
-        For each window; empty where there is no room for them.
+    texts
+        A text for each window; empty where there is no room for it.
     by_begin
-        Whether they are only when windows begin: how long they are is said elsewhere.
+        Whether the texts are only the begins of the windows.
     """
 
-    words: tuple[str, ...]
+    texts: tuple[str, ...]
     by_begin: bool
 
 
@@ -258,8 +258,7 @@ def windows_heading(
 
 
 _MOST_MAP_PX = 190.0
-# Of the plot with its words: as many lines as are liked, and those in which three numbers beside it
-# can be told apart.
+# Usual height of the plot, in lines of text, and the least at which its three numbers are legible.
 _PLOT_LINES, _LEAST_PLOT_LINES = 6.5, 4.6
 # Height of a map over its width: hand and arm.
 _HIGH = 2.3
@@ -273,13 +272,13 @@ class StripLayout:
     Attributes
     ----------
     head
-        Words above.
+        Text above.
     cells
-        Of the windows: a line of words, and the map below.
+        Of the windows: a line of text, and the map below.
     scale
-        The colours, with a line of numbers and one of words below.
+        The colours, with a line of numbers and one of text below.
     plot
-        The extent, with room for numbers on its left and words above.
+        The extent, with room for numbers on its left and text above.
     """
 
     head: QRectF
@@ -338,7 +337,7 @@ def _map_width(room: QRectF, n: int, rows: int, line: float) -> float:
 
 
 _DOT_PX = 2.5
-# Marks of inputs at fingertips stand beyond the map.
+# Marks of inputs at fingertips reach beyond the map.
 _RING_PX = 4.0
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -357,7 +356,7 @@ def paint_strip(
     theme: Theme,
     chosen: int | None = None,
 ) -> None:
-    """Draw ``content``; the painter's font is that of all words.
+    """Draw ``content`` in the painter's font.
 
     Parameters
     ----------
@@ -373,17 +372,17 @@ def paint_strip(
     scale = content.scale
     table = colour_table(scale.colours)
     width_of = painter.fontMetrics().horizontalAdvance
-    titles = window_titles(content.bounds_s, layout.cells, width_of).words
+    titles = window_titles(content.bounds_s, layout.cells, width_of).texts
     for window, (cell, title) in enumerate(zip(layout.cells, titles, strict=True)):
         painter.setPen(QColor(theme.text))
-        # One that is named for some may be wider than its map.
+        # A begin that stands for several windows may be wider than its map.
         middle = QRectF(cell.left(), cell.top(), cell.width(), line)
         painter.drawText(middle, _CENTRE | Qt.TextFlag.TextDontClip, title)
         area = cell.adjusted(2.0, line + _RING_PX, -2.0, -2.0)
         paint_small_map(
             painter, area, content.map_of(window), content.design, theme, scale.range_db, table
         )
-        if window == len(titles) - 1:  # one for all: they are alike
+        if window == len(titles) - 1:  # all maps have the same scale
             limb = content.design.limb
             paint_small_bar(painter, area, content.map_of(window), limb, theme)
         if window == chosen:
@@ -396,7 +395,7 @@ def paint_strip(
 
 def _paint_extent(painter: QPainter, area: QRectF, content: WindowedContent, theme: Theme) -> None:
     """Paint mean distance and the distance of 90 % of the energy, a dot for each window."""
-    extents = [extent for extent in content.told_extents if extent is not None]
+    extents = [extent for extent in content.shown_extents if extent is not None]
     top = _rounded_up(
         max((max(extent.mean_distance_mm, extent.d90_mm) for extent in extents), default=1.0)
     )
@@ -408,7 +407,7 @@ def _paint_extent(painter: QPainter, area: QRectF, content: WindowedContent, the
         painter.setPen(QPen(colour, 1.5))
         painter.setBrush(colour)
         before: QPointF | None = None
-        for window, extent in enumerate(content.told_extents):
+        for window, extent in enumerate(content.shown_extents):
             if extent is None:
                 before = None
                 continue
@@ -514,7 +513,7 @@ class StripView(QWidget):
         return next((window for window, cell in cells if cell.contains(point)), None)
 
     @property
-    def head_words(self) -> str:
+    def head_text(self) -> str:
         """The text above the strip: what its times are, as long as fits."""
         if self.content is None or self.message:
             return ""
@@ -542,7 +541,7 @@ class StripView(QWidget):
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         painter.drawText(places.head, right, text)
         painter.setPen(QColor(theme.dim))
-        painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, self.head_words)
+        painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, self.head_text)
         if self.outdated:
             painter.setOpacity(0.5)
         paint_strip(painter, self.content, places, theme, self.chosen)
@@ -553,17 +552,17 @@ class StripView(QWidget):
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            text = self.words_at(QPointF(event.pos()))
+            text = self.text_at(QPointF(event.pos()))
             QToolTip.showText(event.globalPos(), text, self)
             return True
         return super().event(event)
 
-    def words_at(self, point: QPointF) -> str:
+    def text_at(self, point: QPointF) -> str:
         """Return times and extent of the window under a point."""
         window = self.window_under(point)
         if window is None or self.content is None or self.message:
             return ""
-        extent = self.content.extent_words(window)
+        extent = self.content.extent_text(window)
         bounds_s = self.content.bounds_s
         return f"{window_text(bounds_s[window], bounds_s[-1][1])}\n{extent}"
 
