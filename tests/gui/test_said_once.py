@@ -141,7 +141,7 @@ def test_words_of_inputs_on_the_hand_are_made_for_those_that_changed(qtbot, monk
     muted = edits.toggle_mute(design, view, (2,)).design
     panel.show_state(muted, view)
     assert made == [1, 2, 3, 2]
-    assert [mark.words for mark in panel.diagram.state.marks] == ["Tone", "Tone, muted", "Tone"]
+    assert [mark.text for mark in panel.diagram.state.marks] == ["Tone", "Tone, muted", "Tone"]
 
 
 def test_edits_lay_nothing_out_in_the_window(window, qtbot, qapp):

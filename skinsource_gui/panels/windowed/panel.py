@@ -159,10 +159,10 @@ class WindowedPanel(Panel):
     @property
     def _looks(self) -> dict[str, Any]:
         """Fields of the content that follow from the view alone."""
-        late_s = 0.0
+        delay_s = 0.0
         if self._design is not None and not self._view.delay_removed:
-            late_s = facts_of(self._design.limb).pre_trigger_delay_s
-        return {"traces_late_s": late_s, "look": level_look(self._view)}
+            delay_s = facts_of(self._design.limb).pre_trigger_delay_s
+        return {"traces_delay_s": delay_s, "look": level_look(self._view)}
 
     def _heading(self, times: str = "") -> str:
         if self._design is None:
