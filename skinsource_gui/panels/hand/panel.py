@@ -724,16 +724,12 @@ class HandPanel(Panel):
             return
         audible = {id(track) for track in audible_inputs(self._design.inputs)}
         # Texts of inputs that did not change are not made again.
-        previous, self._texts = (
-            self._texts,
-            {track.id: (track, "") for track in self._design.inputs},
-        )
-        anew = not any(
-            previous.get(track.id, (None, ""))[0] is track for track in self._design.inputs
-        )
-        for number, (track, _) in self._texts.items():
-            before, text = previous.get(number, (None, ""))
-            self._texts[number] = track, text if before is track else _text(track)
+        tracks, texts = self._design.inputs, self._texts
+        unchanged = {track.id for track in tracks if texts.get(track.id, (None, ""))[0] is track}
+        self._texts = {
+            track.id: texts[track.id] if track.id in unchanged else (track, _text(track))
+            for track in tracks
+        }
         marks = tuple(
             Mark(
                 site=track.location,
@@ -744,7 +740,7 @@ class HandPanel(Panel):
             )
             for track in self._design.inputs
         )
-        self.diagram.show_inputs(marks, self._selected(), anew=anew)
+        self.diagram.show_inputs(marks, self._selected(), anew=not unchanged)
 
     def _selected(self) -> int | None:
         """Return the index of the input that was selected last, if the design still has it."""

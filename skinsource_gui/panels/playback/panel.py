@@ -134,8 +134,8 @@ class DeviceFields(QObject):
         options += [(_key(device.name, device.host_api), device.title) for device in played.devices]
         _fill(self.device, options, _key_of(played))
         rates = sorted({*played.rates_hz, played.output.sample_rate_hz})
-        words = [(str(rate), f"{rate:,} Hz".replace(",", " ")) for rate in rates]
-        _fill(self.rate, words, str(played.output.sample_rate_hz))
+        rate_options = [(str(rate), f"{rate:,} Hz".replace(",", " ")) for rate in rates]
+        _fill(self.rate, rate_options, str(played.output.sample_rate_hz))
         self.rig.show_rig(played.rig_title or None)
         self.latency.set_value(played.output.latency_s)
         self.shift.set_value(played.output.shift_hz)

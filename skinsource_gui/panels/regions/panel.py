@@ -103,9 +103,8 @@ def columns_of(snapshots: Sequence[Compared], *, matched: bool) -> list[Column]:
 
 def columns_of_people(people: Sequence[Compared]) -> list[Column]:
     """Return columns of people, their mean, and their standard deviation."""
-    of_people = [_column(*_names(person), person) for person in people]
-    columns = list(of_people)
-    known = [column.numbers for column in of_people if np.isfinite(column.numbers).all()]
+    columns = [_column(*_names(person), person) for person in people]
+    known = [column.numbers for column in columns if np.isfinite(column.numbers).all()]
     # A mean of the limbs that are computed first would change while others are computed.
     computing = any(person.values is None and not person.problem for person in people)
     if len(known) > 1 and not computing:
@@ -184,14 +183,8 @@ def _column(title: str, head: str, compared: Compared) -> Column:
 
 def tab_separated(columns: Sequence[Column]) -> str:
     """Return the table for a spreadsheet; a cell is empty where the panel shows a dash."""
-    lines = [
-        "\t".join(
-            (
-                "region_db_re_1_m_per_s2",
-                *(column.full_title or column.title for column in columns),
-            )
-        )
-    ]
+    titles = (column.full_title or column.title for column in columns)
+    lines = ["\t".join(("region_db_re_1_m_per_s2", *titles))]
     for row, region in enumerate(REGION_OUTPUTS):
         lines.append(
             "\t".join((region, *(copied_level(column.numbers[row]) for column in columns)))
