@@ -1,4 +1,4 @@
-"""What the panels have in common that show one figure under a row of choices."""
+"""The base of panels that show one figure under a row of choices."""
 
 from collections.abc import Callable
 
@@ -12,18 +12,18 @@ from skinsource_gui.qt.labels import how_to_select_output
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme
 from skinsource_gui.state.panel import Panel
 
-#: What is said until there are results, and where nothing moves.
+#: Messages until there are results, and where nothing moves.
 COMPUTING = "Computing…"
 SILENT = "Silent: nothing is driven"
 
 
 class FigurePanel(Panel):
-    """A panel with choices above a figure, and below it what the cursor reads or what was found.
+    """A panel with choices above a figure, and a line of text below it.
 
     Parameters
     ----------
     figure
-        What fills it.
+        Fills the panel.
 
     Attributes
     ----------
@@ -36,7 +36,7 @@ class FigurePanel(Panel):
         self.figure = figure
         self.setMinimumSize(240, 160)
         self.setFocusProxy(figure)
-        self._found = ""
+        self._result = ""
         self._copy: CopyButton | None = None
         self._above: NoteLabel | None = None
         self.words = NoteLabel(f"{self.name}_words")
@@ -47,7 +47,7 @@ class FigurePanel(Panel):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addLayout(self.choices)
-        # Words about the figure that would have too little room beside the choices.
+        # Text on the figure that would have too little room beside the choices.
         self.heads = QVBoxLayout()
         self.heads.setContentsMargins(UNIT_PX, 0, UNIT_PX, 1)
         column.addLayout(self.heads)
@@ -56,70 +56,70 @@ class FigurePanel(Panel):
         foot.setContentsMargins(UNIT_PX, 1, UNIT_PX, 2)
         foot.addWidget(self.words)
         column.addLayout(foot)
-        figure.reading.connect(self._read)
+        figure.reading.connect(self._show_reading)
         figure.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         figure.customContextMenuRequested.connect(self._open_menu)
 
     @property
     def no_outputs(self) -> str:
-        """What it says while no output is selected."""
+        """Message while no output is selected."""
         return how_to_select_output(self.in_sight)
 
     @property
     def picture_words(self) -> str:
-        """What stands above the figure in a picture: what is chosen there, in words."""
+        """Text above the figure in a picture: what is chosen there."""
         return "" if self._above is None else self._above.text
 
     def draw_picture(
         self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
     ) -> None:
-        """Draw figure and words for a page or a slide, and nothing that is pressed; size in px."""
-        del theme  # that in use: the figure has its colours
-        # Words grow with the picture, and are no smaller than on the screen.
+        """Draw figure and text for a page or a slide, without the controls; size in px."""
+        del theme  # the figure has the colours of the theme in use
+        # Text grows with the picture, and is not smaller than on the screen.
         scale = min(width / max(self.width(), 1), height / max(self.height(), 1))
         scale = max(scale, 1.0)
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.scale(scale, scale)
         room = QRectF(0.0, 0.0, width / scale, height / scale)
-        draw_figure(painter, room, self.figure, self.picture_words, self._found)
+        draw_figure(painter, room, self.figure, self.picture_words, self._result)
         painter.restore()
 
     def sizeHint(self) -> QSize:
         return QSize(360, 280)
 
     def add_copy(self, table: Callable[[], str]) -> CopyButton:
-        """Return a new button that copies what ``table`` gives, at the right end of the choices."""
+        """Return a new button, right of the choices, that copies the result of ``table``."""
         self._copy = CopyButton(self.name, table, self)
         self.choices.addWidget(self._copy)
         return self._copy
 
     def add_above(self, name: str) -> NoteLabel:
-        """Words above the figure, also in pictures; whoever adds them says where they stand."""
+        """Return a new text above the figure, also in pictures; the caller adds it to a layout."""
         self._above = NoteLabel(name)
         return self._above
 
     def say_instead(self, message: str) -> None:
-        """Say why there is no figure."""
+        """Show a message in place of the figure."""
         self.figure.say(message)
         self.show_found("")
         if self._copy is not None:
             self._copy.offer(False)
 
     def await_results(self) -> None:
-        """Ask for nothing any more while what was asked for is computed."""
+        """Say in place of the figure that results are being computed."""
         self.figure.say(COMPUTING)
 
-    def show_found(self, words: str) -> None:
-        """Say below the figure what was found, while the cursor reads nothing."""
-        self._found = words
+    def show_found(self, text: str) -> None:
+        """Show a result below the figure while the cursor reads nothing."""
+        self._result = text
         if self.figure.cursor_at is None:
-            self.words.say(words)
+            self.words.say(text)
 
     def show_in_sight(self, names: frozenset[str]) -> None:
-        said = self.figure.message == self.no_outputs
+        shows_no_outputs = self.figure.message == self.no_outputs
         super().show_in_sight(names)
-        if said:
+        if shows_no_outputs:
             self.figure.say(self.no_outputs)
 
     def show_late(self, late: bool) -> None:
@@ -134,10 +134,10 @@ class FigurePanel(Panel):
             open_figure_menu(self.figure, self.figure.mapToGlobal(at), self._save_picture, copy)
 
     def _save_picture(self) -> None:
-        # What is saved is the panel that has the keyboard.
+        # The action saves the panel that has the keyboard focus.
         self.figure.setFocus(Qt.FocusReason.MouseFocusReason)
         self.action_wanted.emit("export_panel_picture")
 
-    def _read(self, words: str) -> None:
-        # While something is read its room stays: a figure that grows and shrinks would jump.
-        self.words.say(words or self._found, holding=bool(words))
+    def _show_reading(self, text: str) -> None:
+        # A reading keeps the room of its line; otherwise the figure would jump.
+        self.words.say(text or self._result, holding=bool(text))

@@ -1,4 +1,4 @@
-"""What the panels with signals of the selected outputs share."""
+"""The base of panels that show signals of the selected outputs."""
 
 from pathlib import Path
 
@@ -32,13 +32,13 @@ class SignalPanel(Panel):
 
     @property
     def no_outputs(self) -> str:
-        """What it says while no output is selected."""
+        """Message while no output is selected."""
         return how_to_select_output(self.in_sight)
 
     def show_in_sight(self, names: frozenset[str]) -> None:
-        said = self._plot.plot.message == self.no_outputs
+        shows_no_outputs = self._plot.plot.message == self.no_outputs
         super().show_in_sight(names)
-        if said:
+        if shows_no_outputs:
             self._plot.show_message(self.no_outputs)
 
     def begin_anew(self) -> None:

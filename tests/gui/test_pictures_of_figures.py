@@ -43,12 +43,12 @@ def test_a_picture_of_a_figure_has_no_controls(make_window, qtbot, tmp_path, nam
     path = tmp_path / "a.svg"
     save_drawing(path, window.pictures.picture_of(name).draw, *SLIDE_PX)
     words = texts_of(path)
-    assert panel._found.split(" · ")[0].split()[0] in words
+    assert panel._result.split(" · ")[0].split()[0] in words
     assert "Copy" not in words
     for control in (*panel.findChildren(QAbstractButton), *panel.findChildren(QComboBox)):
         text = control.currentText() if isinstance(control, QComboBox) else control.text()
         # What is chosen may be said in words.
-        assert not text or text not in words or text in panel.picture_words + panel._found
+        assert not text or text not in words or text in panel.picture_words + panel._result
 
 
 @pytest.mark.parametrize("name", ["spectrogram", "transfer"])

@@ -132,8 +132,8 @@ def test_another_waveform_changes_nothing_on_the_skin_before_it_is_computed(qtbo
 def test_words_of_inputs_on_the_hand_are_made_for_those_that_changed(qtbot, monkeypatch):
     inputs = tuple(track(location=k, waveform=Tone(100.0)) for k in (3, 7, 12))
     design, view, made = Design(limb="synthetic-1", inputs=inputs), View(), []
-    words = hand_panel._words
-    monkeypatch.setattr(hand_panel, "_words", lambda one: made.append(one.id) or words(one))
+    words = hand_panel._text
+    monkeypatch.setattr(hand_panel, "_text", lambda one: made.append(one.id) or words(one))
     panel = hand_panel.HandPanel()
     qtbot.addWidget(panel)
     panel.show_state(design, view)
@@ -141,7 +141,7 @@ def test_words_of_inputs_on_the_hand_are_made_for_those_that_changed(qtbot, monk
     muted = edits.toggle_mute(design, view, (2,)).design
     panel.show_state(muted, view)
     assert made == [1, 2, 3, 2]
-    assert [mark.words for mark in panel.diagram.state.marks] == ["Tone", "Tone, muted", "Tone"]
+    assert [mark.text for mark in panel.diagram.state.marks] == ["Tone", "Tone, muted", "Tone"]
 
 
 def test_edits_lay_nothing_out_in_the_window(window, qtbot, qapp):

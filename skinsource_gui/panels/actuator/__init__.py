@@ -1,1 +1,1 @@
-"""How an actuator answers, what an equaliser changes, and what the design asks of it."""
+"""The actuator panel."""

@@ -1,4 +1,4 @@
-"""What the panel draws, as plain arrays."""
+"""Curves and predicted figures of an actuator, as plain data, and the table of figures."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -23,9 +23,9 @@ from skinsource_gui.plots.ranges import XAxis
 from skinsource_gui.qt.theme import UNIT_PX, set_tone, tabular
 from skinsource_gui.state.panel import PREPARING
 
-# What is drawn at least, and how far beyond the band: what the equaliser lets go is seen.
+# Smallest drawn range of frequencies, and how far it extends beyond the band, in factors.
 _SHOWN_HZ, _BELOW, _ABOVE, _POINTS = (10.0, 2000.0), 0.4, 2.0, 500
-#: A step of the drive, low-passed by the band, and what comes after it.
+#: Sample rate and duration of the drawn step, and the time at which 1 V comes on.
 STEP_RATE_HZ, STEP_S, STEP_AT_S = 13_000, 0.1, 0.01
 
 TIME_AXIS = XAxis(titles=("Time (ms)",), unit="ms", factor=1e3, column="time_s")
@@ -38,16 +38,16 @@ _ALONE = CurveName(number=0, short="1 V", full="Acceleration after 1 V came on")
 
 @lru_cache(maxsize=8)
 def frequencies_of(band_hz: Band) -> Floats:
-    """Frequencies that are drawn on a limb that is followed in a band, (500,)."""
+    """Return the frequencies that are drawn on a limb with this band, (500,)."""
     low = min(_SHOWN_HZ[0], _BELOW * band_hz[0])
-    found = np.geomspace(low, max(_SHOWN_HZ[1], _ABOVE * band_hz[1]), _POINTS)
-    found.flags.writeable = False
-    return found
+    frequency_hz = np.geomspace(low, max(_SHOWN_HZ[1], _ABOVE * band_hz[1]), _POINTS)
+    frequency_hz.flags.writeable = False
+    return frequency_hz
 
 
 @lru_cache(maxsize=8)
 def frequency_axis(band_hz: Band) -> XAxis:
-    """The axis of these frequencies."""
+    """Return the axis of these frequencies."""
     shown = frequencies_of(band_hz)
     return XAxis(
         titles=(
@@ -64,7 +64,7 @@ def frequency_axis(band_hz: Band) -> XAxis:
 
 
 def response_curves(settings: ActuatorSettings, band_hz: Band) -> Curves:
-    """Gains over frequency: of the actuator, of the filter, and of both."""
+    """Return gains over frequency: of the actuator, of the filter, and of both."""
     frequency_hz = frequencies_of(band_hz)
     model = settings.model
     published: Any = settings.profile.model
@@ -76,11 +76,11 @@ def response_curves(settings: ActuatorSettings, band_hz: Band) -> Curves:
     if equaliser is None:
         rows = [(_BEFORE, _alone_db(model, band_hz))]
     else:
-        found = curves(equaliser, model, frequency_hz, band_hz)
+        responses = curves(equaliser, model, frequency_hz, band_hz)
         rows = [
-            (_BEFORE, found.before_db),
-            (_FILTER, found.filter_db),
-            (_AFTER, found.after_db),
+            (_BEFORE, responses.before_db),
+            (_FILTER, responses.filter_db),
+            (_AFTER, responses.after_db),
         ]
     if isinstance(published, Actuator) and model != published:
         rows.append((_PUBLISHED, _alone_db(published, band_hz)))
@@ -88,7 +88,7 @@ def response_curves(settings: ActuatorSettings, band_hz: Band) -> Curves:
 
 
 def step_curves(settings: ActuatorSettings) -> Curves | None:
-    """Acceleration after a voltage of 1 V came on; None for a shape."""
+    """Return the acceleration after a step of 1 V; None for a shape."""
     model, published = settings.model, settings.profile.model
     if model is None:
         return None
@@ -116,7 +116,7 @@ def _drawn(
     level_words: str,
     scaling: tuple[str, ...] = (),
 ) -> Curves:
-    """Curves of rows: levels where there are words for them, else accelerations."""
+    """Return curves of rows: levels where ``level_words`` is given, else accelerations."""
     unit = "db" if level_words else "m_per_s2"
     return Curves(
         x=x,
@@ -129,27 +129,25 @@ def _drawn(
     )
 
 
-# What a design asks of an actuator, in words.
-
 _DIGITS = 3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Figure:
-    """One row.
+    """One row of the table of predicted figures.
 
     Attributes
     ----------
     label, value, limit
-        Words; the limit is empty where there is none.
-    passed
-        Whether the limit is.
+        Texts; the limit is empty where there is none.
+    exceeded
+        Whether the limit is exceeded.
     """
 
     label: str
     value: str
     limit: str = ""
-    passed: bool = False
+    exceeded: bool = False
 
 
 _ROWS = (
@@ -166,34 +164,34 @@ _ROWS = (
 )
 
 
-def rows_of(settings: ActuatorSettings, found: Prediction) -> tuple[Figure, ...]:
-    """Each figure that is known, with its limit."""
+def rows_of(settings: ActuatorSettings, prediction: Prediction) -> tuple[Figure, ...]:
+    """Return a row for each figure that is known, with its limit."""
     limits = settings.profile.limits
-    passed = {one.name for one in breaches(found, limits)}
+    exceeded = {breach.name for breach in breaches(prediction, limits)}
     rows = []
     for label, name, unit, limit_name in _ROWS:
-        value = getattr(found, name)
+        value = getattr(prediction, name)
         if not isnan(value):
             limit = None if limit_name is None else getattr(limits, limit_name)
             rows.append(
                 Figure(
                     label=label,
-                    value=_text(value, unit),
-                    limit="" if limit is None else _text(limit, unit),
-                    passed=limit_name in passed,
+                    value=_value_text(value, unit),
+                    limit="" if limit is None else _value_text(limit, unit),
+                    exceeded=limit_name in exceeded,
                 )
             )
-    # Beyond this velocity the measured skin was not seen to be linear; nothing breaks.
+    # Above this velocity nothing breaks, but linearity of the skin was not measured.
     velocity = Figure(
         label="Peak velocity",
-        value=_text(found.peak_velocity_m_per_s, "mm/s"),
-        limit=_text(LARGEST_VELOCITY_M_PER_S, "mm/s"),
-        passed=found.linear_share > 1.0,
+        value=_value_text(prediction.peak_velocity_m_per_s, "mm/s"),
+        limit=_value_text(LARGEST_VELOCITY_M_PER_S, "mm/s"),
+        exceeded=prediction.linear_share > 1.0,
     )
     return (rows[0], velocity, *rows[1:])
 
 
-def _text(value: float, unit: str) -> str:
+def _value_text(value: float, unit: str) -> str:
     if unit == "mm/s":
         return f"{1e3 * value:.{_DIGITS}g} mm/s"
     if unit == "%":
@@ -201,11 +199,8 @@ def _text(value: float, unit: str) -> str:
     return value_text(value, unit, _DIGITS)
 
 
-# Rows of figures with their limits.
-
-
 class FiguresTable(QWidget):
-    """Label, value, and the limit where there is one; what passes its limit is red."""
+    """A table of label, value and limit; what exceeds its limit is red."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -237,12 +232,12 @@ class FiguresTable(QWidget):
             name.setText(figure.label)
             value.setText(figure.value)
             limit.setText(f"of {figure.limit}" if figure.limit else "")
-            set_tone(value, "error" if figure.passed else "")
-            set_tone(limit, "error" if figure.passed else "dim")
+            set_tone(value, "error" if figure.exceeded else "")
+            set_tone(limit, "error" if figure.exceeded else "dim")
         self.setAccessibleDescription(
             "; ".join(
-                f"{one.label} {one.value}" + (", beyond its limit" if one.passed else "")
-                for one in figures
+                f"{figure.label} {figure.value}" + (", beyond its limit" if figure.exceeded else "")
+                for figure in figures
             )
         )
 
@@ -256,13 +251,11 @@ class FiguresTable(QWidget):
         self._rows.append(labels)
 
 
-# Predicted figures of one place, or why there are none and what to do.
-
 _NOTHING = "Nothing plays: add an input to see what it asks of the actuator"
 
 
 class FiguresView(QWidget):
-    """A heading over the table of figures; where the equaliser refuses the drive, the reason.
+    """A heading over the table of figures, or the reason why the equaliser refuses the drive.
 
     Attributes
     ----------
@@ -270,7 +263,7 @@ class FiguresView(QWidget):
         Its parts.
     """
 
-    #: Another tap is wanted in place of one that leaves a velocity.
+    #: The tap shall be replaced by one that leaves no velocity.
     centred_wanted = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -297,28 +290,29 @@ class FiguresView(QWidget):
         column.addWidget(self.table)
 
     def show_demand(
-        self, found: Demand, settings: ActuatorSettings, *, tap: bool, limb: str = ""
+        self, demand: Demand, settings: ActuatorSettings, *, tap: bool, limb: str = ""
     ) -> None:
-        """Show the figures of an actuator; ``tap``: a tap could be replaced by another."""
-        rows = () if found.figures is None else rows_of(settings, found.figures)
+        """Show the figures of an actuator; ``tap``: a tap could be replaced by another one."""
+        rows = () if demand.figures is None else rows_of(settings, demand.figures)
         self.table.show_figures(rows)
-        reason = found.refusal or ("" if found.place is not None else _NOTHING)
+        reason = demand.refusal or ("" if demand.place is not None else _NOTHING)
         self.refusal.setText(reason)
         self.refusal.setVisible(bool(reason))
-        # Where nothing plays, or is known yet, nothing is wrong.
-        set_tone(self.refusal, "dim" if found.refusal in ("", PREPARING) else "error")
+        # Silence and results that are not ready yet are no errors.
+        set_tone(self.refusal, "dim" if demand.refusal in ("", PREPARING) else "error")
         beyond = _beyond(rows)
         self.limits.setText(beyond)
         self.limits.setVisible(bool(beyond))
-        self.centred.setVisible(found.leaves_velocity and tap)
-        words = "" if found.place is None else f"Place {found.place}, "
-        words += "" if found.place is None else input_name(found.place, limb).name
-        part = f" · the strongest {LONGEST_S:g} s" if found.part else ""
-        gain = " · uncalibrated gain" if words and not settings.profile.gain_calibrated else ""
-        self.heading.setText(f"{words}{part}{gain}")
+        self.centred.setVisible(demand.leaves_velocity and tap)
+        place = ""
+        if demand.place is not None:
+            place = f"Place {demand.place}, {input_name(demand.place, limb).name}"
+        part = f" · the strongest {LONGEST_S:g} s" if demand.part else ""
+        gain = " · uncalibrated gain" if place and not settings.profile.gain_calibrated else ""
+        self.heading.setText(f"{place}{part}{gain}")
 
 
 def _beyond(rows: tuple[Figure, ...]) -> str:
-    """Which figures pass their limits, in a sentence; "" where none does."""
-    names = [one.label.lower() for one in rows if one.passed]
+    """Return a sentence that names the figures beyond their limits; "" where there are none."""
+    names = [row.label.lower() for row in rows if row.exceeded]
     return f"Beyond its limit: {', '.join(names)}" if names else ""

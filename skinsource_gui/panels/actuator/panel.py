@@ -1,4 +1,7 @@
-"""The fields of the panel: which actuator, its parameters, and the equaliser."""
+"""The actuator panel: choice of actuator and equaliser, their response, and predicted figures.
+
+Predictions of the whole studio can go through what is chosen here.
+"""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -53,7 +56,7 @@ _PARAMETER = "parameter "
 
 
 class ActuatorChoices(QObject):
-    """Cells for all that can be chosen; those are shown that mean something now.
+    """Cells of all settings; only those are shown that have an effect now.
 
     Attributes
     ----------
@@ -65,7 +68,7 @@ class ActuatorChoices(QObject):
 
     #: The new `ActuatorSettings`, number of the gesture or None.
     changed = Signal(object, object)
-    #: A response that was measured shall be opened.
+    #: A measured response shall be opened.
     measured_wanted = Signal()
 
     def __init__(self, parent: QObject) -> None:
@@ -73,7 +76,7 @@ class ActuatorChoices(QObject):
         self._settings, self._predicted = ActuatorSettings(), False
         self._shown: tuple[object, ...] | None = None
         self._cells: tuple[FieldCell, ...] = ()
-        self._kept: dict[tuple[str, Spec], FieldCell] = {}
+        self._cached_cells: dict[tuple[str, Spec], FieldCell] = {}
         self.grid, self._parameters = FieldGrid(), FieldGrid()
         self.details = QWidget()
         self.about = QLabel()
@@ -101,8 +104,8 @@ class ActuatorChoices(QObject):
         column.addWidget(self.open, 0, Qt.AlignmentFlag.AlignLeft)
 
     def cell(self, name: str) -> FieldCell:
-        """The cell of a setting, or of ``"parameter "`` and a field of the model."""
-        return next(one for one in self._cells if one.name == name)
+        """Return the cell of a setting, or of ``"parameter "`` and a field of the model."""
+        return next(cell for cell in self._cells if cell.name == name)
 
     def show_settings(self, settings: ActuatorSettings, *, predicted: bool = False) -> None:
         """Show these settings; ``predicted``: amplitudes have a unit of their own."""
@@ -118,37 +121,37 @@ class ActuatorChoices(QObject):
                 cell.set_value(getattr(model, cell.name.removeprefix(_PARAMETER)))
             else:
                 cell.set_value(getattr(settings, cell.name))
-        self.about.setText(self._words())
+        self.about.setText(self._about_text())
         self.reset.setVisible(bool(settings.parameters))
 
     def _build(self) -> None:
-        """Show the cells that there are now; each is made once, and those not shown are hidden."""
+        """Show the cells that are needed now; each is made once and kept."""
         model = self._settings.model
-        wanted: dict[str, Spec] = {"actuator": actuator_spec(self._settings.measured_title)}
+        specs: dict[str, Spec] = {"actuator": actuator_spec(self._settings.measured_title)}
         if model is not None:
             own = specs_of(self._settings)
             names = ("equaliser", *_OF_EQUALISER[self._settings.equaliser])
             hidden = _OF_AMPLITUDES if self._predicted else ()
-            wanted |= {name: own[name] for name in names if name not in hidden}
-            wanted |= {
+            specs |= {name: own[name] for name in names if name not in hidden}
+            specs |= {
                 f"{_PARAMETER}{name}": spec
                 for name, spec in specs_of(model).items()
                 if isinstance(spec, NumberSpec)
             }
-        for name, spec in wanted.items():
-            if (name, spec) not in self._kept:
+        for name, spec in specs.items():
+            if (name, spec) not in self._cached_cells:
                 cell = FieldCell(name, spec)
                 cell.edited.connect(self._edit)
-                self._kept[name, spec] = cell
-        self._cells = tuple(self._kept[one] for one in wanted.items())
+                self._cached_cells[name, spec] = cell
+        self._cells = tuple(self._cached_cells[key] for key in specs.items())
         parameters = tuple(cell for cell in self._cells if cell.name.startswith(_PARAMETER))
         self.grid.show_cells([cell for cell in self._cells if cell not in parameters])
         self._parameters.show_cells(parameters)
 
-    def _words(self) -> str:
+    def _about_text(self) -> str:
         profile = self._settings.profile
-        known = profile.calibration
-        lines = [profile.source, f"Calibrated: {known[:1].lower()}{known[1:]}"]
+        calibration = profile.calibration
+        lines = [profile.source, f"Calibrated: {calibration[:1].lower()}{calibration[1:]}"]
         changed = []
         for name, value in dict(self._settings.parameters).items():
             spec = specs_of(profile.model).get(name)
@@ -174,8 +177,6 @@ class ActuatorChoices(QObject):
         self.changed.emit(replace(self._settings, parameters=()), None)
 
 
-# The switch that lets predictions go through the actuator, and words on what they go through.
-
 _TITLE = "Predict through the actuator"
 _HINT = (
     "Levels, map, traces and spectra become those of the skin under this actuator and equaliser; "
@@ -190,59 +191,57 @@ _OTHER = "Predictions go through {words}, not through what is shown here."
 
 
 class ThroughSwitch(QWidget):
-    """Whether the design is predicted through an actuator.
+    """A switch that lets the design be predicted through an actuator.
 
     Attributes
     ----------
-    box, words
-        The switch; what amplitudes are then, or through what else it goes.
+    box, text
+        The switch; what an amplitude means then, or through which other actuator it goes.
     """
 
-    #: Whether predictions shall go through what the panel shows.
+    #: Whether predictions shall go through the actuator of the panel.
     wanted = Signal(bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.box, self.words = QCheckBox(_TITLE), QLabel()
+        self.box, self.text = QCheckBox(_TITLE), QLabel()
         self.box.setObjectName("actuator_through")
         self.box.setToolTip(_HINT)
         self.box.clicked.connect(self.wanted)
-        self.words.setObjectName("actuator_through_words")
-        set_tone(self.words, "dim")
-        self.words.setWordWrap(True)
+        self.text.setObjectName("actuator_through_words")
+        set_tone(self.text, "dim")
+        self.text.setWordWrap(True)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(UNIT_PX // 4)
         column.addWidget(self.box)
-        column.addWidget(self.words)
+        column.addWidget(self.text)
 
     def show_state(self, design: Design, settings: ActuatorSettings) -> None:
         """Show what the design is predicted through, beside what the panel shows."""
         actuated = design.actuated
         self.box.setChecked(actuated is not None)
         self.box.setEnabled(actuated is not None or settings.model is not None)
-        words = ""
+        text = ""
         if actuated is None and settings.model is None:
-            words = _SHAPE.format(title=settings.profile.title)
+            text = _SHAPE.format(title=settings.profile.title)
         elif actuated is not None and actuated != actuation_of(settings):
-            words = _OTHER.format(words=actuated.words)
+            text = _OTHER.format(words=actuated.words)
         elif actuated is not None and actuated.equaliser is None:
-            words = "An amplitude of 1 is 1 V at the actuator."
+            text = "An amplitude of 1 is 1 V at the actuator."
         elif actuated is not None:
-            words = "An amplitude of 1 asks the contactor for 1 m/s²."
-        self.box.setToolTip(_HINT if self.box.isEnabled() else words)
-        self.words.setText(words)
-        self.words.setVisible(bool(words))
+            text = "An amplitude of 1 asks the contactor for 1 m/s²."
+        self.box.setToolTip(_HINT if self.box.isEnabled() else text)
+        self.text.setText(text)
+        self.text.setVisible(bool(text))
 
-
-# An actuator, its equaliser, and what the design asks of both.
 
 _NO_STEP = "Too little is known of this actuator to move it"
 _PLOT_PX = 190
 
 
 class ActuatorPanel(Panel):
-    """Response and step of an actuator, the equaliser's part in it, and predicted figures.
+    """Response and step of an actuator, the effect of its equaliser, and predicted figures.
 
     Figures are those of the place of the selected input.
     """
@@ -275,7 +274,7 @@ class ActuatorPanel(Panel):
         outside.setContentsMargins(0, 0, 0, 0)
         outside.addWidget(
             _scrolled(
-                # What passes a limit is seen without scrolling, in a small window too.
+                # An exceeded limit is visible without scrolling, in a small window too.
                 self.choices.grid,
                 self.through,
                 self.figures,
@@ -295,10 +294,10 @@ class ActuatorPanel(Panel):
 
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
-        # What the design is predicted through goes back with it; what is looked at does not.
-        kept = settings_of(view, self.name, ActuatorSettings)
-        settings = settings_through(kept, design.actuated)
-        # Equal ones stay the same, so that nothing is computed twice.
+        # Undo restores the actuator of the design, but not one that is only shown.
+        saved = settings_of(view, self.name, ActuatorSettings)
+        settings = settings_through(saved, design.actuated)
+        # Equal settings stay the same object, so that nothing is computed twice.
         self._settings = self._settings if settings == self._settings else settings
         if self.isVisible():
             self._show_settings()
@@ -355,12 +354,12 @@ class ActuatorPanel(Panel):
         actuated = None if self._design is None else self._design.actuated
         return actuated is not None and actuated == actuation_of(self._settings)
 
-    def _go_through(self, wanted: bool) -> None:
+    def _go_through(self, on: bool) -> None:
         if self._design is not None:
-            through = actuation_of(self._settings) if wanted else None
+            through = actuation_of(self._settings) if on else None
             outcome = edits.predict_through(self._design, self._view, through)
             self.edited.emit(outcome, None)
-            # Where it was refused the box says what is.
+            # After a refusal the box shows the state of the design again.
             self.through.show_state(self._design, self._settings)
 
     def _choose(self, settings: ActuatorSettings, gesture: int | None = None) -> None:
@@ -370,7 +369,7 @@ class ActuatorPanel(Panel):
         if self._design is None or not self._follows or through == self._design.actuated:
             self.view_changed.emit(view)
         else:
-            # What is predicted goes with what is shown; a shape ends it.
+            # Predictions follow the shown actuator; a shape ends them.
             self.edited.emit(edits.predict_through(self._design, view, through), gesture)
 
     def _put(self, name: str, value: object) -> None:
@@ -382,13 +381,13 @@ class ActuatorPanel(Panel):
 
 
 def _band_of(limb: str) -> Band:
-    """In which drives are followed on a limb."""
+    """Return the band in which drives are followed on a limb."""
     facts = facts_of(limb)
     return followed_band(facts.band_hz, facts.sample_rate_hz)
 
 
 def _scrolled(*parts: QWidget) -> SteadyArea:
-    """Parts below each other."""
+    """Return a scroll area with the parts below each other."""
     inside = QWidget()
     column = QVBoxLayout(inside)
     column.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX // 2, UNIT_PX)
@@ -405,7 +404,7 @@ def _scrolled(*parts: QWidget) -> SteadyArea:
 
 
 def _plays_tap(design: Design | None, view: View) -> bool:
-    """Whether the clip that is edited plays the upstream tap."""
+    """Return whether the edited clip plays a tap that leaves a velocity."""
     if design is None or view.selected_input not in design.ids:
         return False
     clip = clip_of(design.input(view.selected_input), view)

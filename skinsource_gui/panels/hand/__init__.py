@@ -1,1 +1,1 @@
-"""The hand on which inputs are placed."""
+"""The hand panel."""

@@ -1,4 +1,7 @@
-"""Marks of input sites: circles push into the skin, triangles push along a digit."""
+"""The hand diagram as data and paint: its drawing, where its sites lie, and their markers.
+
+Circles stand for contacts that push into the skin, triangles for contacts that push along a digit.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -27,12 +30,12 @@ from skinsource_gui.qt.theme import Theme, tabular
 
 # Corner radius and circumradius of the triangle, in radii of the circle: about the same area.
 _TRIANGLE_RADII, _ROUNDING = 1.42, 0.3
-# How far further inputs at a site peep out behind the first, in radii.
+# Offset of further inputs at a site behind the first, in radii.
 _STEP_RADII = 0.3
 _MOST_BEHIND = 2
-# Size of a site without a number, in radii; of one that is small anyway it is larger.
+# Size of a site without a number, in radii; at least some px.
 _DOT_RADII, _DOT_PX = 0.34, 3.5
-# Of numbers: the smallest letters, and what each digit needs of the radius, in their height.
+# Smallest letters of numbers; the radius that each digit needs, in heights of its letters.
 _LETTERS_PX, _DIGIT = 9.0, 0.33
 #: Radius of the smallest site in use.
 _IN_USE_PX = 8.0
@@ -45,7 +48,7 @@ class Place:
     Attributes
     ----------
     site
-        Number written into it.
+        The number in the marker.
     centre, radius_px
         Of the circle.
     push
@@ -58,7 +61,7 @@ class Place:
     push: QPointF | None
 
     def path(self, extra_px: float = 0.0) -> QPainterPath:
-        """Outline of the marker, grown by ``extra_px``."""
+        """Return the outline of the marker, grown by ``extra_px``."""
         if self.push is None:
             path = QPainterPath()
             radius = self.radius_px + extra_px
@@ -73,17 +76,17 @@ class Place:
 
 
 def least_radius_px(site: int) -> float:
-    """The smallest radius of a site that is in use: its number fits in."""
+    """Return the smallest radius of a site that is in use: its number fits in."""
     return max(_IN_USE_PX, _DIGIT * len(str(site)) * _LETTERS_PX)
 
 
 def has_room(place: Place) -> bool:
-    """Whether a number fits into a marker."""
+    """Return whether a number fits into a marker."""
     return place.radius_px >= max(_DIGIT * len(str(place.site)), 0.5) * _LETTERS_PX
 
 
 def paint_empty(painter: QPainter, place: Place, theme: Theme, *, inviting: bool) -> None:
-    """A quiet site; ``inviting`` while something is being moved over the hand."""
+    """Paint an unused site; ``inviting`` while something is dragged over the hand."""
     fill = QColor(theme.base)
     fill.setAlphaF(0.85 if inviting else 0.55)
     line = QColor(theme.accent if inviting else theme.skin_line)
@@ -97,7 +100,7 @@ def paint_empty(painter: QPainter, place: Place, theme: Theme, *, inviting: bool
 
 
 def paint_dot(painter: QPainter, place: Place, theme: Theme) -> None:
-    """A quiet site without its number, where that would only hide the hand."""
+    """Paint an unused site without its number, which would only hide the hand."""
     fill = QColor(theme.base)
     fill.setAlphaF(0.7)
     painter.setPen(QPen(QColor(theme.skin_line), 1.25))
@@ -107,7 +110,7 @@ def paint_dot(painter: QPainter, place: Place, theme: Theme) -> None:
 
 
 def paint_hovered(painter: QPainter, place: Place, theme: Theme) -> None:
-    """An empty site under the mouse, or one that takes what is dropped."""
+    """Paint an empty site under the mouse, or a site that takes what is dropped."""
     painter.setPen(QPen(QColor(theme.accent), 2.0))
     painter.setBrush(QColor(theme.base))
     painter.drawPath(place.path())
@@ -122,7 +125,7 @@ def paint_occupied(
     *,
     silent: bool,
 ) -> None:
-    """A site that holds inputs of these colours, the first one in front.
+    """Paint a site that holds inputs of these colours, the first one in front.
 
     A silent input is hollow: its colour is at the rim.  More than one are stacked and counted.
     """
@@ -138,15 +141,15 @@ def paint_occupied(
     painter.setPen(QPen(front, 3.0) if silent else halo)
     painter.setBrush(_mixed(front, QColor(theme.base), 0.25) if silent else front)
     painter.drawPath(place.path(-1.0 if silent else 0.0))
-    words = QColor(theme.text) if silent else readable_on(front)
-    _paint_number(painter, place, words, bold=True)
+    text_colour = QColor(theme.text) if silent else readable_on(front)
+    _paint_number(painter, place, text_colour, bold=True)
     if len(colours) > 1:
         corner = place.centre + QPointF(1.0, 1.0) * place.radius_px * 0.95
         _paint_count(painter, corner, place.radius_px, len(colours), theme)
 
 
 def paint_selection(painter: QPainter, place: Place, theme: Theme, *, last: bool = True) -> None:
-    """The ring around a selected input, strong around the one that was selected last."""
+    """Paint the ring around a selected input, a strong one around the ``last`` selected."""
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setPen(QPen(QColor(theme.base), 6.0))
     painter.drawPath(place.path(3.0))
@@ -155,7 +158,7 @@ def paint_selection(painter: QPainter, place: Place, theme: Theme, *, last: bool
 
 
 def paint_cursor(painter: QPainter, place: Place, theme: Theme) -> None:
-    """The dashed ring of the keyboard's cursor."""
+    """Paint the dashed ring of the keyboard's cursor."""
     radius = place.radius_px * (1.0 if place.push is None else 1.3) + 7.5
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setPen(QPen(QColor(theme.base), 4.0))
@@ -167,14 +170,14 @@ def paint_cursor(painter: QPainter, place: Place, theme: Theme) -> None:
 
 
 def readable_on(ground: QColor) -> QColor:
-    """Black or white, whichever is read better on ``ground``."""
+    """Return black or white, whichever is read better on ``ground``."""
     choice = (QColor(Qt.GlobalColor.white), QColor(Qt.GlobalColor.black))
-    return max(choice, key=lambda words: contrast(words, ground))
+    return max(choice, key=lambda colour: contrast(colour, ground))
 
 
-def contrast(one: QColor, other: QColor) -> float:
-    """Contrast ratio of two colours, 1 to 21 (WCAG 2.1)."""
-    darker, lighter = sorted((_luminance(one), _luminance(other)))
+def contrast(colour: QColor, other: QColor) -> float:
+    """Return contrast ratio of two colours, 1 to 21 (WCAG 2.1)."""
+    darker, lighter = sorted((_luminance(colour), _luminance(other)))
     return (lighter + 0.05) / (darker + 0.05)
 
 
@@ -186,13 +189,13 @@ def _luminance(colour: QColor) -> float:
     return 0.2126 * red + 0.7152 * green + 0.0722 * blue
 
 
-def _mixed(one: QColor, other: QColor, share: float) -> QColor:
+def _mixed(colour: QColor, other: QColor, share: float) -> QColor:
     red, green, blue = (
         share * a + (1 - share) * b
         for a, b in (
-            (one.redF(), other.redF()),
-            (one.greenF(), other.greenF()),
-            (one.blueF(), other.blueF()),
+            (colour.redF(), other.redF()),
+            (colour.greenF(), other.greenF()),
+            (colour.blueF(), other.blueF()),
         )
     )
     return QColor.fromRgbF(red, green, blue)
@@ -218,7 +221,7 @@ def _paint_number(painter: QPainter, place: Place, colour: QColor, *, bold: bool
     if place.push is not None:
         # The triangle is wider at its base.
         centre = centre - place.push * (0.12 * place.radius_px)
-    # As large as its place, unless it has many digits.
+    # As large as the marker, unless it has many digits.
     most = 1.0 / (_DIGIT * len(str(place.site)))
     size = place.radius_px * min(1.05 if place.push is None else 1.0, most)
     _paint_text(painter, centre, str(place.site), size, colour, bold=bold)
@@ -228,15 +231,15 @@ def _paint_count(
     painter: QPainter, centre: QPointF, radius_px: float, count: int, theme: Theme
 ) -> None:
     size = max(9.0, 0.72 * radius_px)
-    words = f"×{count}"
-    width = QFontMetricsF(_number_font(painter, size, bold=True)).horizontalAdvance(words)
-    # A large count makes a longer badge: digits out of sight would make it another number.
+    text = f"×{count}"
+    width = QFontMetricsF(_number_font(painter, size, bold=True)).horizontalAdvance(text)
+    # A large count makes a longer badge: cut digits would make it another number.
     half = QPointF(max(0.95 * size, width / 2 + 0.3 * size), 0.68 * size)
     area = QRectF(centre - half, centre + half)
     painter.setPen(QPen(QColor(theme.base), 1.0))
     painter.setBrush(QColor(theme.text))
     painter.drawRoundedRect(area, half.y(), half.y())
-    _paint_text(painter, centre, words, size, QColor(theme.base), bold=True)
+    _paint_text(painter, centre, text, size, QColor(theme.base), bold=True)
 
 
 def _paint_text(
@@ -258,9 +261,7 @@ def _number_font(painter: QPainter, size_px: float, *, bold: bool) -> QFont:
     return font
 
 
-# The hand that inputs are placed on, turned palm up and ready to be painted.
-
-#: How much of the arm is drawn below the wrist, and where it begins to fade, in outline px.
+#: Length of the arm below the wrist, and where it begins to fade, in outline px.
 _ARM_PX = 52.0
 _FADE_PX = 12.0
 # Widths, px, and opacity of the soft shade along the edge.
@@ -269,7 +270,7 @@ _SHADES = ((26.0, 0.05), (17.0, 0.06), (10.0, 0.07), (5.0, 0.08))
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class HandDrawing:
-    """A palm in outline pixels, x right, y down; 400 of them make a hand.
+    """A palm in outline pixels, x right, y down; 400 pixels make a hand length.
 
     Attributes
     ----------
@@ -282,11 +283,11 @@ class HandDrawing:
     pushes : (n_sites, 2)
         Unit vectors along which in-axis contacts push; zero for perpendicular ones.
     limb
-        Whose places they are, for their names.
+        Name of the limb, for the names of its places.
     side
-        Which hand this is, in words.
+        Text that says which hand this is.
     spacing : (n_sites,)
-        How far off the nearest other site is, where markers shrink so as not to cover each other;
+        Distance to the nearest other site, where markers shrink so as not to cover each other;
         infinite where there is room for all.
     contacts
         Whether it is known how contacts push.
@@ -307,7 +308,7 @@ class HandDrawing:
 
 
 def palmar_drawing(shape: HandShape) -> HandDrawing:
-    """Turn a hand seen from its back around its long axis."""
+    """Return the palm of a hand that is given as seen from its back."""
 
     def palmar(points: NDArray[np.float64]) -> NDArray[np.float64]:
         # Seen from the palm, left and right change places; on screen y points down.
@@ -339,7 +340,7 @@ def palmar_drawing(shape: HandShape) -> HandDrawing:
 def hand_pixmap(
     drawing: HandDrawing, transform: QTransform, size: QSize, ratio: float, theme: Theme
 ) -> QPixmap:
-    """The hand alone, without its sites, on a clear ground.
+    """Return a picture of the hand alone, without its sites, on a transparent ground.
 
     Parameters
     ----------
@@ -374,12 +375,12 @@ def hand_pixmap(
     return pixmap
 
 
-#: The same for the screen: a window that opens in a size there was before does not draw it anew.
-kept_hand_pixmap = lru_cache(maxsize=2)(hand_pixmap)
+#: The same with a cache, for the screen.
+cached_hand_pixmap = lru_cache(maxsize=2)(hand_pixmap)
 
 
 def polygon(points: NDArray[np.float64]) -> QPolygonF:
-    """Points as Qt has them."""
+    """Return points as a polygon of Qt."""
     return QPolygonF([QPointF(x, y) for x, y in points])
 
 
@@ -390,11 +391,9 @@ def _pen(colour: QColor, opacity: float, width: float) -> QPen:
     return QPen(faint, width, Qt.PenStyle.SolidLine, cap, join)
 
 
-# Where the hand and its sites lie in a widget of a given size.
-
 #: Radius of a site in outline pixels; on the screen it is neither smaller nor larger than these.
 _SITE_PX, _LEAST_PX, _LARGEST_PX = 17.0, 11.0, 26.0
-# In a crowd it takes this share of the way to the nearest other one, but stays to be seen.
+# In a crowd the radius is this share of the distance to the nearest site, but stays visible.
 _OF_SPACING, _CROWDED_PX = 0.44, 2.5
 # Room beside and above the hand for the markers off its fingertips, in radii.
 _SIDE_RADII, _TOP_RADII = 1.6, 2.9
@@ -403,13 +402,13 @@ _OFF_TIP_RADII = 1.32
 # A click may miss a site by this factor of its radius; a drag snaps from farther, so that between
 # neighbouring sites there is no gap in which it would be cancelled.
 _HIT_RADII, _SNAP_RADII, _SNAP_OUTLINE_PX = 1.25, 2.6, 45.0
-#: No click must be nearer than this to a site, however small it is drawn, px.
+#: A click within this distance hits a site, however small it is drawn, px.
 _HIT_PX = 9.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class HandLayout:
-    """The hand in a widget.
+    """Where the hand and its sites lie in a widget.
 
     Attributes
     ----------
@@ -430,47 +429,47 @@ class HandLayout:
 
     @property
     def n_sites(self) -> int:
-        """How many there are."""
+        """Number of sites."""
         return len(self.centres)
 
     def has(self, site: int) -> bool:
-        """Whether ``site`` is on this hand."""
+        """Return whether ``site`` is on this hand."""
         return 1 <= site <= self.n_sites
 
     def centre(self, site: int) -> QPointF:
-        """Middle of the marker of ``site``, which must be on this hand."""
+        """Return the middle of the marker of ``site``, which must be on this hand."""
         x, y = self.centres[site - 1]
         return QPointF(float(x), float(y))
 
     def radius_px(self, site: int) -> float:
-        """Radius of the circle of ``site``."""
+        """Return radius of the circle of ``site``."""
         return float(self.radii_px[site - 1])
 
     def radius_in_use_px(self, site: int) -> float:
-        """The same of a site that is in use, or pointed at: large enough for its number."""
+        """Return the radius of a site in use or pointed at: its number fits in."""
         return max(self.radius_px(site), least_radius_px(site))
 
     def push(self, site: int) -> QPointF | None:
-        """Direction in which an in-axis contact pushes; ``None`` for a perpendicular one."""
+        """Return the direction of an in-axis contact; ``None`` for a perpendicular one."""
         x, y = self.pushes[site - 1]
         return QPointF(float(x), float(y)) if x or y else None
 
     def marker_area(self, site: int) -> QRectF:
-        """Square around the marker of ``site``."""
+        """Return square around the marker of ``site``."""
         half = QPointF(1.0, 1.0) * self.radius_px(site)
         return QRectF(self.centre(site) - half, self.centre(site) + half)
 
     def site_at(self, position: QPointF) -> int | None:
-        """Site under the mouse."""
+        """Return the site under the mouse."""
         return self._nearest(position, np.maximum(_HIT_RADII * self.radii_px, _HIT_PX))
 
     def site_to_snap_to(self, position: QPointF) -> int | None:
-        """Site that takes what is dropped at ``position``."""
+        """Return the site that takes what is dropped at ``position``."""
         own, drawn = _SNAP_RADII * self.radii_px, _SNAP_OUTLINE_PX * self.transform.m11()
         return self._nearest(position, np.maximum(own, drawn))
 
     def neighbour(self, site: int, direction: tuple[int, int]) -> int:
-        """The nearest site in ``direction`` (x right, y down); ``site`` where there is none."""
+        """Return the nearest site in ``direction`` (x right, y down), else ``site``."""
         x, y = (self.centres - self.centres[site - 1]).T
         along = x * direction[0] + y * direction[1]
         across = np.abs(x * direction[1] - y * direction[0])
@@ -486,7 +485,7 @@ class HandLayout:
 
 
 def fitted_hand(drawing: HandDrawing, area: QRectF) -> Frame:
-    """The frame that fits the hand and the markers off its fingertips into ``area``."""
+    """Return the frame that fits the hand and the markers off its fingertips into ``area``."""
     radius = _LEAST_PX
     for _ in range(2):  # The room for markers depends on the scale and the scale on the room.
         width = area.width() - 2 * _SIDE_RADII * radius
@@ -505,7 +504,7 @@ def fitted_hand(drawing: HandDrawing, area: QRectF) -> Frame:
 
 
 def hand_layout(drawing: HandDrawing, frame: Frame) -> HandLayout:
-    """Lay out the sites of a hand that lies in ``frame``."""
+    """Return where the sites of a hand lie that is drawn in ``frame``."""
     radii = _radii_px(drawing, frame.scale)
     return HandLayout(
         transform=frame.transform(),
@@ -520,9 +519,6 @@ def _radii_px(drawing: HandDrawing, scale: float) -> NDArray[np.float64]:
     return np.clip(_OF_SPACING * scale * drawing.spacing, _CROWDED_PX, usual)
 
 
-# What the hand diagram shows.
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Mark:
     """One input as the diagram shows it.
@@ -530,27 +526,23 @@ class Mark:
     Attributes
     ----------
     site
-        Where it is placed; not all places need be on this hand.
-    colour
-        Its colour everywhere.
+        Its place, which need not be on this hand.
     silent
         Whether it is not heard: muted, or others are solo.
-    words
+    text
         What it plays, for tooltips.
-    chosen
-        Whether it is selected.
     """
 
     site: int
     colour: QColor
     silent: bool = False
-    words: str = ""
+    text: str = ""
     chosen: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HandState:
-    """Everything that the picture depends on, besides size and theme.
+    """Everything that the diagram shows, besides size and theme.
 
     Attributes
     ----------
@@ -575,22 +567,22 @@ class HandState:
 
     @property
     def selected_site(self) -> int | None:
-        """Where the input is that was selected last."""
+        """Site of the input that was selected last."""
         return None if self.selected is None else self.marks[self.selected].site
 
     def at(self, site: int) -> tuple[int, ...]:
-        """Numbers of the inputs at ``site``."""
+        """Return the numbers of the inputs at ``site``."""
         return tuple(k for k, mark in enumerate(self.marks) if mark.site == site)
 
     def front_at(self, site: int) -> int | None:
-        """The input that a click at ``site`` means: the selected one, else the latest."""
+        """Return the input that a click at ``site`` selects: the selected one, else the latest."""
         present = self.at(site)
         if self.selected in present:
             return self.selected
         return present[-1] if present else None
 
     def next_at(self, site: int) -> int | None:
-        """The input after the selected one at ``site``, around and around."""
+        """Return the input after the selected one at ``site``; after the last comes the first."""
         present = self.at(site)
         if self.selected not in present:
             return self.front_at(site)

@@ -1,4 +1,4 @@
-"""What keys mean on the hand diagram."""
+"""The hand panel: inputs are placed, moved and removed on a hand, by mouse or keyboard."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -36,7 +36,7 @@ from skinsource_gui.qt.theme import current_theme, set_tone
 from skinsource_gui.qt.wheel import WHOLE
 from skinsource_gui.state.panel import Panel
 
-#: Two digits typed within this time make one number, ms.
+#: Two digits that are typed within this time make one number, ms.
 TYPING_MS = 800
 
 _PLACE = "hand"
@@ -51,7 +51,7 @@ _DIGITS = {_Key(_Key.Key_0 + digit): digit for digit in range(10)}
 
 
 class SiteKeys(QObject):
-    """Turns key presses into what they mean.
+    """Translates key presses into actions on sites.
 
     A number of several digits may be typed; all Shift+arrow presses until Shift is let go are one
     gesture.
@@ -59,13 +59,13 @@ class SiteKeys(QObject):
     Parameters
     ----------
     n_sites
-        How many sites the hand has.
+        Number of sites of the hand.
     """
 
     #: Direction (x right, y down).
     stepped = Signal(int, int)
     jumped = Signal(int)
-    #: Whether a further input is wanted.
+    #: Whether a further input shall be placed.
     activated = Signal(bool)
     #: Direction and gesture.
     shifted = Signal(int, int, int)
@@ -82,41 +82,41 @@ class SiteKeys(QObject):
         self._pause.timeout.connect(self._forget_digits)
 
     def show_count(self, n_sites: int) -> None:
-        """Take over how many sites the hand has."""
+        """Take over the number of sites of the hand."""
         self._n_sites = n_sites
         self._forget_digits()
 
     def claims(self, event: QKeyEvent) -> bool:
-        """Whether the diagram wants this key for itself, before any shortcut of the window."""
+        """Return whether the diagram handles this key before any shortcut of the window."""
         return bool(meaning_of(_PLACE, event))
 
     def press(self, event: QKeyEvent) -> bool:
-        """Tell by a signal what the key means; return whether it means anything here."""
-        wanted, key = meaning_of(_PLACE, event), _Key(event.key())
-        if wanted == "move":
+        """Emit the signal of the key; return whether it has one."""
+        meaning, key = meaning_of(_PLACE, event), _Key(event.key())
+        if meaning == "move":
             self._gesture = self._gesture or new_gesture()
             self.shifted.emit(*_STEPS[key], self._gesture)
-        elif wanted == "go":
+        elif meaning == "go":
             self.stepped.emit(*_STEPS[key])
-        elif wanted == "jump" and key in _DIGITS:
+        elif meaning == "jump" and key in _DIGITS:
             self._type(_DIGITS[key])
-        elif wanted == "jump":
+        elif meaning == "jump":
             self.jumped.emit(1 if key == _Key.Key_Home else self._n_sites)
-        elif wanted == "remove":
+        elif meaning == "remove":
             self.removed.emit()
-        elif wanted == "select_all":
+        elif meaning == "select_all":
             self.all_selected.emit()
-        elif wanted:
-            self.activated.emit(wanted == "place_another")
-        return bool(wanted)
+        elif meaning:
+            self.activated.emit(meaning == "place_another")
+        return bool(meaning)
 
     def release(self, event: QKeyEvent) -> None:
-        """Letting Shift go ends the gesture."""
+        """End the gesture when Shift is released."""
         if event.key() == _Key.Key_Shift:
             self.end_gesture()
 
     def end_gesture(self) -> None:
-        """The next Shift+arrow press is an undo step of its own."""
+        """Make the next Shift+arrow press an undo step of its own."""
         self._gesture = None
 
     def _type(self, digit: int) -> None:
@@ -130,11 +130,8 @@ class SiteKeys(QObject):
         self._typed = 0
 
 
-# The keyboard's cursor on the hand.
-
-
 class SiteCursor(QObject):
-    """Goes from site to site, and acts there.
+    """The keyboard's cursor: it goes from site to site and acts there.
 
     Parameters
     ----------
@@ -149,7 +146,7 @@ class SiteCursor(QObject):
         What moves it.
     """
 
-    #: It is at another site, or something else is there.
+    #: The cursor or what is at its site has changed.
     moved = Signal(int)
     #: Site of a new input.
     placed = Signal(int)
@@ -169,33 +166,33 @@ class SiteCursor(QObject):
         self.keys.shifted.connect(self._shift)
 
     def show_hand(self) -> None:
-        """The hand is another one: where the cursor was there may be nothing."""
+        """Take over another hand, which may have no site where the cursor is."""
         self.keys.show_count(self._stage.layout.n_sites)
         if not self._stage.layout.has(self.site):
             self.site = 1
         self.moved.emit(self.site)
 
     def keep_up(self, before: HandState, *, anew: bool, focused: bool) -> None:
-        """Other inputs are shown than ``before``; see `HandDiagram.show_inputs`."""
+        """Follow a change of the inputs ``before``; see `HandDiagram.show_inputs`."""
         state = self._stage.state
         site = state.selected_site
         if site is not None and state.selected != before.selected and not focused:
             self.follow(site)
         elif site is not None and anew and site != before.selected_site:
-            # Another design: the cursor would name a place of the one before.
+            # It is another design: the cursor would name a place of the old one.
             (self.follow if before.cursor is None else self.go_to)(site)
         else:
             self.moved.emit(self.site)
 
     def follow(self, site: int) -> None:
-        """Go where the mouse was used, without showing; nowhere else than on this hand."""
+        """Go to a site that the mouse used, without showing the cursor."""
         if not self._stage.layout.has(site):
             return
         self.site = site
         self.moved.emit(site)
 
     def go_to(self, site: int) -> None:
-        """Go to a site, and show there."""
+        """Go to a site and show the cursor there."""
         if not self._stage.layout.has(site):
             return
         self.follow(site)
@@ -219,7 +216,7 @@ class SiteCursor(QObject):
             return
         origin = state.marks[state.selected].site
         if not self._stage.layout.has(origin):
-            # It comes to the hand where the cursor is.
+            # An input from outside of the hand comes to the cursor.
             self.shifted.emit(state.selected, self.site, gesture)
             return
         site = self._stage.layout.neighbour(origin, (x, y))
@@ -228,8 +225,6 @@ class SiteCursor(QObject):
         self.go_to(site)
 
 
-# What the mouse means on the hand diagram.
-
 _LEFT = Qt.MouseButton.LeftButton
 _TOGGLE = (Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier)
 _FURTHER = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier
@@ -237,9 +232,9 @@ _FURTHER = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifi
 
 @dataclass(slots=True, kw_only=True)
 class _Press:
-    """The left button, held since it went down on a site, and the drag that this became.
+    """A press of the left button on a site, and the drag that it became.
 
-    ``index`` is the input it is about, ``target`` the site which that input was sent to last.
+    ``index`` is the pressed input, ``target`` the site to which it was moved last.
     """
 
     site: int
@@ -253,7 +248,12 @@ class _Press:
 
 
 class SiteMouse(QObject):
-    """Turns presses, moves and releases on a hand into what they mean.
+    """Translates mouse presses, moves and releases on a hand into actions.
+
+    A press selects an input, or at release places one; with Ctrl or Shift it adds an input, a new
+    one too, to the selected ones or takes it out; with both it places one more on a site that has
+    one. Moving farther drags the input, live, in one gesture. Dropped far from every site, or
+    cancelled, it goes back to where it came from.
 
     A press selects an input, or at release places one; with Ctrl or Shift it adds an input, a new
     one too, to the selected ones or takes it out, with both it places one more on a site that has
@@ -266,7 +266,7 @@ class SiteMouse(QObject):
     stage
         The hand; its hover, ghost and target are changed here.
     widget
-        Where it is; its cursor is changed here.
+        The widget; its mouse cursor is changed here.
     """
 
     #: Site on which the button went down.
@@ -292,7 +292,7 @@ class SiteMouse(QObject):
         return self._press is not None
 
     def press(self, event: QMouseEvent) -> None:
-        """The left button goes down."""
+        """Handle a press of the left button."""
         self.cancel()  # a release that never came
         site = self._stage.site_at(event.position())
         if site is None:
@@ -315,7 +315,7 @@ class SiteMouse(QObject):
             self.selected.emit(front)
 
     def move(self, event: QMouseEvent) -> None:
-        """The mouse moves, whether or not the button is held."""
+        """Handle a move of the mouse, whether or not the button is held."""
         press = self._press
         if press is None or not event.buttons() & _LEFT:
             self.hover(self._stage.site_at(event.position()))
@@ -328,7 +328,7 @@ class SiteMouse(QObject):
                 self._drag(press, event.position())
 
     def release(self, event: QMouseEvent) -> None:
-        """The left button goes up."""
+        """Handle a release of the left button."""
         press, self._press = self._press, None
         site = self._stage.site_at(event.position())
         if press is not None and press.gesture is not None:
@@ -348,7 +348,7 @@ class SiteMouse(QObject):
             self._widget.setCursor(Qt.CursorShape.PointingHandCursor)
 
     def cancel(self) -> None:
-        """Send what is being dragged back where it came from."""
+        """Send a dragged input back to where it came from."""
         press, self._press = self._press, None
         if press is not None:
             self._drop()
@@ -393,9 +393,7 @@ class SiteMouse(QObject):
             self.selected.emit(following)
 
 
-# The hand on which inputs are placed, moved and removed.
-
-# Ways in which focus comes without the keyboard being used here.
+# Reasons of a focus change without a use of the keyboard here.
 _BY_MOUSE = (
     Qt.FocusReason.MouseFocusReason,
     Qt.FocusReason.ActiveWindowFocusReason,
@@ -404,7 +402,7 @@ _BY_MOUSE = (
 
 
 class HandDiagram(QWidget):
-    """A palm with its sites; tells by signals what the user wants there.
+    """A palm with its sites; signals tell what the user does there.
 
     Parameters
     ----------
@@ -428,7 +426,7 @@ class HandDiagram(QWidget):
     all_requested = Signal()
     #: Number of an input, its new site, gesture.
     move_requested = Signal(int, int, int)
-    #: Those that are selected.
+    #: The selected inputs shall be removed.
     remove_requested = Signal()
     #: Site, position on the screen.
     menu_requested = Signal(int, QPoint)
@@ -466,7 +464,7 @@ class HandDiagram(QWidget):
         return self._cursor.site
 
     def site_centre(self, site: int) -> QPoint:
-        """Middle of a site's marker, in pixels of this widget."""
+        """Return the middle of a site's marker, in pixels of this widget."""
         return self.stage.layout.centre(site).toPoint()
 
     def show_drawing(self, drawing: HandDrawing) -> None:
@@ -489,7 +487,7 @@ class HandDiagram(QWidget):
         self._cursor.keep_up(before, anew=anew, focused=self.hasFocus())
 
     def show_note(self, text: str) -> None:
-        """Say something below the hand, until the design or the selection changes."""
+        """Show a note below the hand until the design or the selection changes."""
         self.stage.change(note=text)
 
     def minimumSizeHint(self) -> QSize:
@@ -511,7 +509,7 @@ class HandDiagram(QWidget):
         painter = QPainter(self)
         self.stage.paint(painter, self.devicePixelRatioF())
         if self.hasFocus():
-            # The ring shows where keys act once they are used here; this, that they would be.
+            # The frame shows that keys act here; the ring shows where, once they are used.
             paint_focus_frame(painter, QRectF(self.rect()), current_theme())
         painter.end()
 
@@ -592,10 +590,10 @@ class HandDiagram(QWidget):
         return claims_shortcut(event, self._overrides) or super().event(event)
 
     def _overrides(self, event: QKeyEvent) -> bool:
-        """Whether a key is wanted here even if it is a shortcut of the window."""
+        """Return whether a key is handled here even if it is a shortcut of the window."""
         if event.key() == Qt.Key.Key_Escape:
             return self._mouse.busy
-        # Until keys are used here, Space is left to whom the window gives it.
+        # Until keys are used here, Space belongs to the window.
         if event.key() == Qt.Key.Key_Space and self.state.cursor is None:
             return False
         return self._cursor.keys.claims(event)
@@ -605,25 +603,22 @@ class HandDiagram(QWidget):
         if site is None or self.state.moving is not None:
             QToolTip.hideText()
         else:
-            area = self.stage.marker_area(site).toAlignedRect()
-            QToolTip.showText(event.globalPos(), self.stage.words(site), self, area)
+            area = self.stage.layout.marker_area(site).toAlignedRect()
+            QToolTip.showText(event.globalPos(), self.stage.text(site), self, area)
 
     def _describe(self, site: int) -> None:
-        words = self.stage.description(site)
-        if words != self.accessibleDescription():
-            self.setAccessibleDescription(words)
-
-
-# Which input the mouse points at on the hand.
+        text = self.stage.description(site)
+        if text != self.accessibleDescription():
+            self.setAccessibleDescription(text)
 
 
 class Pointing(QObject):
-    """Follows the mouse over a hand.
+    """Follows which input the mouse points at on a hand.
 
     Attributes
     ----------
     design
-        Whose inputs there are.
+        Its inputs are pointed at.
     """
 
     #: Id of the input that is pointed at, or None.
@@ -639,14 +634,14 @@ class Pointing(QObject):
         stage.changed.connect(self._follow)
 
     def show(self, input_id: int | None) -> None:
-        """Mark the place of an input that is pointed at elsewhere."""
+        """Mark the site of an input that is pointed at in another panel."""
         self._elsewhere = input_id
-        found = () if self.design is None else self.design.inputs
-        site = next((one.location for one in found if one.id == input_id), None)
+        tracks = () if self.design is None else self.design.inputs
+        site = next((track.location for track in tracks if track.id == input_id), None)
         self._stage.change(target=site)
 
     def show_design(self, design: Design) -> None:
-        """Take another design: what is pointed at elsewhere may stand at another place in it."""
+        """Take over another design, where the input pointed at elsewhere may have moved."""
         self.design = design
         if self._elsewhere is not None and self._stage.state.moving is None:
             self.show(self._elsewhere)
@@ -655,18 +650,15 @@ class Pointing(QObject):
         state = self._stage.state
         index = None if state.hovered is None else state.front_at(state.hovered)
         ids = () if self.design is None else self.design.ids
-        # What is held may have gone.
-        found = ids[index] if index is not None and index < len(ids) else None
-        if found != self._pointed_at:
-            self._pointed_at = found
-            self.pointed_at.emit(found)
-
-
-# The hand on which inputs are placed.
+        # The design may have lost the input, by an undo perhaps.
+        pointed_id = ids[index] if index is not None and index < len(ids) else None
+        if pointed_id != self._pointed_at:
+            self._pointed_at = pointed_id
+            self.pointed_at.emit(pointed_id)
 
 
 class HandPanel(Panel):
-    """Places inputs on the hand, moves and removes them; draws nothing that is computed."""
+    """Places inputs on the hand, moves and removes them; shows nothing computed."""
 
     title: ClassVar[str] = "Hand"
     name: ClassVar[str] = "hand"
@@ -675,7 +667,7 @@ class HandPanel(Panel):
         super().__init__(parent)
         self._design: Design | None = None
         self._view = View()
-        self._words: dict[int, tuple[Input, str]] = {}
+        self._texts: dict[int, tuple[Input, str]] = {}
         self.diagram = HandDiagram(drawing_of(""), self)
         self.diagram.add_requested.connect(self._add)
         self.diagram.add_besides_requested.connect(partial(self._add, besides=True))
@@ -687,7 +679,7 @@ class HandPanel(Panel):
         self.diagram.menu_requested.connect(self._open_menu)
         self._pointing = Pointing(self.diagram.stage)
         self._pointing.pointed_at.connect(self.input_pointed_at)
-        # Of a limb that is missing no hand is known: that of another has other places.
+        # The hand of a missing limb is unknown, and another hand has other places.
         self._missing = QLabel()
         self._missing.setObjectName("hand_missing")
         set_tone(self._missing, "dim")
@@ -730,59 +722,57 @@ class HandPanel(Panel):
     def _show_inputs(self) -> None:
         if self._design is None:
             return
-        heard = {id(one) for one in audible_inputs(self._design.inputs)}
-        # Words of inputs that are as they were are not made again.
-        known, self._words = self._words, {one.id: (one, "") for one in self._design.inputs}
-        anew = not any(known.get(one.id, (None, ""))[0] is one for one in self._design.inputs)
-        for number, (one, _) in self._words.items():
-            before, words = known.get(number, (None, ""))
-            self._words[number] = one, words if before is one else _words(one)
+        audible = {id(track) for track in audible_inputs(self._design.inputs)}
+        # Texts of inputs that did not change are not made again.
+        tracks, texts = self._design.inputs, self._texts
+        unchanged = {track.id for track in tracks if texts.get(track.id, (None, ""))[0] is track}
+        self._texts = {
+            track.id: texts[track.id] if track.id in unchanged else (track, _text(track))
+            for track in tracks
+        }
         marks = tuple(
             Mark(
-                site=one.location,
-                colour=current_theme().input_colour(one.colour),
-                silent=id(one) not in heard,
-                words=self._words[one.id][1],
-                chosen=one.id in self._view.selected_inputs,
+                site=track.location,
+                colour=current_theme().input_colour(track.colour),
+                silent=id(track) not in audible,
+                text=self._texts[track.id][1],
+                chosen=track.id in self._view.selected_inputs,
             )
-            for one in self._design.inputs
+            for track in self._design.inputs
         )
-        self.diagram.show_inputs(marks, self._selected(), anew=anew)
+        self.diagram.show_inputs(marks, self._selected(), anew=not unchanged)
 
     def _selected(self) -> int | None:
-        """Index of the input that was selected last, unless the design has lost it."""
+        """Return the index of the input that was selected last, if the design still has it."""
         if self._design is None or self._view.selected_input not in self._design.ids:
             return None
         return self._design.index_of(self._view.selected_input)
 
     def _select(self, index: int) -> None:
-        self._edit(edits.select_inputs, self._together(index, alone=True))
+        self._edit(edits.select_inputs, self._ids_at(index))
 
     def _toggle(self, index: int) -> None:
-        for one in self._together(index, alone=True):
-            self._edit(edits.toggle_selected, one)
+        for track_id in self._ids_at(index):
+            self._edit(edits.toggle_selected, track_id)
 
     def _add(self, site: int, besides: bool = False) -> None:
         self._edit(edits.place_input, site, besides)
 
     def _move(self, index: int, site: int, gesture: int) -> None:
-        self._edit(edits.move_inputs, self._together(index, alone=True), site, gesture=gesture)
+        self._edit(edits.move_inputs, self._ids_at(index), site, gesture=gesture)
 
     def _remove(self) -> None:
         self._edit(edits.remove_inputs, self._view.selected_inputs)
 
-    def _together(self, index: int, *, alone: bool = False) -> tuple[int, ...]:
-        """Ids of all selected inputs if this is one of them; else of this one, if it exists."""
-        # What is held may have gone.
-        ids = self._design.ids[index : index + 1] if self._design else ()
-        several = not alone and set(ids) & set(self._view.selected_inputs)
-        return self._view.selected_inputs if several else ids
+    def _ids_at(self, index: int) -> tuple[int, ...]:
+        """Return the id of an input; empty where the design has lost it, by an undo perhaps."""
+        return self._design.ids[index : index + 1] if self._design else ()
 
     def _edit(
-        self, edit: Callable[..., Edit | Refusal], *what: object, gesture: int | None = None
+        self, edit: Callable[..., Edit | Refusal], *arguments: object, gesture: int | None = None
     ) -> None:
         if self._design is not None:
-            self.edited.emit(edit(self._design, self._view, *what), gesture)
+            self.edited.emit(edit(self._design, self._view, *arguments), gesture)
 
     def _open_menu(self, site: int, at: QPoint) -> None:
         index = self.diagram.state.front_at(site)
@@ -792,19 +782,21 @@ class HandPanel(Panel):
         add = f"Add input here\t{key_text('hand', 'place_another')}"
         menu.addAction(add, partial(self._add, site))
         menu.addSeparator()
-        ids = () if index is None else self._together(index)
-        chosen = [one for one in self._design.inputs if one.id in ids] if self._design else []
+        ids = () if index is None else self._ids_at(index)
+        if set(ids) & set(self._view.selected_inputs):
+            ids = self._view.selected_inputs
+        chosen = [track for track in self._design.inputs if track.id in ids] if self._design else []
         fill_inputs_menu(menu, chosen, lambda edit: self._edit(edit, ids), place="hand")
         menu.popup(at)
 
 
-def _titles(one: Input) -> list[str]:
-    """What an input plays: each kind once, at most three of them."""
-    titles = list(dict.fromkeys(clip.waveform.title for clip in one.clips))
+def _titles(track: Input) -> list[str]:
+    """Return the kinds of waveform that an input plays, each once, at most three."""
+    titles = list(dict.fromkeys(clip.waveform.title for clip in track.clips))
     return [*titles[:3], *(["…"] if len(titles) > 3 else [])] or [EMPTY]
 
 
-def _words(one: Input) -> str:
+def _text(track: Input) -> str:
     return ", ".join(
-        [*_titles(one), *(["muted"] if one.muted else []), *(["solo"] if one.solo else [])]
+        [*_titles(track), *(["muted"] if track.muted else []), *(["solo"] if track.solo else [])]
     )

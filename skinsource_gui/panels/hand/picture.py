@@ -1,4 +1,4 @@
-"""The line below the hand."""
+"""The picture of the hand diagram: the drawing of each limb's hand, its painter and its caption."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -21,11 +21,11 @@ from skinsource_gui.panels.hand.layout import (
     HandState,
     Mark,
     Place,
+    cached_hand_pixmap,
     fitted_hand,
     hand_layout,
     hand_pixmap,
     has_room,
-    kept_hand_pixmap,
     paint_cursor,
     paint_dot,
     paint_empty,
@@ -43,52 +43,50 @@ HINT = "Click a place on the hand"
 
 
 def caption_of(state: HandState, limb: str, fits: Callable[[str], bool]) -> str:
-    """What is said below the hand: a note, the place that is meant, or what can be done.
+    """Return the text below the hand: a note, the place pointed at, or what can be done.
 
-    Where the pointer is at another place than the ring, both are named.  The longest words that
-    fit are taken, else the shortest.
+    Where the pointer and the ring are at different places, both are named. The longest text that
+    fits is returned, else the shortest.
     """
     if state.note:
         return state.note
     ringed = state.selected_site if state.cursor is None else state.cursor
-    there = state.target or state.hovered
-    if there is None and ringed is None:
+    pointed = state.target or state.hovered
+    if pointed is None and ringed is None:
         return HINT if not state.marks else ""
-    if state.target is None and there and ringed and there != ringed:
-        wanted = _both(there, ringed, "Keys" if state.cursor else "Selected", limb)
+    if state.target is None and pointed and ringed and pointed != ringed:
+        phrases = _pointer_and_ring(pointed, ringed, "Keys" if state.cursor else "Selected", limb)
     else:
-        site = there or ringed or 0
+        site = pointed or ringed or 0
         place = input_name(site, limb)
-        wanted = (f"{site} · {place.name}", f"{site} · {place.short_name}")
-    return next((one for one in wanted if fits(one)), wanted[-1])
+        phrases = (f"{site} · {place.name}", f"{site} · {place.short_name}")
+    return next((phrase for phrase in phrases if fits(phrase)), phrases[-1])
 
 
-def _both(there: int, ringed: int, ring: str, limb: str) -> tuple[str, ...]:
-    at, rung = input_name(there, limb), input_name(ringed, limb)
+def _pointer_and_ring(pointed: int, ringed: int, ring: str, limb: str) -> tuple[str, ...]:
+    at, rung = input_name(pointed, limb), input_name(ringed, limb)
     return (
-        f"Pointer: {there} · {at.name}  |  {ring}: {ringed} · {rung.name}",
-        f"Pointer: {there} · {at.short_name}  |  {ring}: {ringed} · {rung.short_name}",
-        f"Pointer: {there} · {at.short_name}  |  {ring}: {ringed}",
-        f"Pointer: {there}  |  {ring}: {ringed}",
+        f"Pointer: {pointed} · {at.name}  |  {ring}: {ringed} · {rung.name}",
+        f"Pointer: {pointed} · {at.short_name}  |  {ring}: {ringed} · {rung.short_name}",
+        f"Pointer: {pointed} · {at.short_name}  |  {ring}: {ringed}",
+        f"Pointer: {pointed}  |  {ring}: {ringed}",
     )
 
 
-# The drawing of each limb's hand.
-
 # Outline pixels in one hand length, as in the project's own hand.
 _HAND_PX = 400.0
-# How much is seen around the outermost sites, in hand lengths.
+# Visible margin around the outermost sites, in hand lengths.
 _AROUND = 0.22
-# Places that are one point lie around it, this far off; those that lie nowhere, in columns beside
-# the hand, this far from each other.
+# Distance of sites from a point that they share; distance of sites without a place, which are
+# drawn in columns beside the hand.
 _AROUND_POINT_PX, _BESIDE_PX = 6.0, 40.0
 _FADE_PX = 40.0
 
 
 def drawing_of(limb: str) -> HandDrawing:
-    """The hand of a limb, by its name; of one that is not known, the project's own."""
-    found = own_map(limb)
-    return _standard() if found is None else _own(found, facts_of(limb))
+    """Return the hand of a limb by its name; for an unknown limb, the project's own hand."""
+    own = own_map(limb)
+    return _standard() if own is None else _own(own, facts_of(limb))
 
 
 @lru_cache(maxsize=1)
@@ -98,7 +96,7 @@ def _standard() -> HandDrawing:
 
 @lru_cache(maxsize=8)
 def _own(limb_map: LimbMap, facts: LimbFacts) -> HandDrawing:
-    """Outline and places as the lab gave them, seen from the palm."""
+    """Return outline and places as the lab gave them, seen from the palm."""
     scale = _HAND_PX / limb_map.hand_length_px
 
     def palmar(points: Floats) -> Floats:
@@ -108,12 +106,12 @@ def _own(limb_map: LimbMap, facts: LimbFacts) -> HandDrawing:
     outline = QPainterPath()
     outline.addPolygon(polygon(palmar(limb_map.outline)))
     outline.closeSubpath()
-    sites = _told_apart(palmar(limb_map.input_positions))
+    sites = _separated(palmar(limb_map.input_positions))
     side = "Left" if facts.left else "Right"
     mirrored = "\nmirrored," if facts.mirrored else ""
     bounds = _bounds(palmar(limb_map.outline), sites[np.isfinite(sites[:, 0])])
     left = float(palmar(limb_map.outline)[:, 0].min())
-    sites, bounds = _with_those_beside(sites, bounds, left)
+    sites, bounds = _with_unplaced(sites, bounds, left)
     below = float(palmar(limb_map.outline)[:, 1].max()) - bounds.bottom()
     return HandDrawing(
         outline=outline,
@@ -131,17 +129,17 @@ def _own(limb_map: LimbMap, facts: LimbFacts) -> HandDrawing:
 
 
 def _bounds(outline: Floats, sites: Floats) -> QRectF:
-    """What is seen: the sites and the hand around them, of a long arm not the rest."""
+    """Return the visible area: the sites and the hand around them, not the rest of a long arm."""
     shown = sites if len(sites) else outline
-    around = _AROUND * _HAND_PX
-    low = np.maximum(outline.min(axis=0), shown.min(axis=0) - around)
-    high = np.minimum(outline.max(axis=0), shown.max(axis=0) + around)
+    margin = _AROUND * _HAND_PX
+    low = np.maximum(outline.min(axis=0), shown.min(axis=0) - margin)
+    high = np.minimum(outline.max(axis=0), shown.max(axis=0) + margin)
     width, height = np.maximum(high - low, 1.0)
     return QRectF(float(low[0]), float(low[1]), float(width), float(height))
 
 
-def _with_those_beside(sites: Floats, bounds: QRectF, left: float) -> tuple[Floats, QRectF]:
-    """Sites that lie nowhere, beside a hand that begins at ``left``; and what is seen then."""
+def _with_unplaced(sites: Floats, bounds: QRectF, left: float) -> tuple[Floats, QRectF]:
+    """Return sites, those without a place beside the hand, and the visible area then."""
     nowhere = np.flatnonzero(np.isnan(sites[:, 0]))
     if not nowhere.size:
         return sites, bounds
@@ -150,40 +148,38 @@ def _with_those_beside(sites: Floats, bounds: QRectF, left: float) -> tuple[Floa
     all_sites = sites.copy()
     all_sites[nowhere, 0] = left - _BESIDE_PX * (0.5 + column)
     all_sites[nowhere, 1] = bounds.top() + _BESIDE_PX * (0.5 + row)
-    seen = QRectF(bounds)
-    seen.setLeft(left - _BESIDE_PX * (column.max() + 1.0))
-    return all_sites, seen
+    visible = QRectF(bounds)
+    visible.setLeft(left - _BESIDE_PX * (column.max() + 1.0))
+    return all_sites, visible
 
 
-def _told_apart(sites: Floats) -> Floats:
-    """Sites that are one point, as contacts of two kinds may be, moved off it to lie around it."""
+def _separated(sites: Floats) -> Floats:
+    """Return sites; those at one point, as contacts of two kinds may be, around it."""
     _, group, count = np.unique(sites, axis=0, return_inverse=True, return_counts=True)
-    apart = sites.copy()
+    separated = sites.copy()
     for shared in np.flatnonzero(count > 1):
         members = np.flatnonzero(group == shared)
         angles = 2.0 * np.pi * np.arange(members.size) / members.size
-        apart[members] += _AROUND_POINT_PX * np.column_stack((np.cos(angles), np.sin(angles)))
-    return apart
+        separated[members] += _AROUND_POINT_PX * np.column_stack((np.cos(angles), np.sin(angles)))
+    return separated
 
 
 def _spacing(sites: Floats) -> Floats:
-    """From each site to the nearest other one, (n_sites,)."""
-    apart = np.linalg.norm(sites[:, None] - sites[None], axis=-1)
-    np.fill_diagonal(apart, np.inf)
-    return apart.min(axis=1, initial=np.inf)
+    """Return the distance from each site to the nearest other one, (n_sites,)."""
+    distances = np.linalg.norm(sites[:, None] - sites[None], axis=-1)
+    np.fill_diagonal(distances, np.inf)
+    return distances.min(axis=1, initial=np.inf)
 
-
-# What the hand diagram shows, and how it is painted.
 
 _SIDE_ALIGNMENT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
 # From this height on there is a legend below the hand.
 _ROOMY_PX = 300
-# In large letters the words on the side take at most this part of the width.
+# With large letters the text on the side takes at most this share of the width.
 _MOST_SIDE = 0.35
-# In front of people words are larger than usual.  Numbers of empty places that are not larger than
-# those cannot be read from afar, and only hide the fingers: lines of text in a radius.
+# Text that is this much larger than usual is meant for an audience. Then numbers of empty sites
+# with a smaller radius, in lines of text, are left out: they would only hide the fingers.
 _ENLARGED, _FROM_AFAR = 1.1, 1.2
-# Pixels of the hand in a px on paper: of 600 dots in an inch.
+# Pixels of the hand in a px on paper, for 600 dots per inch.
 _PAPER_RATIO = 6.25
 _LEGEND = (("perpendicular", None), ("in-axis", QPointF(0.0, 1.0)))
 
@@ -200,31 +196,29 @@ class HandPicture:
     ----------
     area
         Where the hand is seen.
+    drawing
+        The hand.
     """
 
     def __init__(self, drawing: HandDrawing) -> None:
         self.area = QRectF(0.0, 0.0, 260.0, 330.0)
-        self._drawing = drawing
+        self.drawing = drawing
         self._size = QSize()
         self._line_px = 0.0
         self._lines = 2
-        # Radius from which on empty places have their numbers.
+        # Smallest radius at which empty sites have numbers.
         self._readable_px = 0.0
         # Of the picture that is being painted.
         self._layout: HandLayout
 
-    def show_drawing(self, drawing: HandDrawing) -> None:
-        """Take another hand."""
-        self._drawing = drawing
-
     def resize(self, size: QSize, metrics: QFontMetricsF) -> None:
-        """Take a widget's size; below the area of the hand there is text."""
+        """Take over the size of a widget; text has room below the hand."""
         self._size = size
         self._line_px = metrics.height() + 2.0
         general = QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont)
         enlarged = metrics.height() > _ENLARGED * QFontMetricsF(general).height()
         self._readable_px = _FROM_AFAR * metrics.height() if enlarged else 0.0
-        # Where there is little room the hand needs it more than the legend does.
+        # Where there is little room, the hand needs it more than the legend.
         legend = sum(_widths(metrics)) + 2 * UNIT_PX
         roomy = size.height() >= _ROOMY_PX and (not enlarged or legend <= size.width())
         self._lines = 2 if roomy else 1
@@ -237,7 +231,7 @@ class HandPicture:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         font = painter.font()
         painter.save()
-        # Magnified, the hand would lie on the words below it.
+        # A magnified hand would cover the text below it.
         painter.setClipRect(self.area.adjusted(0, -2, 0, UNIT_PX / 2))
         painter.drawPixmap(0, 0, self._hand(ratio))
         for site in self._in_order(state):
@@ -250,17 +244,17 @@ class HandPicture:
         painter.setFont(font)
         self._paint_side(painter)
         self._paint_caption(painter, state)
-        if self._lines > 1 and self._drawing.contacts:
+        if self._lines > 1 and self.drawing.contacts:
             self._paint_legend(painter)
 
     def _hand(self, ratio: float) -> QPixmap:
-        about = self._drawing, self._layout.transform, self._size
+        about = self.drawing, self._layout.transform, self._size
         if is_on_paper():
             return hand_pixmap(*about, _PAPER_RATIO, current_theme())
-        return kept_hand_pixmap(*about, ratio, current_theme())
+        return cached_hand_pixmap(*about, ratio, current_theme())
 
     def _in_order(self, state: HandState) -> list[int]:
-        """All sites, those above others last: in use, selected, pointed at."""
+        """Return all sites in the order of painting: in use, selected and pointed at come last."""
         above = [*sorted({mark.site for mark in state.marks}), state.selected_site, state.cursor]
         above += [state.hovered, state.target]
         # Each once, where it comes last.
@@ -279,7 +273,7 @@ class HandPicture:
 
     def _paint_site(self, painter: QPainter, site: int, state: HandState) -> None:
         if site == state.target and state.moving is None:
-            # What is held over it comes from another panel.
+            # Something from another panel is dragged over it.
             paint_cursor(painter, self._place(site, in_use=True), current_theme())
         front, chosen = state.front_at(site), site in (state.hovered, state.target)
         place = self._place(site, in_use=front is not None or chosen or site == state.cursor)
@@ -310,27 +304,24 @@ class HandPicture:
 
     def _paint_caption(self, painter: QPainter, state: HandState) -> None:
         metrics, area = QFontMetricsF(painter.font()), self._line_area(self._lines)
-        limb = self._drawing.limb
-        text = caption_of(
-            state, limb, lambda words: metrics.horizontalAdvance(words) <= area.width()
-        )
+        limb = self.drawing.limb
+        text = caption_of(state, limb, lambda text: metrics.horizontalAdvance(text) <= area.width())
         colour = current_theme().accent if text == HINT else current_theme().text
         text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, area.width())
         painter.setPen(QColor(colour))
         painter.drawText(area, Qt.AlignmentFlag.AlignCenter, text)
 
     def _paint_side(self, painter: QPainter) -> None:
-        """Which hand this is, in the free corner below the thumb."""
+        """Write which hand this is into the free corner below the thumb."""
         bottom = self._line_area(self._lines).bottomRight() - QPointF(0.0, 1.5 * self._line_px)
         metrics = QFontMetricsF(painter.font())
-        # As wide as the words are, in letters of any size.
-        lines = self._drawing.side.split("\n")
+        lines = self.drawing.side.split("\n")
         width = 1.0 + max(metrics.horizontalAdvance(line) for line in lines)
         if self._readable_px and width > _MOST_SIDE * self._size.width():
-            return  # in large letters it would lie on the fingers
+            return  # large letters would cover the fingers
         area = QRectF(bottom - QPointF(width, 4 * self._line_px), bottom)
         painter.setPen(QColor(current_theme().dim))
-        painter.drawText(area, _SIDE_ALIGNMENT, self._drawing.side)
+        painter.drawText(area, _SIDE_ALIGNMENT, self.drawing.side)
 
     def _paint_legend(self, painter: QPainter) -> None:
         metrics, area = QFontMetricsF(painter.font()), self._line_area(1)
@@ -338,7 +329,7 @@ class HandPicture:
         advance = 2 * radius + UNIT_PX
         widths = _widths(metrics)
         left = area.center().x() - (sum(widths) + 2 * UNIT_PX) / 2
-        for (words, push), width in zip(_LEGEND, widths, strict=True):
+        for (text, push), width in zip(_LEGEND, widths, strict=True):
             sign = Place(
                 site=0,
                 centre=QPointF(left + radius, area.center().y() - (0 if push is None else 1)),
@@ -349,7 +340,7 @@ class HandPicture:
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.drawPath(sign.path())
             at = QRectF(QPointF(left + advance, area.top()), QSizeF(width, area.height()))
-            painter.drawText(at, Qt.AlignmentFlag.AlignVCenter, words)
+            painter.drawText(at, Qt.AlignmentFlag.AlignVCenter, text)
             left += width + 2 * UNIT_PX
 
     def _line_area(self, from_bottom: int) -> QRectF:
@@ -358,12 +349,10 @@ class HandPicture:
 
 
 def _widths(metrics: QFontMetricsF) -> list[float]:
-    """Of the parts of the legend, sign and words."""
+    """Return the widths of the parts of the legend, sign and text."""
     advance = 2 * 0.36 * metrics.height() + UNIT_PX
-    return [advance + metrics.horizontalAdvance(words) for words, _ in _LEGEND]
+    return [advance + metrics.horizontalAdvance(text) for text, _ in _LEGEND]
 
-
-# What the hand shows at present, and what part of it is seen.
 
 _CONTACTS = {
     "perpendicular": "perpendicular: pushes into the skin",
@@ -372,7 +361,7 @@ _CONTACTS = {
 
 
 class HandStage(QObject):
-    """The hand with its inputs, in pictures and in words, and where its sites are.
+    """The hand with its inputs, in a widget: what it shows and which part of it is visible.
 
     Parameters
     ----------
@@ -388,15 +377,15 @@ class HandStage(QObject):
     layout
         Where the sites are, in pixels of the widget.
     pan_zoom
-        What part of the hand is seen.
+        Which part of the hand is visible.
     """
 
-    #: It looks different.
+    #: State, layout or drawing changed.
     changed = Signal()
 
     def __init__(self, drawing: HandDrawing, widget: QWidget) -> None:
         super().__init__(widget)
-        self._drawing, self._outline = drawing, _points_of(drawing)
+        self._outline = _points_of(drawing)
         self._picture = HandPicture(drawing)
         self.state = HandState()
         self.layout: HandLayout = hand_layout(drawing, fitted_hand(drawing, self._picture.area))
@@ -406,13 +395,12 @@ class HandStage(QObject):
     @property
     def drawing(self) -> HandDrawing:
         """The hand."""
-        return self._drawing
+        return self._picture.drawing
 
     def show_drawing(self, drawing: HandDrawing, widget: QWidget) -> None:
-        """Take another hand, which has other sites."""
-        if drawing is not self._drawing:
-            self._drawing, self._outline = drawing, _points_of(drawing)
-            self._picture.show_drawing(drawing)
+        """Take over another hand, which has other sites."""
+        if drawing is not self.drawing:
+            self._picture.drawing, self._outline = drawing, _points_of(drawing)
             self.state = replace(self.state, hovered=None, cursor=None, target=None)
             self.layout = hand_layout(drawing, fitted_hand(drawing, self._picture.area))
             self.fit(widget)
@@ -420,7 +408,7 @@ class HandStage(QObject):
             self.changed.emit()
 
     def change(self, **changes: Any) -> None:
-        """Replace fields of the state, and tell if that makes a difference."""
+        """Replace fields of the state; emit `changed` where that makes a difference."""
         changed = replace(self.state, **changes)
         if changed != self.state:
             self.state = changed
@@ -430,43 +418,39 @@ class HandStage(QObject):
         """Fit the hand into the widget, which has another size or font."""
         self._picture.resize(widget.size(), QFontMetricsF(widget.font()))
         area = self._picture.area
-        fits = {WHOLE: fitted_hand(self._drawing, area)}
+        fits = {WHOLE: fitted_hand(self.drawing, area)}
         self.pan_zoom.arrange(fits, self._outline, area)
 
     def paint(self, painter: QPainter, ratio: float) -> None:
         """Paint all; ``ratio`` is device pixels per widget pixel."""
         state = self.state
         if is_on_paper():
-            # Neither mouse nor keys are anywhere.
+            # On paper there is neither mouse nor cursor.
             state = replace(state, hovered=None, cursor=None, target=None)
         self._picture.paint(painter, self.layout, state, ratio)
 
     def site_at(self, position: QPointF) -> int | None:
-        """Site under the mouse; what is magnified beyond the picture cannot be hit."""
+        """Return the site under the mouse; a site outside of the picture cannot be hit."""
         inside = self._picture.area.adjusted(0, -2, 0, float(self.layout.radii_px.max()))
         return self.layout.site_at(position) if inside.contains(position) else None
 
-    def marker_area(self, site: int) -> QRectF:
-        """Square around the marker of a site."""
-        return self.layout.marker_area(site)
-
-    def words(self, site: int) -> str:
-        """What is at a site, in lines."""
-        place = input_name(site, self._drawing.limb)
+    def text(self, site: int) -> str:
+        """Return the text about a site, in lines."""
+        place = input_name(site, self.drawing.limb)
         lines = [f"{site} · {place.name}", *filter(None, [_CONTACTS.get(place.kind, "")])]
         for index in self.state.at(site):
             chosen = ", selected" if index == self.state.selected else ""
-            lines.append(f"Input {index + 1}: {self.state.marks[index].words}{chosen}")
+            lines.append(f"Input {index + 1}: {self.state.marks[index].text}{chosen}")
         return "\n".join(lines)
 
     def description(self, site: int) -> str:
-        """What is at a site, in a sentence for assistive technology."""
-        words = "Place " + self.words(site).replace("\n", ". ")
-        return words if self.state.marks else f"{HINT}. {words}"
+        """Return the text about a site as a sentence for assistive technology."""
+        text = "Place " + self.text(site).replace("\n", ". ")
+        return text if self.state.marks else f"{HINT}. {text}"
 
     def _lay_out(self) -> None:
         if self.pan_zoom.frame is not None:
-            self.layout = hand_layout(self._drawing, self.pan_zoom.frame)
+            self.layout = hand_layout(self.drawing, self.pan_zoom.frame)
             self.changed.emit()
 
 

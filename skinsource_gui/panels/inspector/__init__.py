@@ -1,1 +1,1 @@
-"""Everything about the selected input."""
+"""The inspector panel."""

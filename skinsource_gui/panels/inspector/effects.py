@@ -1,4 +1,4 @@
-"""What is done to the chain of the clip that is shown."""
+"""The effects of a clip in the inspector: a row for each, and the edits that rows and menu make."""
 
 from collections.abc import Callable
 from functools import partial
@@ -34,11 +34,11 @@ from skinsource_gui.qt.wheel import bring_into_sight
 
 
 class ChainEdits(QObject):
-    """Turns what rows and menu tell into edits of the clip."""
+    """Translates what rows and menu emit into edits of the clip."""
 
     #: `Edit` or `Refusal`, number of the gesture or None.
     edited = Signal(object, object)
-    #: Place of an effect, name of a field whose new value is not allowed, and why.
+    #: Place of an effect, name of a field whose new value is not allowed, and the reason.
     field_refused = Signal(int, str, str)
 
     def __init__(self, parent: QObject) -> None:
@@ -50,19 +50,19 @@ class ChainEdits(QObject):
     def show_state(
         self, design: Design, view: View, clip: Clip | None, ids: tuple[int, ...]
     ) -> None:
-        """Take over the state, the clip that is shown, and all that a new effect is added to."""
+        """Take over the state, the clip that is shown, and all clips that get a new effect."""
         self._design, self._view, self._clip, self._ids = design, view, clip, ids
 
     def add(self, kind: str) -> None:
-        """Put an effect at the end of the chains of all selected clips."""
+        """Add an effect at the end of the chains of all selected clips."""
         self._tell(edits.add_effect(self._design, self._view, self._ids, kind))
 
     def remove(self, index: int) -> None:
-        """Take an effect out."""
+        """Remove an effect."""
         self._of_clip(edits.remove_effect, index)
 
     def move(self, index: int, to: int) -> None:
-        """Put an effect at another place."""
+        """Move an effect to another place in the chain."""
         self._of_clip(edits.move_effect, index, to)
 
     def switch(self, index: int, on: bool) -> None:
@@ -81,16 +81,13 @@ class ChainEdits(QObject):
         else:
             self._tell(outcome, gesture)
 
-    def _of_clip(self, edit: Callable[..., Edit | Refusal], *given: object) -> None:
+    def _of_clip(self, edit: Callable[..., Edit | Refusal], *arguments: object) -> None:
         if self._clip is not None:
-            self._tell(edit(self._design, self._view, self._clip.id, *given))
+            self._tell(edit(self._design, self._view, self._clip.id, *arguments))
 
     def _tell(self, outcome: Edit | Refusal, gesture: int | None = None) -> None:
         if isinstance(outcome, Refusal) or outcome.design != self._design:
             self.edited.emit(outcome, gesture)
-
-
-# One effect of a chain.
 
 
 class EffectRow(QWidget):
@@ -99,9 +96,9 @@ class EffectRow(QWidget):
     Attributes
     ----------
     effect
-        What it shows.
+        The effect that is shown.
     title
-        The name; tells of drags and keys.
+        The name; emits drags and keys.
     """
 
     switched = Signal(bool)
@@ -141,7 +138,7 @@ class EffectRow(QWidget):
 
     @property
     def stops(self) -> tuple[QWidget, ...]:
-        """Where the Tab key stops first."""
+        """Widgets at which the Tab key stops first."""
         return (self.title,)
 
     @property
@@ -154,7 +151,7 @@ class EffectRow(QWidget):
         self.title.set_open(open_)
 
     def cell(self, name: str) -> FieldCell:
-        """The cell of a field."""
+        """Return the cell of a field."""
         return next(cell for cell in self._cells if cell.name == name)
 
     def show_effect(self, effect: Effect) -> None:
@@ -166,13 +163,13 @@ class EffectRow(QWidget):
             cell.set_value(getattr(effect, cell.name))
 
     def show_end(self, end_s: float) -> None:
-        """Take over where the clip ends, for curves over its time."""
+        """Take over the end of the clip, for curves over its time."""
         for cell in self._cells:
             if isinstance(cell.field, CurveField):
                 cell.field.points.end_x = end_s
 
     def show_refused(self, name: str, reason: str) -> None:
-        """Show again what the effect has in a field, and why it stays so."""
+        """Show the value of a field again, and the reason why it did not change."""
         cell = self.cell(name)
         cell.set_value(getattr(self.effect, name))
         cell.show_reason(reason)
@@ -183,12 +180,12 @@ class EffectRow(QWidget):
             cell.forget_typing()
 
     def toggle(self) -> None:
-        """Switch it, as a click does."""
+        """Switch the effect, as a click does."""
         self._switch.click()
 
     def _cell(self, name: str) -> FieldCell:
         cell = FieldCell(name, specs_of(self.effect)[name])
-        # Waveforms may have a field of that name, too.
+        # Waveforms may have a field of the same name.
         cell.field.setObjectName(f"effect_{name}_field")
         cell.edited.connect(self.edited)
         return cell
@@ -200,14 +197,11 @@ class EffectRow(QWidget):
         self._grid.setVisible(open_ and bool(self._cells))
 
 
-# The effects of a clip, one below the other, as they follow each other.
-
-
 class EffectChain(QWidget):
     """Rows of effects and a button that adds one.
 
-    A row follows its effect when that is moved; what is new stands open, and what was added here
-    is in sight and has the keyboard.
+    A row follows its effect when that is moved. A new row is open; one that was added here is
+    scrolled into view and gets the keyboard focus.
     """
 
     #: Name of a kind of effect.
@@ -225,8 +219,8 @@ class EffectChain(QWidget):
         super().__init__(parent)
         self._clip_id: int | None = None
         self._adds = False
-        self._words = QLabel("Effects")
-        set_tone(self._words, "dim")
+        title = QLabel("Effects")
+        set_tone(title, "dim")
         self._add = QToolButton()
         self._add.setObjectName("add_effect")
         self._add.setText("Add…")
@@ -234,24 +228,24 @@ class EffectChain(QWidget):
         self._add.setToolTip(tooltip("Add an effect at the end of the chain"))
         self._add.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self._add.setMenu(QMenu(self._add))
-        # The dots say that there is more to choose.
+        # The dots on the button already show that it opens a menu.
         self._add.setStyleSheet("QToolButton::menu-indicator { image: none; width: 0; }")
         self._add.menu().aboutToShow.connect(self._fill_menu)
         head = QHBoxLayout()
         head.setContentsMargins(0, 0, 0, 0)
-        head.addWidget(self._words, 1)
+        head.addWidget(title, 1)
         head.addWidget(self._add)
         self._column = RowColumn(self._add)
         self._column.moved.connect(self.moved)
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(0, UNIT_PX // 2, 0, 0)
-        whole.setSpacing(UNIT_PX // 4)
-        whole.addLayout(head)
-        whole.addWidget(self._column)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, UNIT_PX // 2, 0, 0)
+        column.setSpacing(UNIT_PX // 4)
+        column.addLayout(head)
+        column.addWidget(self._column)
 
     @property
     def rows(self) -> tuple[EffectRow, ...]:
-        """One for each effect, in their order."""
+        """A row for each effect, in their order."""
         return self._column.rows
 
     def show_chain(
@@ -278,11 +272,11 @@ class EffectChain(QWidget):
         if self._adds and new is not None and same_clip:
             self._adds = False
             new.title.setFocus(Qt.FocusReason.OtherFocusReason)
-            # It has a place only when it was laid out.
+            # Only the layout gives it a place to scroll to.
             QTimer.singleShot(0, new, partial(_show_whole, new))
 
     def show_refused(self, index: int, name: str, reason: str) -> None:
-        """Say why a field of an effect stays as it is."""
+        """Show the reason why a field of an effect did not change."""
         if index < len(self.rows):
             self.rows[index].show_refused(name, reason)
 
@@ -327,7 +321,7 @@ class EffectChain(QWidget):
 def _row_for(
     effect: Effect, index: int, left: list[EffectRow], before: tuple[EffectRow, ...]
 ) -> EffectRow | None:
-    """The row that goes on with an effect: its own, the one at its place, one of its kind."""
+    """Return the row that continues an effect: its own, the one at its place, one of its kind."""
     own = [row for row in left if row.effect is effect]
     at_place = [row for row in before[index : index + 1] if row in left]
     for row in (*own, *at_place, *left):
@@ -338,7 +332,7 @@ def _row_for(
 
 def _show_whole(row: EffectRow) -> None:
     """Scroll to a new row; of one that is too tall, to its beginning."""
-    # Layouts inside layouts ask again; on some systems a timer comes before the last of them.
+    # Nested layouts post further requests; on some systems the timer fires before the last one.
     QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
     bring_into_sight(row)
     bring_into_sight(row.title)

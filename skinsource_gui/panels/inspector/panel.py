@@ -1,4 +1,4 @@
-"""The way from a waveform to where it is made."""
+"""The inspector: fields of the selected inputs and clips, their preview and their effects."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -57,45 +57,42 @@ from skinsource_gui.state.panel import Panel
 
 
 class ButtonCell(LabelledCell):
-    """A button: what it leads to is not changed here.
+    """A button that leads to where a value is changed.
 
     Parameters
     ----------
-    label, words, hint
-        What stands beside the button, on it, and what it says of itself.
+    label, text, hint
+        Label beside the button, text on it, and tooltip.
     name
-        Of the button, for whoever looks for it.
+        Its `objectName`.
     """
 
-    wanted = Signal()
+    clicked = Signal()
 
     def __init__(
-        self, label: str, words: str, hint: str, *, name: str, parent: QWidget | None = None
+        self, label: str, text: str, hint: str, *, name: str, parent: QWidget | None = None
     ) -> None:
         super().__init__(label, parent)
-        self.button = QPushButton(words, self)
+        self.button = QPushButton(text, self)
         self.button.setObjectName(name)
         self.button.setMinimumHeight(LABEL_PX)
         self.button.setToolTip(tooltip(hint))
-        self.button.clicked.connect(lambda: self.wanted.emit())
+        self.button.clicked.connect(lambda: self.clicked.emit())
         self.stack.addWidget(self.button, 0, Qt.AlignmentFlag.AlignLeft)
         self.label.setBuddy(self.button)
         self.setFocusProxy(self.button)
 
 
 def pen_cell() -> ButtonCell:
-    """Leads from a drawn waveform to the pen: it is changed where it is seen large."""
+    """Return a button that shows a drawn waveform large, to be drawn with the pen."""
     hint = "Show the clip large, and draw on it with the pen"
     return ButtonCell("Pen", "Draw", hint, name="draw_button")
 
 
 def file_cell() -> ButtonCell:
-    """Leads from a recording to the file that it shall be taken from."""
+    """Return a button that imports a recording."""
     hint = "Import a recording, in place of these samples or beside them"
     return ButtonCell("File", "Choose file…", hint, name="recording_button")
-
-
-# The fields of an input.
 
 
 def _places_of(limb: str) -> ChoiceSpec:
@@ -115,22 +112,25 @@ def _places(limb: str, facts: LimbFacts) -> ChoiceSpec:
 class InputFields(QObject):
     """Fields of an input and a clip of it: kind, the waveform's own, amplitude, onset, place.
 
+    The gain of a clip is shown where its track has several clips, the gain curve of a track where
+    it has one.
+
     The gain of a clip is shown where it has others beside it, the gain curve of a track where
     there is one.
 
     Attributes
     ----------
     grid
-        Where they stand.
+        Contains the fields.
     kind, place
-        Which tell by themselves what is chosen; all others by ``edited``.
+        These emit what is chosen themselves; all others emit ``edited``.
     """
 
     #: Name of the field, its new value, number of the gesture or None.
     edited = Signal(str, object, object)
-    #: The pen shall be taken.
+    #: The clip shall be drawn with the pen.
     pen_wanted = Signal()
-    #: A file shall be chosen for a recording.
+    #: A file shall be imported as a recording.
     file_wanted = Signal()
 
     def __init__(self, parent: QObject) -> None:
@@ -155,62 +155,64 @@ class InputFields(QObject):
         self._peak = TextCell("Peak", "")
         self._peak.words.setObjectName("peak")
         self._peak.words.setToolTip("Of all that the track plays, with its gain")
-        self._lasts = TextCell("Lasts", "")
-        self._lasts.words.setObjectName("played_length")
-        self._lasts.words.setToolTip("What is heard of the waveform, or how long it is drawn out")
+        self._played_length = TextCell("Lasts", "")
+        self._played_length.words.setObjectName("played_length")
+        self._played_length.words.setToolTip(
+            "What is heard of the waveform, or how long it is drawn out"
+        )
 
     def show_input(
         self,
-        one: Input,
-        together: tuple[Input, ...],
+        track: Input,
+        batch: tuple[Input, ...],
         amplitude: NumberSpec,
         view: View,
         peak: str = "",
     ) -> None:
-        """Show an input, and where those that are edited ``together`` differ.
+        """Show an input, and where the inputs of the ``batch`` that is edited with it differ.
 
-        ``amplitude`` says what one means; ``view`` says which clips are selected; ``peak`` is said
-        of an input whose amplitude is a plain factor.
+        ``amplitude`` describes an amplitude of 1; ``view`` says which clips are selected; ``peak``
+        is the resulting peak of an input whose amplitude is a plain factor.
         """
         self._view = view
-        clip = clip_of(one, view)
+        clip = clip_of(track, view)
         kind = None if clip is None else type(clip.waveform)
-        several = len(one.clips) > 1
-        # A curve that is typed away can be typed again, until another track is looked at.
-        curved = one.id if one.gain_curve or self._curve_of == one.id else None
+        several = len(track.clips) > 1
+        # A curve that was deleted can be typed again until another track is shown.
+        curved = track.id if track.gain_curve or self._curve_of == track.id else None
         lasts = "" if clip is None else played_length_text(clip)
         others = (several, curved) != (self._several, self._curve_of)
-        before = self._said
-        self._lasts.words.setText(lasts)
+        before = self._notes_shown
+        self._played_length.words.setText(lasts)
         self._peak.words.setText(peak)
         if kind is not self._built_for or others:
             self._several, self._curve_of = several, curved
             self._build_own(None if clip is None else clip.waveform)
-        elif self._said != before:
+        elif self._notes_shown != before:
             self.grid.show_cells(self._cells())
         if self._length is not None and clip is not None:
             self._length.words.setText(fixed_length_text(clip.waveform))
         self._amplitude.set_spec(amplitude)
         self._gain.set_spec(replace(GAIN, label="Clip gain") if peak else GAIN)
-        pairs = [(other, each) for other in together for each in clips_of(other, view) or (None,)]
+        pairs = [(other, each) for other in batch for each in clips_of(other, view) or (None,)]
         for cell in self._fields():
-            cell.set_value(_value(one, cell.name, clip))
-            found = {_value(other, cell.name, each) for other, each in pairs} - {None}
-            cell.show_differs(len(found) > 1)
+            cell.set_value(_value(track, cell.name, clip))
+            values = {_value(other, cell.name, each) for other, each in pairs} - {None}
+            cell.show_differs(len(values) > 1)
 
     def show_limb(self, limb: str) -> None:
-        """Take over which places there are, and in which band it was measured."""
+        """Take over the places of a limb and the band in which it was measured."""
         places = _places_of(limb)
         if places != self._places:
             self._places = places
             self.place.set_spec(places)
-        self._take(self._played_at[0], facts_of(limb).band_hz)
+        self._update_specs(self._played_at[0], facts_of(limb).band_hz)
 
     def show_rate(self, sample_rate_hz: float) -> None:
-        """Take over the rate of the limb, which says what frequencies can be played."""
-        self._take(sample_rate_hz, self._played_at[1])
+        """Take over the sample rate, which bounds the frequencies that can be played."""
+        self._update_specs(sample_rate_hz, self._played_at[1])
 
-    def _take(self, sample_rate_hz: float, band_hz: Band | None) -> None:
+    def _update_specs(self, sample_rate_hz: float, band_hz: Band | None) -> None:
         if self._played_at == (sample_rate_hz, band_hz):
             return
         self._played_at = sample_rate_hz, band_hz
@@ -219,10 +221,10 @@ class InputFields(QObject):
             if isinstance(cell, FieldCell):
                 cell.set_spec(specs[cell.name].at_rate(*self._played_at))
 
-    def show_refused(self, one: Input, name: str, reason: str) -> None:
-        """Show again what ``one`` has in this field, and why it stays so."""
+    def show_refused(self, track: Input, name: str, reason: str) -> None:
+        """Show the value of this field again, and the reason why it did not change."""
         cell = next(cell for cell in self._fields() if cell.name == name)
-        cell.set_value(_value(one, name, clip_of(one, self._view)))
+        cell.set_value(_value(track, name, clip_of(track, self._view)))
         cell.show_reason(reason)
 
     def forget_typing(self) -> None:
@@ -231,16 +233,18 @@ class InputFields(QObject):
             cell.forget_typing()
 
     @property
-    def _said(self) -> tuple[bool, bool]:
-        """Whether it is said how long a clip lasts, and which peak results."""
-        return bool(self._lasts.words.text()), bool(self._peak.words.text())
+    def _notes_shown(self) -> tuple[bool, bool]:
+        """Whether the played duration and the resulting peak are shown."""
+        return bool(self._played_length.words.text()), bool(self._peak.words.text())
 
     def _cells(self) -> tuple[LabelledCell, ...]:
         of_clip = () if self._built_for is None else (self._onset,)
         gain = (self._gain,) if self._several else ()
         lasts, peak = (
-            (cell,) if said else ()
-            for cell, said in zip((self._lasts, self._peak), self._said, strict=True)
+            (cell,) if shown else ()
+            for cell, shown in zip(
+                (self._played_length, self._peak), self._notes_shown, strict=True
+            )
         )
         own = (self.kind, *self._own, *lasts)
         curve = () if self._curve_of is None else (self._curve,)
@@ -262,11 +266,11 @@ class InputFields(QObject):
             cells.append(self._length)
         if isinstance(waveform, Drawn):
             pen = pen_cell()
-            pen.wanted.connect(self.pen_wanted)
+            pen.clicked.connect(self.pen_wanted)
             cells.append(pen)
         if isinstance(waveform, Recording):
             file = file_cell()
-            file.wanted.connect(self.file_wanted)
+            file.clicked.connect(self.file_wanted)
             cells.append(file)
         self._own = tuple(cells)
         self._built_for = type(waveform) if waveform else None
@@ -278,16 +282,13 @@ class InputFields(QObject):
             part.deleteLater()
 
 
-def _value(one: Input, name: str, clip: Clip | None) -> object:
-    """What the cell of this name shows of an input and its clip; None where there is no such."""
+def _value(track: Input, name: str, clip: Clip | None) -> object:
+    """Return the value of a cell for an input and its clip; None where there is none."""
     if name == "kind":
         return "" if clip is None else kind_name(clip.waveform)
     if name == "location":
-        return str(one.location)
-    return edits.value_of(one, name, clip) if name in edits.fields_of(one, clip) else None
-
-
-# Which input is being edited.
+        return str(track.location)
+    return edits.value_of(track, name, clip) if name in edits.fields_of(track, clip) else None
 
 
 class InputHeading(QWidget):
@@ -301,12 +302,12 @@ class InputHeading(QWidget):
         self._place: LocationNames | None = None
         self._before = ""
         self._swatch = Swatch()
-        self._words = QLabel()
-        self._words.setObjectName("inspector_heading")
-        self._words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._title = QLabel()
+        self._title.setObjectName("inspector_heading")
+        self._title.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         font = QFont(self.font())
         font.setWeight(QFont.Weight.DemiBold)
-        self._words.setFont(font)
+        self._title.setFont(font)
         self._state = QLabel()
         set_tone(self._state, "warning")
         self._mute, self._solo = mute_button(), solo_button()
@@ -315,53 +316,50 @@ class InputHeading(QWidget):
         layout.setSpacing(UNIT_PX // 2)
         layout.addWidget(self._swatch)
         layout.addSpacing(UNIT_PX // 2)
-        layout.addWidget(self._words, 1)
+        layout.addWidget(self._title, 1)
         layout.addWidget(self._state)
         layout.addWidget(self._mute)
         layout.addWidget(self._solo)
-        RoomOrText(self).changed.connect(self._fit_words)
+        RoomOrText(self).changed.connect(self._fit_title)
         self._mute.clicked.connect(self.mute_toggled)
         self._solo.clicked.connect(self.solo_toggled)
 
     def show_input(
-        self, shown: Input, limb: str, *, silent: bool, together: tuple[Input, ...]
+        self, shown: Input, limb: str, *, silent: bool, batch: tuple[Input, ...]
     ) -> None:
-        """Show an input, ``silent`` unless it is heard, of those that are edited ``together``."""
-        self._before = f"{len(together)} inputs, last: " if len(together) > 1 else ""
+        """Show the last input of a ``batch`` edited together; ``silent``: it is not heard."""
+        self._before = f"{len(batch)} inputs, last: " if len(batch) > 1 else ""
         place = input_name(shown.location, limb)
         self._place = place
         self._swatch.show_input(shown.location, shown.colour, silent=silent)
         contact = f" ({place.kind})" if place.kind else ""
-        show_tooltip(self._words, f"Input place {place.number}: {place.name}{contact}")
-        of_whom = "last silent" if len(together) > 1 else "silent"
+        show_tooltip(self._title, f"Input place {place.number}: {place.name}{contact}")
+        of_whom = "last silent" if len(batch) > 1 else "silent"
         self._state.setText(of_whom if silent else "")
-        self._mute.setChecked(all(one.muted for one in together))
-        self._solo.setChecked(all(one.solo for one in together))
-        self._fit_words()
+        self._mute.setChecked(all(track.muted for track in batch))
+        self._solo.setChecked(all(track.solo for track in batch))
+        self._fit_title()
 
-    def _fit_words(self) -> None:
+    def _fit_title(self) -> None:
         if self._place is None:
             return
         self._row.activate()
-        metrics, room = self._words.fontMetrics(), self._words.width()
+        metrics, room = self._title.fontMetrics(), self._title.width()
         name = f"{self._before}{self._place.name}"
         if metrics.horizontalAdvance(name) > room:
             short = f"{self._before}{self._place.short_name}"
             name = metrics.elidedText(
                 short[0].upper() + short[1:], Qt.TextElideMode.ElideRight, room
             )
-        self._words.setText(name)
-
-
-# The selected inputs, and what is done to them.
+        self._title.setText(name)
 
 
 class Selection(QObject):
-    """Knows the selected inputs and turns what fields and buttons tell into edits of them."""
+    """Holds the selected inputs, and translates what fields and buttons emit into edits of them."""
 
     #: `Edit` or `Refusal`, number of the gesture or None.
     edited = Signal(object, object)
-    #: Name of a field whose new value does not go with the others, and why.
+    #: Name of a field whose new value does not fit the others, and the reason.
     field_refused = Signal(str, str)
 
     def __init__(self, parent: QObject) -> None:
@@ -378,24 +376,24 @@ class Selection(QObject):
         return self._design.input(self._view.selected_input)
 
     @property
-    def together(self) -> tuple[Input, ...]:
+    def batch(self) -> tuple[Input, ...]:
         """All selected inputs, in the order of the design."""
-        return tuple(one for one in self._design.inputs if one.id in self._ids)
+        return tuple(track for track in self._design.inputs if track.id in self._ids)
 
     def show_state(self, design: Design, view: View) -> None:
         """Take over the present design and view."""
         self._design, self._view = design, view
 
     def change_kind(self, _: str, kind: str, gesture: int | None) -> None:
-        """Give all of them another kind of waveform."""
+        """Give all selected inputs another kind of waveform."""
         self._tell(edits.change_kind(self._design, self._view, self._ids, kind), gesture)
 
     def change_place(self, _: str, number: str, gesture: int | None) -> None:
-        """Move them to an input place."""
+        """Move all selected inputs to a place."""
         self._tell(edits.move_inputs(self._design, self._view, self._ids, int(number)), gesture)
 
     def change_field(self, name: str, value: object, gesture: int | None) -> None:
-        """Type or drag a field of theirs."""
+        """Change a field of all selected inputs, by typing or dragging."""
         if self.last is None:
             return
         ids = self._ids
@@ -420,23 +418,22 @@ class Selection(QObject):
         return self._view.selected_inputs
 
     def _tell(self, outcome: Edit | Refusal, gesture: int | None) -> None:
-        # A field that is held while its input goes has nothing more to say.
+        # A field may still be dragged while its input is removed.
         if self.last is not None and (
             isinstance(outcome, Refusal) or outcome.design != self._design
         ):
             self.edited.emit(outcome, gesture)
 
 
-# Everything about the selected inputs.
-
-# In letters of any size, px.
+# Smallest size with letters of any size, px.
 _LEAST = QSize(204, 224)
 
 
 class InspectorPanel(Panel):
     """Edits the selected inputs: place, waveform, the waveform's own fields, amplitude, onset.
 
-    Shown is the one that was selected last.  A typed value sets all; a drag moves all by as much.
+    The panel shows the input that was selected last. A typed value sets all inputs; a drag changes
+    all by the same amount.
     """
 
     title = "Inspector"
@@ -483,8 +480,8 @@ class InspectorPanel(Panel):
     def show_state(self, design: Design, view: View) -> None:
         self._design, self._view = design, view
         self._selection.show_state(design, view)
-        one = self._selection.last
-        if one is None:
+        track = self._selection.last
+        if track is None:
             self._fields.forget_typing()
             self._chain.forget_typing()
             self._shown = ()
@@ -492,13 +489,13 @@ class InspectorPanel(Panel):
             self._stack.setCurrentWidget(self._empty)
             return
         if self._shown != (view.selected_inputs, view.selected_clips):
-            # What was being typed, or dragged, was meant for others.
+            # What was being typed or dragged belongs to other inputs.
             self._fields.forget_typing()
             self._chain.forget_typing()
             self._shown = (view.selected_inputs, view.selected_clips)
             self._show_waveform()
         self._show_input(
-            one, silent=all(one is not heard for heard in audible_inputs(design.inputs))
+            track, silent=all(track is not audible for audible in audible_inputs(design.inputs))
         )
         self._stack.setCurrentWidget(self._editor)
 
@@ -507,8 +504,8 @@ class InspectorPanel(Panel):
         self._show_empty()
 
     def _show_empty(self) -> None:
-        words = how_to_select_input if self._design.inputs else how_to_add
-        self._empty.setText(words(self.in_sight))
+        hint = how_to_select_input if self._design.inputs else how_to_add
+        self._empty.setText(hint(self.in_sight))
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._results = {name: results[name] for name in self.needs}
@@ -516,17 +513,17 @@ class InspectorPanel(Panel):
         self._show_waveform()
 
     def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
-        self._problems = {one.id: one.problem for one in unplayable}
+        self._problems = {input_problem.id: input_problem.problem for input_problem in unplayable}
         if self._selection.last is not None:
-            self._show_look(self._selection.last)
+            self._show_style(self._selection.last)
 
     def _show_waveform(self) -> None:
         results = self._results or {"input_waveforms": ()}
         waveforms = results["input_waveforms"]
-        # Results of an older design may have another number of inputs; the next ones come soon.
-        one = self._selection.last
-        if one is not None and len(waveforms) == len(self._design.inputs):
-            samples = waveforms[self._design.index_of(one.id)]
+        # Results of an older design may have another number of inputs; new ones come soon.
+        track = self._selection.last
+        if track is not None and len(waveforms) == len(self._design.inputs):
+            samples = waveforms[self._design.index_of(track.id)]
             if samples is None:
                 self._preview.show_words("Cannot be sampled at the rate of this limb")
             else:
@@ -570,24 +567,24 @@ class InspectorPanel(Panel):
         self._stack.addWidget(self._editor)
         self.setFocusProxy(self._fields.kind)
 
-    def _show_input(self, one: Input, *, silent: bool) -> None:
-        together = self._selection.together
-        self._heading.show_input(one, self._design.limb, silent=silent, together=together)
+    def _show_input(self, track: Input, *, silent: bool) -> None:
+        batch = self._selection.batch
+        self._heading.show_input(track, self._design.limb, silent=silent, batch=batch)
         amplitude, peak = amplitude_spec(self._design), ""
-        if is_gain(self._design, one):
-            amplitude, peak = AMPLITUDE_GAIN, peak_text(self._design, one)
+        if is_gain(self._design, track):
+            amplitude, peak = AMPLITUDE_GAIN, peak_text(self._design, track)
         self._fields.show_limb(self._design.limb)
-        self._fields.show_input(one, together, amplitude, self._view, peak)
-        self._show_chain(one, together)
-        self._show_look(one)
+        self._fields.show_input(track, batch, amplitude, self._view, peak)
+        self._show_chain(track, batch)
+        self._show_style(track)
 
-    def _show_look(self, one: Input) -> None:
-        problem = self._problems.get(one.id, "")
-        self._preview.set_look(one.colour, flipped=one.amplitude < 0, problem=problem)
+    def _show_style(self, track: Input) -> None:
+        problem = self._problems.get(track.id, "")
+        self._preview.set_look(track.colour, flipped=track.amplitude < 0, problem=problem)
 
-    def _show_chain(self, one: Input, together: tuple[Input, ...]) -> None:
-        clip = clip_of(one, self._view)
-        ids = tuple(each.id for other in together for each in clips_of(other, self._view))
+    def _show_chain(self, track: Input, batch: tuple[Input, ...]) -> None:
+        clip = clip_of(track, self._view)
+        ids = tuple(each.id for other in batch for each in clips_of(other, self._view))
         self._chain_edits.show_state(self._design, self._view, clip, ids)
         if clip is None:
             self._chain.show_chain(None, ())

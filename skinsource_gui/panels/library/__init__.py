@@ -1,1 +1,1 @@
-"""Panel of the library: presets to look at, to place, and to keep."""
+"""The library panel."""

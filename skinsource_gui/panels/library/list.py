@@ -1,4 +1,4 @@
-"""Presets as rows."""
+"""The list of presets: model, delegate, view, and the preview of one preset."""
 
 from functools import lru_cache, partial
 from html import escape
@@ -62,7 +62,7 @@ _Index = QModelIndex | QPersistentModelIndex
 
 
 class PresetsModel(QAbstractListModel):
-    """A row for each preset that was found; the user's own can be given other names."""
+    """A model with a row for each preset; the user's own presets can be renamed."""
 
     #: An `Entry`, and its new name.
     rename_wanted = Signal(object, str)
@@ -71,13 +71,8 @@ class PresetsModel(QAbstractListModel):
         super().__init__(parent)
         self._entries: tuple[tuple[Entry, bool], ...] = ()
 
-    @property
-    def entries(self) -> tuple[tuple[Entry, bool], ...]:
-        """What is listed, and whether it is the user's own."""
-        return self._entries
-
     def show_entries(self, entries: tuple[tuple[Entry, bool], ...]) -> None:
-        """List others."""
+        """List other entries."""
         if entries != self._entries:
             self.beginResetModel()
             self._entries = entries
@@ -91,7 +86,7 @@ class PresetsModel(QAbstractListModel):
             return None
         entry, own = self._entries[index.row()]
         preset = entry.preset
-        found = {
+        by_role = {
             _Role.DisplayRole: preset.name,
             _Role.EditRole: preset.name,
             ENTRY: entry,
@@ -99,14 +94,14 @@ class PresetsModel(QAbstractListModel):
             TAGS: ", ".join(preset.tags),
         }
         if role == _Role.AccessibleTextRole:
-            return f"{preset.name}{', your own' if own else ''}, {found[TAGS]}"
-        return found.get(role)
+            return f"{preset.name}{', your own' if own else ''}, {by_role[TAGS]}"
+        return by_role.get(role)
 
     def setData(self, index: _Index, value: Any, role: int = _Role.EditRole) -> bool:
         entry = index.data(ENTRY)
         if role != _Role.EditRole or entry is None or value == entry.preset.name:
             return False
-        # What is listed follows from the files.
+        # The list follows from the files, so that nothing is changed here.
         self.rename_wanted.emit(entry, str(value))
         return False
 
@@ -122,25 +117,23 @@ class PresetsModel(QAbstractListModel):
         return Qt.DropAction.CopyAction
 
     def mimeData(self, indexes: Any) -> QMimeData:
-        """The files: the window takes them, and so do other programs."""
+        """Return the files: the window accepts them, and so do other programs."""
         data = QMimeData()
-        data.setUrls([QUrl.fromLocalFile(str(one.data(ENTRY).path)) for one in indexes])
+        data.setUrls([QUrl.fromLocalFile(str(index.data(ENTRY).path)) for index in indexes])
         return data
 
 
-# Small pictures of what presets play.
-
 SIZE_PX = QSize(44, 26)
-#: Pixels of the screen for each of them, at most.
+#: Largest number of screen pixels for each px.
 _SHARPEST = 3
 _LINE_PX = 1.0
-# What is so small looks the same at the rate of any limb.
+# So small a picture looks the same at the sample rate of any limb.
 _RATE_HZ = 2000.0
 
 
 @lru_cache(maxsize=256)
 def thumbnail(preset: Preset, colour: str, ratio: float) -> QPixmap:
-    """What it plays, at full height; nothing where it cannot be played."""
+    """Return a picture of what a preset plays, at full height; empty where it cannot be played."""
     per_px = min(max(round(ratio), 1), _SHARPEST)
     picture = QPixmap(SIZE_PX * per_px)
     picture.setDevicePixelRatio(per_px)
@@ -161,7 +154,7 @@ def thumbnail(preset: Preset, colour: str, ratio: float) -> QPixmap:
 
 
 def _curve(samples: Floats, columns: int) -> QPainterPath:
-    """Every sample, or the highest and the lowest of each column."""
+    """Return every sample, or the highest and the lowest of each column, as a path."""
     if samples.size > 2 * columns:
         starts = np.arange(columns) * samples.size // columns
         high, low = np.maximum.reduceat(samples, starts), np.minimum.reduceat(samples, starts)
@@ -172,22 +165,20 @@ def _curve(samples: Floats, columns: int) -> QPainterPath:
     return arrayToQPath(x, y, finiteCheck=False)
 
 
-# Draws a row of the library.
-
 _OWN_PX = 3
 
 
 class PresetDelegate(QStyledItemDelegate):
-    """A picture, the name, and tags below it; a bar at the user's own."""
+    """Paints a row: a picture, the name, and tags below it; a bar marks the user's own presets."""
 
     def sizeHint(self, option: QStyleOptionViewItem, index: _Index) -> QSize:
-        words = 2 * option.fontMetrics.height() + UNIT_PX
-        return QSize(10 * UNIT_PX, max(words, SIZE_PX.height() + UNIT_PX))
+        text_px = 2 * option.fontMetrics.height() + UNIT_PX
+        return QSize(10 * UNIT_PX, max(text_px, SIZE_PX.height() + UNIT_PX))
 
     def updateEditorGeometry(
         self, editor: QWidget, option: QStyleOptionViewItem, index: _Index
     ) -> None:
-        editor.setGeometry(self._words(option.rect))
+        editor.setGeometry(self._text_area(option.rect))
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: _Index) -> None:
         theme, rect = current_theme(), option.rect
@@ -204,11 +195,11 @@ class PresetDelegate(QStyledItemDelegate):
         picture = thumbnail(index.data(ENTRY).preset, theme.text, ratio)
         top = rect.center().y() - SIZE_PX.height() // 2
         painter.drawPixmap(rect.left() + UNIT_PX, top, picture)
-        words = self._words(rect)
-        metrics, middle = option.fontMetrics, words.center().y()
+        text_area = self._text_area(rect)
+        metrics, middle = option.fontMetrics, text_area.center().y()
         for text, colour, area in (
-            (index.data(), theme.text, words.adjusted(0, 0, 0, middle - words.bottom())),
-            (index.data(TAGS), theme.dim, words.adjusted(0, middle - words.top(), 0, 0)),
+            (index.data(), theme.text, text_area.adjusted(0, 0, 0, middle - text_area.bottom())),
+            (index.data(TAGS), theme.dim, text_area.adjusted(0, middle - text_area.top(), 0, 0)),
         ):
             painter.setPen(QColor(colour))
             shown = metrics.elidedText(text, Qt.TextElideMode.ElideRight, area.width())
@@ -218,30 +209,28 @@ class PresetDelegate(QStyledItemDelegate):
             painter.drawRect(rect.adjusted(0, 0, -1, -1))
         painter.restore()
 
-    def _words(self, rect: QRect) -> QRect:
+    def _text_area(self, rect: QRect) -> QRect:
         return rect.adjusted(SIZE_PX.width() + 2 * UNIT_PX, 2, -UNIT_PX // 2, -2)
 
 
-# The list of presets.
-
 _PLACE = "library"
-# How far from the pointer a dragged preset is shown, and how wide its name may be.
+# Distance of a dragged preset from the pointer, and largest width of its name.
 _ASIDE_PX, _WIDEST_TAG_PX = 14, 180
 
 
 class PresetList(QListView):
-    """Rows that are looked at by pointer or keys, dragged away, and placed."""
+    """A list of presets that can be previewed, dragged and placed."""
 
     #: An `Entry`.
     place_wanted = Signal(object)
     delete_wanted = Signal(object)
     search_wanted = Signal()
-    #: The `Entry` under the pointer, else the one that the keys have reached, or None.
-    looked_at = Signal(object)
+    #: The `Entry` under the pointer, else the one at the keyboard's cursor, or None.
+    preview_changed = Signal(object)
 
     def __init__(self, model: PresetsModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._words = ""
+        self._message = ""
         self._under: Entry | None = None
         self._delegate = PresetDelegate(self)
         self.setObjectName("preset_rows")
@@ -260,25 +249,25 @@ class PresetList(QListView):
 
     @property
     def current(self) -> Entry | None:
-        """The one that the keys have reached."""
+        """The entry at the keyboard's cursor."""
         return self.currentIndex().data(ENTRY)
 
     @property
     def current_is_own(self) -> bool:
-        """Whether it is the user's."""
+        """Whether it is the user's own."""
         return bool(self.currentIndex().data(OWN))
 
-    def show_words(self, words: str) -> None:
-        """Say why there are no rows."""
-        self._words = words
+    def show_message(self, text: str) -> None:
+        """Show why there are no rows."""
+        self._message = text
         self.viewport().update()
 
     def go_to(self, row: int) -> None:
-        """Let the keys be at this row."""
+        """Move the keyboard's cursor to this row."""
         self.setCurrentIndex(self.model().index(row, 0))
 
     def rename(self) -> None:
-        """Let the user type another name, where it is the user's own."""
+        """Let the user type another name, where the preset is the user's own."""
         if self.current_is_own:
             self.edit(self.currentIndex())
 
@@ -288,41 +277,37 @@ class PresetList(QListView):
             drag = QDrag(self)
             drag.setMimeData(self.model().mimeData(chosen))
             drag.setPixmap(self._tag(str(chosen[0].data())))
-            # Beside the pointer: below it lies what it is dragged to.
+            # It lies beside the pointer, so that the target below stays visible.
             drag.setHotSpot(QPoint(-_ASIDE_PX, -_ASIDE_PX))
             drag.exec(actions, Qt.DropAction.CopyAction)
 
     def _tag(self, name: str) -> QPixmap:
-        """A small label with a name on it."""
+        """Return a small label with a name on it."""
         metrics, ratio = self.fontMetrics(), self.devicePixelRatioF()
-        words = metrics.elidedText(name, Qt.TextElideMode.ElideRight, _WIDEST_TAG_PX)
-        size = QSize(metrics.horizontalAdvance(words) + 2 * UNIT_PX, metrics.height() + UNIT_PX)
+        text = metrics.elidedText(name, Qt.TextElideMode.ElideRight, _WIDEST_TAG_PX)
+        size = QSize(metrics.horizontalAdvance(text) + 2 * UNIT_PX, metrics.height() + UNIT_PX)
         tag = QPixmap(size * ratio)
         tag.setDevicePixelRatio(ratio)
         tag.fill(QColor(current_theme().accent))
         painter = QPainter(tag)
         painter.setFont(self.font())
         painter.setPen(QColor(current_theme().on_accent))
-        painter.drawText(QRect(QPoint(), size), Qt.AlignmentFlag.AlignCenter, words)
+        painter.drawText(QRect(QPoint(), size), Qt.AlignmentFlag.AlignCenter, text)
         painter.end()
         return tag
 
-    def currentChanged(
-        self,
-        current: QModelIndex | QPersistentModelIndex,
-        previous: QModelIndex | QPersistentModelIndex,
-    ) -> None:
+    def currentChanged(self, current: _Index, previous: _Index) -> None:
         super().currentChanged(current, previous)
         self._under = None
-        self.looked_at.emit(self.current)
+        self.preview_changed.emit(self.current)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         super().mouseMoveEvent(event)
-        self._look(self.indexAt(event.position().toPoint()).data(ENTRY))
+        self._point_at(self.indexAt(event.position().toPoint()).data(ENTRY))
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
-        self._look(None)
+        self._point_at(None)
 
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, partial(meaning_of, _PLACE)) or super().event(event)
@@ -334,87 +319,85 @@ class PresetList(QListView):
         elif name == "rename":
             self.rename()
         elif name in ("place", "remove"):
-            wanted = self.place_wanted if name == "place" else self.delete_wanted
+            signal = self.place_wanted if name == "place" else self.delete_wanted
             if entry is not None and (name == "place" or self.current_is_own):
-                wanted.emit(entry)
+                signal.emit(entry)
         else:
             super().keyPressEvent(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        if self.model().rowCount() == 0 and self._words:
+        if self.model().rowCount() == 0 and self._message:
             painter = QPainter(self.viewport())
             painter.setPen(QColor(current_theme().dim))
             room = self.viewport().rect().adjusted(UNIT_PX, UNIT_PX, -UNIT_PX, -UNIT_PX)
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-            painter.drawText(room, flags, self._words)
+            painter.drawText(room, flags, self._message)
 
     def _place(self, index: QModelIndex) -> None:
         self.place_wanted.emit(index.data(ENTRY))
 
-    def _look(self, under: Entry | None) -> None:
+    def _point_at(self, under: Entry | None) -> None:
         if under != self._under:
             self._under = under
-            self.looked_at.emit(under or self.current)
+            self.preview_changed.emit(under or self.current)
 
-
-# What a preset plays, and what is known about it.
 
 _LEAST_WIDTH_PX = 160
-_LEAST_STRIP_PX, _LEAST_SPECTRUM_PX, _LEAST_WORDS_PX = 58, 64, 40
-_MOST_STRIP_PX, _MOST_SPECTRUM_PX, _MOST_WORDS_PX = 84, 96, 92
+_LEAST_STRIP_PX, _LEAST_SPECTRUM_PX, _LEAST_TEXT_PX = 58, 64, 40
+_MOST_STRIP_PX, _MOST_SPECTRUM_PX, _MOST_TEXT_PX = 84, 96, 92
 
 
 class PresetPreview(QWidget):
-    """Clips on their tracks, the spectrum of their sum, and words."""
+    """Clips of a preset on their tracks, the spectrum of their sum, and a description."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._preset: Preset | None = None
         self._limb = ""
-        self.strip, self.spectrum, self.words = ClipStrip(), SpectrumPreview(), QLabel()
+        self.strip, self.spectrum, self.text = ClipStrip(), SpectrumPreview(), QLabel()
         self.strip.setAccessibleName("Clips of the preset")
-        about = QScrollArea()
-        about.setObjectName("preset_about")
-        about.setFrameShape(QFrame.Shape.NoFrame)
-        about.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        about.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        about.setWidgetResizable(True)
-        about.setWidget(self.words)
-        about.viewport().setAutoFillBackground(False)
+        scroll = QScrollArea()
+        scroll.setObjectName("preset_about")
+        scroll.setFrameShape(QFrame.Shape.NoFrame)
+        scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll.setWidgetResizable(True)
+        scroll.setWidget(self.text)
+        scroll.viewport().setAutoFillBackground(False)
         for part, least, most in (
             (self.strip, _LEAST_STRIP_PX, _MOST_STRIP_PX),
             (self.spectrum, _LEAST_SPECTRUM_PX, _MOST_SPECTRUM_PX),
-            (about, _LEAST_WORDS_PX, _MOST_WORDS_PX),
+            (scroll, _LEAST_TEXT_PX, _MOST_TEXT_PX),
         ):
             part.setMinimumHeight(least)
             part.setMaximumHeight(most)
         self.setMinimumWidth(_LEAST_WIDTH_PX)
-        self.words.setObjectName("preset_words")
-        self.words.setWordWrap(True)
-        self.words.setTextFormat(Qt.TextFormat.RichText)
-        self.words.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.text.setObjectName("preset_words")
+        self.text.setWordWrap(True)
+        self.text.setTextFormat(Qt.TextFormat.RichText)
+        self.text.setAlignment(Qt.AlignmentFlag.AlignTop)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2)
         column.addWidget(self.strip, 3)
         column.addWidget(self.spectrum, 4)
-        column.addWidget(about, 3)
+        column.addWidget(scroll, 3)
 
     @property
     def preset(self) -> Preset | None:
-        """What is shown."""
+        """The preset that is shown."""
         return self._preset
 
     def show_limb(self, limb: str) -> None:
-        """Take over on which limb it would be placed."""
+        """Take over the limb on which the preset would be placed."""
         if limb != self._limb:
             self._limb, preset = limb, self._preset
             self._preset = None
             self.show_preset(preset)
 
     def show_preset(self, preset: Preset | None) -> None:
-        """Show another one, or nothing."""
+        """Show another preset, or nothing."""
         if preset == self._preset:
             return
         self._preset = preset
@@ -430,25 +413,25 @@ class PresetPreview(QWidget):
         except SkinSourceError as error:
             self.strip.show_words(sentence(str(error)))
             self.spectrum.show_samples(None)
-        self._show_words(preset)
+        self._show_text(preset)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange and self._preset is not None:
-            self._show_words(self._preset)
+            self._show_text(self._preset)
 
-    def _show_words(self, preset: Preset) -> None:
+    def _show_text(self, preset: Preset) -> None:
         parts = [f"<b>{escape(preset.name)}</b> · {escape(_facts(preset, self._limb))}"]
         if preset.description:
             parts.append(escape(preset.description))
         if preset.source:
             dim = current_theme().dim
             parts.append(f"<span style='color:{dim}'>Source: {escape(preset.source)}</span>")
-        self.words.setText("<br>".join(parts))
+        self.text.setText("<br>".join(parts))
 
 
 def _facts(preset: Preset, limb: str) -> str:
-    """How long, how many clips, and for which places."""
+    """Return duration, number of clips and places of a preset."""
     lanes = preset.fragment.lanes
     length_s = preset.fragment.duration_s
     length = f"{length_s:.3g} s" if length_s >= 1.0 else f"{1e3 * length_s:.3g} ms"
@@ -456,9 +439,9 @@ def _facts(preset: Preset, limb: str) -> str:
         n = len(lanes[0].clips)
         return length if n == 1 else f"{length}, {n} clips"
     places = (lane.location for lane in lanes)
-    names = (input_name(k, limb).short_name if _is_there(k, limb) else str(k) for k in places)
+    names = (input_name(k, limb).short_name if _exists(k, limb) else str(k) for k in places)
     return f"{length}, {len(lanes)} tracks: {', '.join(names)}"
 
 
-def _is_there(place: int, limb: str) -> bool:
+def _exists(place: int, limb: str) -> bool:
     return place <= facts_of(limb).n_inputs

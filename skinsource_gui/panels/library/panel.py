@@ -1,4 +1,4 @@
-"""What can be done with presets, as buttons and as a menu."""
+"""The library panel: search, list, preview and buttons for presets."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -37,7 +37,7 @@ _PLACE = "library"
 
 
 class LibraryButtons(QWidget):
-    """Place, save, rename, delete."""
+    """Buttons that place, save, rename and delete presets."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -61,14 +61,14 @@ class LibraryButtons(QWidget):
         column.addWidget(FoldingRow((self.place, self.save, self.rename, self.delete), 4))
         self.show_current(False, False)
 
-    def show_current(self, there: bool, own: bool) -> None:
-        """Whether there is a preset to do it with, and whether it is the user's own."""
-        self.place.setEnabled(there)
+    def show_current(self, exists: bool, own: bool) -> None:
+        """Enable the buttons for a preset that ``exists`` and may be the user's ``own``."""
+        self.place.setEnabled(exists)
         self.rename.setEnabled(own)
         self.delete.setEnabled(own)
 
     def fill(self, menu: QMenu) -> None:
-        """Add the same to ``menu``."""
+        """Add the same actions to ``menu``."""
         for button in (self.place, self.rename, self.delete):
             entry = menu.addAction(button.text(), button.click)
             entry.setEnabled(button.isEnabled())
@@ -82,13 +82,11 @@ class LibraryButtons(QWidget):
         return button
 
 
-# Words to search for, and a tag.
-
 _ALL = "All tags"
 
 
 class SearchRow(QWidget):
-    """A line to type in, and the tags that there are."""
+    """A line to type in, and a choice of tags."""
 
     changed = Signal()
     #: Enter was pressed; Down was pressed.
@@ -120,17 +118,17 @@ class SearchRow(QWidget):
         row.addWidget(self.tags, 2)
 
     @property
-    def words(self) -> str:
-        """What is searched for."""
+    def text(self) -> str:
+        """The text to search for."""
         return self.line.text()
 
     @property
     def tag(self) -> str:
-        """The tag that is chosen, or ""."""
+        """The chosen tag, or ""."""
         return self.tags.currentText() if self.tags.currentIndex() > 0 else ""
 
     def show_tags(self, tags: Iterable[str]) -> None:
-        """Offer these; the chosen one stays, if it is among them."""
+        """Offer these tags; the chosen one stays if it is among them."""
         offered, chosen = [_ALL, *sorted(set(tags), key=str.casefold)], self.tag
         if offered == [self.tags.itemText(k) for k in range(self.tags.count())]:
             return
@@ -145,20 +143,18 @@ class SearchRow(QWidget):
             if event.key() == Qt.Key.Key_Down:
                 self.left_downwards.emit()
                 return True
-            if event.key() == Qt.Key.Key_Escape and self.words:
+            if event.key() == Qt.Key.Key_Escape and self.text:
                 self.line.clear()
                 return True
         return super().eventFilter(watched, event)
 
 
-# Notices that files of a folder change, come or go.
-
-#: Files are written in several steps: what follows this soon is one change.
-_TOGETHER_MS = 150
+#: Changes within this time are one change, since files are written in several steps.
+_BATCH_MS = 150
 
 
 class FolderWatch(QObject):
-    """Watches a folder and its files, also one that is not there yet.
+    """Watches a folder and its files, also a folder that does not exist yet.
 
     Parameters
     ----------
@@ -166,7 +162,7 @@ class FolderWatch(QObject):
         Files with this ending are watched.
     """
 
-    #: Something has changed; told once for many changes.
+    #: Something has changed; emitted once for many changes.
     changed = Signal()
 
     def __init__(self, suffix: str, parent: QObject) -> None:
@@ -175,11 +171,11 @@ class FolderWatch(QObject):
         self._watcher: QFileSystemWatcher | None = None
         self._pause = QTimer(self)
         self._pause.setSingleShot(True)
-        self._pause.setInterval(_TOGETHER_MS)
+        self._pause.setInterval(_BATCH_MS)
         self._pause.timeout.connect(self.changed)
 
     def watch(self, folder: Path) -> None:
-        """Watch ``folder`` and what is in it now, and nothing else."""
+        """Watch ``folder`` and its present files, and nothing else."""
         self.rest()
         self._watcher = QFileSystemWatcher(self)
         self._watcher.directoryChanged.connect(self._pause.start)
@@ -188,10 +184,10 @@ class FolderWatch(QObject):
             files = [str(path) for path in folder.iterdir() if path.suffix == self._suffix]
             self._watcher.addPaths([str(folder), *files])
         except OSError:
-            # What it comes to lie in is watched instead.
-            there = next((one for one in folder.parents if one.is_dir()), None)
-            if there is not None:
-                self._watcher.addPath(str(there))
+            # The nearest folder that exists is watched instead.
+            ancestor = next((parent for parent in folder.parents if parent.is_dir()), None)
+            if ancestor is not None:
+                self._watcher.addPath(str(ancestor))
 
     def rest(self) -> None:
         """Watch nothing."""
@@ -201,11 +197,8 @@ class FolderWatch(QObject):
             self._watcher = None
 
 
-# The presets that there are: those of the user, and those that are shipped.
-
-
 class PresetFolders(QObject):
-    """Reads both folders, and the user's again when it changes; renames and deletes there."""
+    """Reads the folders of presets, the user's again when it changes; renames and deletes in it."""
 
     changed = Signal()
     #: Why something was not done.
@@ -220,36 +213,36 @@ class PresetFolders(QObject):
 
     @property
     def folder(self) -> Path:
-        """Where those of the user lie."""
+        """Folder of the user's presets."""
         return presets.users_folder()
 
     @property
     def entries(self) -> tuple[tuple[Entry, bool], ...]:
-        """All of them, the user's own first, and whether they are."""
+        """All entries, the user's own first, each with whether it is the user's own."""
         shipped = self._shipped or PresetFolder()
         own = tuple((entry, True) for entry in self._own.entries)
         return (*own, *((entry, False) for entry in shipped.entries))
 
     @property
     def faults(self) -> tuple[Fault, ...]:
-        """What was left out."""
+        """Files that could not be read."""
         return (*self._own.faults, *(self._shipped or PresetFolder()).faults)
 
     def read(self) -> None:
-        """Read them, and watch the user's."""
+        """Read both folders, and watch the user's."""
         if self._shipped is None:
             self._shipped = presets.read_preset_folder(presets.shipped_folder())
-        # Watched before it is read: nothing is missed between.
+        # It is watched before it is read, so that no change is missed.
         self._watch.watch(self.folder)
         self._own = presets.read_preset_folder(self.folder)
         self.changed.emit()
 
     def rest(self) -> None:
-        """Notice no changes."""
+        """Stop watching."""
         self._watch.rest()
 
     def rename(self, entry: Entry, name: str) -> Path:
-        """Give a preset of the user another name; returns its file."""
+        """Rename a preset of the user; return its file."""
         path = entry.path
         try:
             path = presets.rename_preset(self.folder, path, name)
@@ -267,15 +260,13 @@ class PresetFolders(QObject):
         self.read()
 
 
-# Panel of the library.
-
 _WIDE_PX, _HIGH_PX = 340, 440
 _NOTHING = "No preset is like that. Search for other words, or choose all tags."
 _NO = QMessageBox.StandardButton.No
 
 
 class LibraryPanel(Panel):
-    """Presets by name and tag; what they play; placed by Enter, a double click, or dragging."""
+    """Presets by name and tag, with a preview; placed by Enter, a double click, or dragging."""
 
     title: ClassVar[str] = "Library"
     name: ClassVar[str] = "library"
@@ -284,7 +275,7 @@ class LibraryPanel(Panel):
         super().__init__(parent)
         self._design: Design | None = None
         self._view = View()
-        self.shelves = PresetFolders(self)
+        self.folders = PresetFolders(self)
         self.model = PresetsModel(self)
         self.search, self.rows = SearchRow(), PresetList(self.model)
         self.preview, self.buttons = PresetPreview(), LibraryButtons()
@@ -322,19 +313,19 @@ class LibraryPanel(Panel):
         self._view = view
 
     def showEvent(self, event: QShowEvent) -> None:
-        # What happened to the files meanwhile is not known.
-        self.shelves.read()
+        # The files may have changed while the panel was hidden.
+        self.folders.read()
         super().showEvent(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        # Where there is little height and some width, the preview stands beside the list.
-        beside = self.width() >= _WIDE_PX and self.height() < _HIGH_PX
+        # In a low and wide panel the preview lies beside the list.
+        is_wide = self.width() >= _WIDE_PX and self.height() < _HIGH_PX
         way = QBoxLayout.Direction
-        self._body.setDirection(way.LeftToRight if beside else way.TopToBottom)
+        self._body.setDirection(way.LeftToRight if is_wide else way.TopToBottom)
 
     def hideEvent(self, event: QHideEvent) -> None:
-        self.shelves.rest()
+        self.folders.rest()
         super().hideEvent(event)
 
     def place(self, entry: Entry | None) -> None:
@@ -346,37 +337,37 @@ class LibraryPanel(Panel):
             )
 
     def _connect(self) -> None:
-        self.shelves.changed.connect(self._show_presets)
-        self.shelves.failed.connect(self.failed)
+        self.folders.changed.connect(self._show_presets)
+        self.folders.failed.connect(self.failed)
         self.search.changed.connect(self._show_presets)
         self.search.accepted.connect(self._place_current)
         self.search.left_downwards.connect(self.rows.setFocus)
         self.rows.place_wanted.connect(self.place)
         self.rows.delete_wanted.connect(self._delete)
         self.rows.search_wanted.connect(self._search)
-        self.rows.looked_at.connect(self._look)
+        self.rows.preview_changed.connect(self._preview)
         self.rows.customContextMenuRequested.connect(self._open_menu)
         self.model.rename_wanted.connect(self._rename)
         self.buttons.place.clicked.connect(self._place_current)
-        self.buttons.save.clicked.connect(self._save)
+        self.buttons.save.clicked.connect(lambda: self.action_wanted.emit("save_to_library"))
         self.buttons.rename.clicked.connect(self.rows.rename)
         self.buttons.delete.clicked.connect(self._delete_current)
 
     def _show_presets(self, at: Path | None = None) -> None:
-        """List what was found; the keys stay where they were, or go to the file ``at``."""
+        """List the matches; the cursor stays at its file, or goes to the file ``at``."""
         before = self.rows.current
-        wanted = at or (before.path if before is not None else None)
-        everything = self.shelves.entries
+        path = at or (before.path if before is not None else None)
+        everything = self.folders.entries
         self.search.show_tags(tag for entry, _ in everything for tag in entry.preset.tags)
         own = {entry.path for entry, is_own in everything if is_own}
-        found = matching((entry for entry, _ in everything), self.search.words, self.search.tag)
-        self.model.show_entries(tuple((entry, entry.path in own) for entry in found))
-        row = next((k for k, entry in enumerate(found) if entry.path == wanted), 0)
-        self.rows.show_words("" if found else _NOTHING)
-        if found:
+        matches = matching((entry for entry, _ in everything), self.search.text, self.search.tag)
+        self.model.show_entries(tuple((entry, entry.path in own) for entry in matches))
+        row = next((k for k, entry in enumerate(matches) if entry.path == path), 0)
+        self.rows.show_message("" if matches else _NOTHING)
+        if matches:
             self.rows.go_to(row)
-        self._look(self.rows.current)
-        faults = self.shelves.faults
+        self._preview(self.rows.current)
+        faults = self.folders.faults
         self.faults.setVisible(bool(faults))
         if faults:
             others = counted(len(faults) - 1, "other")
@@ -384,16 +375,13 @@ class LibraryPanel(Panel):
             self.faults.setText(f"Left out: {faults[0].sentence}{more}")
             self.faults.setToolTip("\n".join(fault.sentence for fault in faults))
 
-    def _look(self, entry: Entry | None) -> None:
+    def _preview(self, entry: Entry | None) -> None:
         self.preview.show_preset(None if entry is None else entry.preset)
         self.buttons.show_current(self.rows.current is not None, self.rows.current_is_own)
 
     def _search(self) -> None:
         self.search.line.setFocus()
         self.search.line.selectAll()
-
-    def _save(self) -> None:
-        self.action_wanted.emit("save_to_library")
 
     def _place_current(self) -> None:
         self.place(self.rows.current)
@@ -403,7 +391,7 @@ class LibraryPanel(Panel):
             self._delete(self.rows.current)
 
     def _rename(self, entry: Entry, name: str) -> None:
-        self._show_presets(self.shelves.rename(entry, name))
+        self._show_presets(self.folders.rename(entry, name))
 
     def _delete(self, entry: Entry) -> None:
         question = (
@@ -411,7 +399,7 @@ class LibraryPanel(Panel):
             "which it was placed keep it."
         )
         if agreed(self, "Delete from the library", question, otherwise=_NO):
-            self.shelves.delete(entry)
+            self.folders.delete(entry)
 
     def _open_menu(self, at: QPoint) -> None:
         if self.rows.current is None:

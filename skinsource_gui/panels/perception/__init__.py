@@ -1,1 +1,1 @@
-"""Levels above the threshold of detection."""
+"""The perception panel."""

@@ -1,4 +1,4 @@
-"""What ISO 5349-1 makes of the contacts, in words and as a table."""
+"""The perception panel: levels above threshold, and the ISO 5349-1 weighting of contacts."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -36,8 +36,12 @@ from skinsource_gui.fields.number_field import NumberField
 from skinsource_gui.panels.figure_panel import COMPUTING
 from skinsource_gui.qt.asking import CopyButton, copied_level
 from skinsource_gui.qt.buttons import tool_button
-from skinsource_gui.qt.labels import SHORT_NAME, dress_table, give_names_the_rest
-from skinsource_gui.qt.labels import how_to_select_output as empty_words_output_words
+from skinsource_gui.qt.labels import (
+    SHORT_NAME,
+    dress_table,
+    give_names_the_rest,
+    how_to_select_output,
+)
 from skinsource_gui.qt.room import BesideOrBelow, LetterWidth
 from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
@@ -46,38 +50,40 @@ from skinsource_gui.state.panel import Panel
 Weighted = tuple[tuple[int, float], ...] | None
 
 _NO_WEIGHTED = "Wh: only where drives are accelerations of the probe"
-_MOST_SAID = 3
+_MOST_LISTED = 3
 # Word joiners: a line does not break at the slash.
 _UNIT = "m\u2060/\u2060s²"
 
 
 def contact_text(weighted: Weighted, *, as_stored: bool = False) -> str:
-    """A sentence; of many places it says the largest, and of the skin elsewhere nothing.
+    """Return the weighted RMS of the contacts as a sentence; of many places only the largest.
 
-    ``as_stored``: what else is shown has a gain that these have not.
+    ``as_stored``: other levels have a display gain that these do not have.
     """
     if weighted is None:
         return _NO_WEIGHTED
     if not weighted:
         return ""
-    if len(weighted) <= _MOST_SAID:
-        said = f"{_listed(weighted, ', ')} RMS"
+    if len(weighted) <= _MOST_LISTED:
+        levels = f"{_listed(weighted, ', ')} RMS"
     else:
-        place, most = max(weighted, key=lambda one: one[1])
-        said = f"largest {most:.3g} {_UNIT} RMS at place {place}, of {len(weighted)} places"
+        place, most = max(weighted, key=lambda pair: pair[1])
+        levels = f"largest {most:.3g} {_UNIT} RMS at place {place}, of {len(weighted)} places"
     stored = ", with the amplitudes that were stored" if as_stored else ""
-    return f"ISO 5349-1 Wh, a health weighting, not perception, of the probe itself: {said}{stored}"
+    return (
+        f"ISO 5349-1 Wh, a health weighting, not perception, of the probe itself: {levels}{stored}"
+    )
 
 
 def contact_list(weighted: Weighted) -> str:
-    """All places, one a line; "" where the sentence says them all."""
-    if weighted is None or len(weighted) <= _MOST_SAID:
+    """Return a line for each place; "" where the sentence names all of them."""
+    if weighted is None or len(weighted) <= _MOST_LISTED:
         return ""
     return "Wh, RMS\n" + _listed(weighted, "\n")
 
 
 def contact_table(weighted: Weighted) -> str:
-    """All places for a spreadsheet, below a line that is empty; "" where there are none."""
+    """Return all places for a spreadsheet, below an empty line; "" where there are none."""
     if not weighted:
         return ""
     lines = [f"{place}\t{value!r}" for place, value in weighted]
@@ -88,11 +94,8 @@ def _listed(weighted: tuple[tuple[int, float], ...], between: str) -> str:
     return between.join(f"place {place}: {value:.3g} {_UNIT}" for place, value in weighted)
 
 
-# The table of levels above threshold.
-
-
 class LevelTable(QTableWidget):
-    """Texts in rows; the first column says which output, the others are numbers."""
+    """A table of texts; the first column names the output, the others are numbers."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -107,7 +110,7 @@ class LevelTable(QTableWidget):
         outputs: Sequence[int],
         texts: Sequence[Sequence[str]],
     ) -> None:
-        """Show rows of outputs under columns, of which each has a title and a hint."""
+        """Show a row for each output under columns that have a title and a hint each."""
         self.setColumnCount(len(columns))
         self.setRowCount(len(texts))
         give_names_the_rest(self)
@@ -129,8 +132,6 @@ class LevelTable(QTableWidget):
                 self.setItem(row, k, item)
 
 
-# Levels above threshold as a table.
-
 _TITLES = {"P": "P\ndB", "NP I": "NP I\ndB", "own": "Own\ndB"}
 _HINTS = {
     "P": "Above the threshold of the Pacinian channel, which governs fast vibrations",
@@ -139,60 +140,61 @@ _HINTS = {
 }
 
 
-def header(found: Sensation) -> list[tuple[str, str]]:
-    """Titles and hints of the columns."""
+def header(sensation: Sensation) -> list[tuple[str, str]]:
+    """Return titles and hints of the columns."""
     columns = [("Output", "Number and place"), ("Above\ndB", "Above the lowest threshold")]
-    columns += [(_TITLES[name], _HINTS[name]) for name in found.by_channel]
-    if found.strength is not None:
-        said = "Larger channel and half of the smaller one; only compares, on one limb"
-        columns.append(("Strength", said))
+    columns += [(_TITLES[name], _HINTS[name]) for name in sensation.by_channel]
+    if sensation.strength is not None:
+        hint = "Larger channel and half of the smaller one; only compares, on one limb"
+        columns.append(("Strength", hint))
     return columns
 
 
-def rows(found: Sensation, outputs: tuple[int, ...], limb: str = "") -> list[list[str]]:
-    """Texts of the rows, for outputs of a limb."""
+def rows(sensation: Sensation, outputs: tuple[int, ...], limb: str = "") -> list[list[str]]:
+    """Return the texts of the rows, for outputs of a limb."""
     return [
         [
             f"{output}  {output_name(output, limb).short_name}",
-            *map(_text, _numbers(found, output)),
+            *map(_text, _numbers(sensation, output)),
         ]
         for output in outputs
     ]
 
 
-def tab_separated(found: Sensation, outputs: tuple[int, ...], limb: str = "") -> str:
-    """The table for a spreadsheet; empty where a dash is shown."""
+def tab_separated(sensation: Sensation, outputs: tuple[int, ...], limb: str = "") -> str:
+    """Return the table for a spreadsheet; a cell is empty where the panel shows a dash."""
     names = ["output", "place", "above_threshold_db"]
-    names += [f"{name.replace(' ', '_').lower()}_db" for name in found.by_channel]
-    names += ["strength"] if found.strength is not None else []
+    names += [f"{name.replace(' ', '_').lower()}_db" for name in sensation.by_channel]
+    names += ["strength"] if sensation.strength is not None else []
     lines = ["\t".join(names)]
     for output in outputs:
-        numbers = (copied_level(one) for one in _numbers(found, output))
+        numbers = (copied_level(level) for level in _numbers(sensation, output))
         lines.append("\t".join((str(output), output_name(output, limb).short_name, *numbers)))
     return "\n".join(lines) + "\n"
 
 
-def _numbers(found: Sensation, output: int) -> list[float]:
+def _numbers(sensation: Sensation, output: int) -> list[float]:
     k = output - 1
-    numbers = [float(found.level_db[k]), *(float(one[k]) for one in found.by_channel.values())]
-    if found.strength is None:
+    numbers = [
+        float(sensation.level_db[k]),
+        *(float(levels_db[k]) for levels_db in sensation.by_channel.values()),
+    ]
+    if sensation.strength is None:
         return numbers
-    # What is not felt at all has no strength either.
-    felt = found.level_db[k] > SILENT_DB
-    return [*numbers, float(found.strength[k]) if felt else SILENT_DB]
+    # A vibration without sensation has no strength either.
+    perceived = sensation.level_db[k] > SILENT_DB
+    return [*numbers, float(sensation.strength[k]) if perceived else SILENT_DB]
 
 
 def _text(value: float) -> str:
     return "–" if value <= SILENT_DB else f"{value:z.1f}".replace("-", "−")
 
 
-# How far the selected outputs are above the threshold of detection, and Wh at the contact.
-
 _OWN_LIMITS = (
     "Thresholds are those of your table, the same at every output; sensors and force are not "
     "modelled. Compare designs on one limb only."
 )
-_TAKE_OWN = "Take thresholds from a CSV file: frequency_hz, threshold_m_per_s2 (RMS)"
+_IMPORT_HINT = "Take thresholds from a CSV file: frequency_hz, threshold_m_per_s2 (RMS)"
 _MOST_NAME_PX, _MOST_AREA_PX = 120, 96
 
 
@@ -206,10 +208,10 @@ class PerceptionPanel(Panel):
         super().__init__(parent)
         self.setMinimumSize(240, 160)
         self._view, self._settings = View(), PerceptionSettings()
-        self._found: Sensation | None = None
+        self._sensation: Sensation | None = None
         self._outputs: tuple[int, ...] = ()
         self._limb = ""
-        # What is said where levels are those of a design that is shown louder or softer.
+        # Text on the display gain where levels are louder or softer than stored.
         self._matched = ""
         self._weighted: Weighted = None
         self._folder = Path()
@@ -237,7 +239,7 @@ class PerceptionPanel(Panel):
         self._lay_out()
         self._connect()
         self.setFocusProxy(self.table)
-        self._say(empty_words_output_words(self.in_sight))
+        self._show_message(how_to_select_output(self.in_sight))
 
     @property
     def needs(self) -> frozenset[str]:
@@ -248,7 +250,7 @@ class PerceptionPanel(Panel):
         return QSize(380, 320)
 
     def heightForWidth(self, width: int) -> int:
-        # The table gives way before words below it have to be scrolled for.
+        # The table shrinks before the text below it has to be scrolled.
         layout = self.layout()
         return -1 if layout is None else layout.minimumHeightForWidth(width)
 
@@ -263,29 +265,29 @@ class PerceptionPanel(Panel):
         middle = Qt.TextElideMode.ElideMiddle
         short = self.fontMetrics().elidedText(name, middle, _MOST_NAME_PX)
         self.own.setText(short if own else "Own thresholds…")
-        self.own.setToolTip(f"{name}. {_TAKE_OWN}" if own else _TAKE_OWN)
-        self.limits.setText(_limits(self._settings, self._found, self._matched))
+        self.own.setToolTip(f"{name}. {_IMPORT_HINT}" if own else _IMPORT_HINT)
+        self.limits.setText(_limits(self._settings, self._sensation, self._matched))
         if not view.outputs:
-            self._say(empty_words_output_words(self.in_sight))
-        elif self.message.text() == empty_words_output_words(self.in_sight):
-            self._say(COMPUTING)
+            self._show_message(how_to_select_output(self.in_sight))
+        elif self.message.text() == how_to_select_output(self.in_sight):
+            self._show_message(COMPUTING)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
-        found, outputs = results["sensation"], results["shown_outputs"]
+        sensation, outputs = results["sensation"], results["shown_outputs"]
         self._weighted = results["contact_weighted_rms"]
         self._matched = match_text(results["match_gain"])
         self.contact.setText(contact_text(self._weighted, as_stored=bool(self._matched)))
         self.contact.setToolTip(contact_list(self._weighted))
-        if found.problem or not outputs:
-            self._say(found.problem or empty_words_output_words(self.in_sight))
+        if sensation.problem or not outputs:
+            self._show_message(sensation.problem or how_to_select_output(self.in_sight))
             return
-        self._found, self._outputs, self._limb = found, outputs, results["limb_data"].name
-        self.limits.setText(_limits(self._settings, self._found, self._matched))
-        self.table.fill(header(found), outputs, rows(found, outputs, self._limb))
-        loudest = int(np.argmax(found.level_db))
+        self._sensation, self._outputs, self._limb = sensation, outputs, results["limb_data"].name
+        self.limits.setText(_limits(self._settings, self._sensation, self._matched))
+        self.table.fill(header(sensation), outputs, rows(sensation, outputs, self._limb))
+        loudest = int(np.argmax(sensation.level_db))
         synthetic = " Synthetic limb." if results["limb_data"].synthetic else ""
         self.limits.setToolTip(
-            f"Highest: {found.level_db[loudest]:z.1f} dB at output {loudest + 1}.{synthetic}"
+            f"Highest: {sensation.level_db[loudest]:z.1f} dB at output {loudest + 1}.{synthetic}"
         )
         self.message.hide()
         self.table.show()
@@ -293,32 +295,32 @@ class PerceptionPanel(Panel):
 
     def show_late(self, late: bool) -> None:
         super().show_late(late)
-        # One line is too little for words over it: it is left out.
+        # The text is hidden: its single line has no room for the mark of stale results.
         self.contact.setHidden(late)
 
     def show_problem(self, reason: str) -> None:
-        self._say(reason)
+        self._show_message(reason)
         self.contact.setText("")
         self.contact.setToolTip("")
 
     def show_in_sight(self, names: frozenset[str]) -> None:
-        said = self.message.text() == empty_words_output_words(self.in_sight)
+        shows_hint = self.message.text() == how_to_select_output(self.in_sight)
         super().show_in_sight(names)
-        if said:
-            self.message.setText(empty_words_output_words(self.in_sight))
+        if shows_hint:
+            self.message.setText(how_to_select_output(self.in_sight))
 
     def show_folder(self, folder: Path) -> None:
         self._folder = folder
 
-    def take_thresholds(self, path: Path) -> None:
-        """Hold levels against the thresholds of a file."""
+    def import_thresholds(self, path: Path) -> None:
+        """Import the thresholds of a file and compare levels with them."""
         try:
             table = read_threshold_table(path)
         except SkinSourceError as error:
             self.failed.emit(str(error))
             return
-        said = f"Thresholds are those of {printable(path.name)}"
-        self._change(said, table=settings_table(table), source=path.name[:200])
+        message = f"Thresholds are those of {printable(path.name)}"
+        self._change(message, table=settings_table(table), source=path.name[:200])
 
     def _lay_out(self) -> None:
         thresholds = (self.own, self.model, None, self.copy)
@@ -335,45 +337,45 @@ class PerceptionPanel(Panel):
     def _connect(self) -> None:
         self.area.edited.connect(lambda area_cm2, _: self._change(area_cm2=area_cm2))
         self.own.clicked.connect(self._ask)
-        said = "Thresholds are those of the model"
-        self.model.clicked.connect(lambda: self._change(said, table=(), source=""))
+        message = "Thresholds are those of the model"
+        self.model.clicked.connect(lambda: self._change(message, table=(), source=""))
 
     def _ask(self) -> None:
         chosen, _ = QFileDialog.getOpenFileName(
             self, "Own thresholds", str(self._folder), "CSV (*.csv)"
         )
         if chosen:
-            self.take_thresholds(Path(chosen))
+            self.import_thresholds(Path(chosen))
 
-    def _say(self, message: str) -> None:
-        self._found, self._matched = None, ""
-        self.limits.setText(_limits(self._settings, self._found, self._matched))
+    def _show_message(self, message: str) -> None:
+        self._sensation, self._matched = None, ""
+        self.limits.setText(_limits(self._settings, self._sensation, self._matched))
         self.table.hide()
         self.message.setText(message)
         self.message.show()
         self.copy.offer(False)
 
     def _numbers(self) -> str:
-        """All of it, with tabs between the columns; empty while nothing is found."""
-        if self._found is None:
+        """Return all numbers, with tabs between the columns; empty while there are none."""
+        if self._sensation is None:
             return ""
-        levels = tab_separated(self._found, self._outputs, self._limb)
+        levels = tab_separated(self._sensation, self._outputs, self._limb)
         return levels + contact_table(self._weighted)
 
-    def _change(self, said: str = "", **changes: Any) -> None:
-        """Change settings; ``said`` tells that what was asked for was done, changed or not."""
-        if said:
-            self.done.emit(said)
+    def _change(self, message: str = "", **changes: Any) -> None:
+        """Change settings; ``message`` is shown in any case, changed or not."""
+        if message:
+            self.done.emit(message)
         settings = replace(self._settings, **changes)
         if settings != self._settings:
             self.view_changed.emit(with_settings(self._view, self.name, settings))
 
 
-def _limits(settings: PerceptionSettings, found: Sensation | None, matched: str) -> str:
-    """What such numbers are not good for, and which frequencies count; first their gain."""
-    words = _OWN_LIMITS if settings.thresholds else LIMITS
-    words = f"{matched}. {words}" if matched else words
-    if found is None or found.band_hz is None:
-        return words
-    low_hz, high_hz = found.band_hz
-    return f"{words} What lies from {low_hz:g} to {high_hz:g} Hz counts."
+def _limits(settings: PerceptionSettings, sensation: Sensation | None, matched: str) -> str:
+    """Return the limits of such numbers and the band that counts, after their display gain."""
+    text = _OWN_LIMITS if settings.thresholds else LIMITS
+    text = f"{matched}. {text}" if matched else text
+    if sensation is None or sensation.band_hz is None:
+        return text
+    low_hz, high_hz = sensation.band_hz
+    return f"{text} What lies from {low_hz:g} to {high_hz:g} Hz counts."

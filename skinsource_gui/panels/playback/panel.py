@@ -1,7 +1,6 @@
-"""Fields of the device: which, at which rate, how late."""
+"""The playback panel: device, channel map, levels and delay of this machine."""
 
 from dataclasses import replace
-from functools import partial
 from typing import Any, ClassVar
 
 from PySide6.QtCore import QObject, QSignalBlocker, QSize, Qt, Signal
@@ -63,25 +62,25 @@ _SHIFT = NumberSpec(
 
 
 class DeviceFields(QObject):
-    """Rows of a grid: words on the left, fields on the right."""
+    """Rows of a grid with the fields of the device: labels on the left, fields on the right."""
 
-    #: The `Output` that is wanted.
+    #: The chosen `Output`.
     output_wanted = Signal(object)
     devices_wanted = Signal()
-    #: The rig file that is wanted, `Path`, or None.
+    #: The chosen rig file, `Path`, or None.
     rig_wanted = Signal(object)
 
     def __init__(self, grid: QGridLayout) -> None:
         super().__init__()
         self._output = Output()
-        self._shown: tuple[object, ...] = ()
+        self._played: tuple[object, ...] = ()
         self.device = ChoiceField(ChoiceSpec(label="Device", options=(("", _SYSTEM),)))
         self.device.chosen.connect(self._choose_device)
-        self.look = QToolButton()
-        self.look.setText("Look again")
-        self.look.setObjectName("look_for_devices")
-        self.look.setToolTip("Look for devices that were connected since; ends what is played")
-        self.look.clicked.connect(self.devices_wanted)
+        self.rescan = QToolButton()
+        self.rescan.setText("Look again")
+        self.rescan.setObjectName("look_for_devices")
+        self.rescan.setToolTip("Look for devices that were connected since; ends what is played")
+        self.rescan.clicked.connect(self.devices_wanted)
         self.rate = ChoiceField(ChoiceSpec(label="Sample rate", options=()))
         self.rate.chosen.connect(self._choose_rate)
         self.latency = NumberField(_LATENCY)
@@ -112,31 +111,31 @@ class DeviceFields(QObject):
             widget.setAccessibleName(name.replace("_", " ").capitalize())
         for field in (self.latency, self.shift):
             LetterWidth(field, _NUMBER_PX)
-        delay = _row(self.latency, self.look)
+        delay = _row(self.latency, self.rescan)
         rows: tuple[tuple[str, QWidget], ...] = (
             ("Device", self.device),
             ("Sample rate", self.rate),
             ("Delay asked for", delay),
             ("Rig", self.rig),
         )
-        for row, (words, part) in enumerate(rows):
-            grid.addWidget(QLabel(words), row, 0)
+        for row, (label, part) in enumerate(rows):
+            grid.addWidget(QLabel(label), row, 0)
             grid.addWidget(part, row, 1)
-        # A column of the grid would be as wide as these words: fields would have what is left.
+        # In a column of the grid this text would take the room of the fields.
         grid.addWidget(_row(self.stand_in, QLabel("shift"), self.shift), 4, 0, 1, 2)
 
     def show_played(self, played: Played) -> None:
-        """Take over what is chosen, and what can be."""
+        """Take over the chosen output and what can be chosen."""
         shown = played.output, played.devices, played.rates_hz, played.rig_title
-        if shown == self._shown:
+        if shown == self._played:
             return
-        self._shown, self._output = shown, played.output
+        self._played, self._output = shown, played.output
         options = [("", _SYSTEM)]
-        options += [(_key(one.name, one.host_api), one.title) for one in played.devices]
+        options += [(_key(device.name, device.host_api), device.title) for device in played.devices]
         _fill(self.device, options, _key_of(played))
         rates = sorted({*played.rates_hz, played.output.sample_rate_hz})
-        words = [(str(rate), f"{rate:,} Hz".replace(",", " ")) for rate in rates]
-        _fill(self.rate, words, str(played.output.sample_rate_hz))
+        rate_options = [(str(rate), f"{rate:,} Hz".replace(",", " ")) for rate in rates]
+        _fill(self.rate, rate_options, str(played.output.sample_rate_hz))
         self.rig.show_rig(played.rig_title or None)
         self.latency.set_value(played.output.latency_s)
         self.shift.set_value(played.output.shift_hz)
@@ -164,7 +163,7 @@ class DeviceFields(QObject):
 
 
 def _row(*parts: QWidget) -> QWidget:
-    """Widgets beside each other, as wide as they like to be."""
+    """Return widgets beside each other, as wide as they prefer."""
     row = QWidget()
     layout = QHBoxLayout(row)
     layout.setContentsMargins(0, 0, 0, 0)
@@ -179,11 +178,11 @@ def _key(name: str, host_api: str) -> str:
 
 
 def _key_of(played: Played) -> str:
-    """That of the chosen device; where no system of it was chosen, of the first of its name."""
+    """Return the key of the chosen device; without a host API, of the first device of its name."""
     output = played.output
-    for one in played.devices:
-        if one.name == output.device and output.host_api in ("", one.host_api):
-            return _key(one.name, one.host_api)
+    for device in played.devices:
+        if device.name == output.device and output.host_api in ("", device.host_api):
+            return _key(device.name, device.host_api)
     return _key(output.device, output.host_api)
 
 
@@ -191,25 +190,23 @@ def _fill(field: ChoiceField, options: list[tuple[str, str]], chosen: str) -> No
     """Offer other choices."""
     with QSignalBlocker(field):
         field.clear()
-        for option, words in options:
-            field.addItem(words, option)
+        for option, title in options:
+            field.addItem(title, option)
         field.set_value(chosen)
 
 
-# One place of the design: its output, how loud that is, and a tone to find it by.
-
-_METER_PX, _LEAST_METER_PX, _OUTPUT_ROW_NUMBER_PX = 8, 48, 56
+_METER_PX, _LEAST_METER_PX, _OUTPUT_NUMBER_PX = 8, 48, 56
 _WIDEST_LEVEL = "\u2212100.0 dBFS"
 _SILENT_DB = -200.0
 
 
 class OutputRow(QObject):
-    """Its widgets stand in one row of a grid.
+    """One place of the design in a row of a grid: its output, its level, and a test tone.
 
     Parameters
     ----------
     grid, row
-        Where.
+        Where its widgets are added.
     place, output
         Input place, and the output, from 1, that drives its actuator.
     """
@@ -221,9 +218,9 @@ class OutputRow(QObject):
 
     def __init__(self, grid: QGridLayout, row: int, place: int, output: int, limb: str) -> None:
         super().__init__()
-        words = input_name(place, limb)
+        names = input_name(place, limb)
         self.place = place
-        self.title = _Title(place, words)
+        self.title = _Title(place, names)
         spec = NumberSpec(
             label=f"Output of place {place}", minimum=1, maximum=MOST_OUTPUTS, whole=True
         )
@@ -231,7 +228,7 @@ class OutputRow(QObject):
         self.output.setObjectName(f"output_of_{place}")
         self.output.setAccessibleName(spec.label)
         self.output.setToolTip("Number of the output of the device that its actuator is wired to")
-        LetterWidth(self.output, _OUTPUT_ROW_NUMBER_PX)
+        LetterWidth(self.output, _OUTPUT_NUMBER_PX)
         self.output.edited.connect(self._choose)
         self.meter = LevelMeter()
         self.meter.setFixedHeight(_METER_PX)
@@ -243,14 +240,14 @@ class OutputRow(QObject):
         self.tone = QToolButton()
         self.tone.setText("Test tone")
         self.tone.setObjectName(f"tone_of_{place}")
-        self.tone.clicked.connect(partial(self._ask_tone))
+        self.tone.clicked.connect(self._request_tone)
         for column, widget in enumerate(self.widgets):
             grid.addWidget(widget, row, column)
         self.show_output(output)
 
     @property
     def widgets(self) -> tuple[QLabel, NumberField, QWidget, QToolButton]:
-        """From left to right."""
+        """The widgets from left to right."""
         return self.title, self.output, self.loudness, self.tone
 
     def show_output(self, output: int) -> None:
@@ -265,11 +262,11 @@ class OutputRow(QObject):
         levels = played.levels
         if levels is None or index >= levels.rms_db.size:
             self.meter.show_level(_SILENT_DB, _SILENT_DB)
-            self._say_level("")
+            self._show_level_text("")
             return
         self.meter.show_level(float(levels.rms_db[index]), float(levels.peak_db[index]))
         highest_db = float(levels.highest_db[index])
-        self._say_level(
+        self._show_level_text(
             "silent"
             if highest_db <= _SILENT_DB
             else f"{highest_db:z.1f} dBFS".replace("-", "\u2212")
@@ -278,10 +275,10 @@ class OutputRow(QObject):
     def _choose(self, output: float, _gesture: int | None) -> None:
         self.output_wanted.emit(self.place, round(output))
 
-    def _say_level(self, words: str) -> None:
-        # Alone, the bar stands in the middle.
-        self.level.setText(words)
-        self.level.setVisible(bool(words))
+    def _show_level_text(self, text: str) -> None:
+        # Without a text the bar is centred.
+        self.level.setText(text)
+        self.level.setVisible(bool(text))
 
     def _offer_tone(self, missing: str) -> None:
         self.tone.setEnabled(not missing)
@@ -292,19 +289,19 @@ class OutputRow(QObject):
             f"to find the actuator of place {self.place}",
         )
 
-    def _ask_tone(self) -> None:
+    def _request_tone(self) -> None:
         self.tone_wanted.emit(round(self.output.value_si))
 
 
 class _Title(FittingLabel):
-    """A place and its name, which gives way to what is pressed and typed; the number stays."""
+    """Number and name of a place; the name is shortened where other widgets need the room."""
 
-    def __init__(self, place: int, words: LocationNames) -> None:
+    def __init__(self, place: int, names: LocationNames) -> None:
         super().__init__()
         self._least = f"{place} · …"
         self.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        self.show_phrases((f"{place} · {words.name}", f"{place} · {words.short_name}"))
-        self.setToolTip(words.name)
+        self.show_phrases((f"{place} · {names.name}", f"{place} · {names.short_name}"))
+        self.setToolTip(names.name)
 
     def minimumSizeHint(self) -> QSize:
         least = self.fontMetrics().horizontalAdvance(self._least) + 4
@@ -312,7 +309,7 @@ class _Title(FittingLabel):
 
 
 class _Loudness(QWidget):
-    """A bar, and its level below: beside it there would be no room in a narrow panel."""
+    """A level bar with its number below: beside it a narrow panel would have no room."""
 
     def __init__(self, meter: LevelMeter, level: QLabel) -> None:
         super().__init__()
@@ -324,12 +321,10 @@ class _Loudness(QWidget):
         below.addWidget(level)
 
     def minimumSizeHint(self) -> QSize:
-        # Kept while nothing is heard: rows would widen, and cut what is beside them.
+        # This room is also kept in silence; otherwise rows would widen and cut other widgets.
         room_px = self._level.fontMetrics().horizontalAdvance(_WIDEST_LEVEL)
         return QSize(max(room_px, _LEAST_METER_PX), super().minimumSizeHint().height())
 
-
-# Panel of playback: device, channel map, levels, delay.
 
 _NO_INPUTS = "No place is in use: click one on the hand."
 _NOT_WIRED = "The rig wires no place that is in use."
@@ -338,7 +333,7 @@ _LEAST = QSize(300, 160)
 
 
 class PlaybackPanel(Panel):
-    """What this machine plays on; what is chosen here belongs to the machine, not to the design."""
+    """Settings of playback on this machine; they do not belong to the design."""
 
     title: ClassVar[str] = "Playback"
     name: ClassVar[str] = "playback"
@@ -348,7 +343,7 @@ class PlaybackPanel(Panel):
     output_wanted = Signal(object)
     #: The rig file that shall be played for, `Path`, or None.
     rig_wanted = Signal(object)
-    #: Devices shall be looked for.
+    #: The devices shall be listed again.
     devices_wanted = Signal()
     #: The output that shall play a tone.
     tone_wanted = Signal(int)
@@ -365,10 +360,10 @@ class PlaybackPanel(Panel):
         self.problem = QLabel()
         self.problem.setObjectName("playback_problem")
         set_tone(self.problem, "error")
-        self.words = QLabel()
-        self.words.setObjectName("playback_words")
-        set_tone(self.words, "dim")
-        for label in (self.problem, self.words):
+        self.text = QLabel()
+        self.text.setObjectName("playback_words")
+        set_tone(self.text, "dim")
+        for label in (self.problem, self.text):
             label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         device = QGridLayout()
@@ -385,15 +380,15 @@ class PlaybackPanel(Panel):
         column.addWidget(self.problem)
         column.addLayout(device)
         column.addLayout(self._table)
-        column.addWidget(self.words)
+        column.addWidget(self.text)
         column.addStretch(1)
         area = SteadyArea()
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setWidget(content)
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.addWidget(area)
+        outside = QVBoxLayout(self)
+        outside.setContentsMargins(0, 0, 0, 0)
+        outside.addWidget(area)
         self.setFocusProxy(self.fields.device)
         self.show_played(self._played)
 
@@ -409,13 +404,13 @@ class PlaybackPanel(Panel):
         self._unit = amplitude_unit(design)
         self._in_volts = design.actuated is not None
         if design.limb != self._limb:
-            # The same places, but other names.
+            # The places are the same, but have other names.
             self._limb = design.limb
             self._make_rows(dict(self._played.wired))
             self.show_played(self._played)
 
     def show_played(self, played: Played) -> None:
-        """Take over what is played, on what, and how loud; called while it is visible."""
+        """Take over what is played and how loud; called while the panel is visible."""
         self._played = played
         self.problem.setText(played.missing)
         self.problem.setVisible(bool(played.missing))
@@ -427,7 +422,7 @@ class PlaybackPanel(Panel):
             row.show_output(wired[row.place])
             row.show_played(played)
             row.output.setEnabled(not played.output.stand_in and not played.rig_title)
-        self._say(played)
+        self._show_text(played)
 
     def _make_rows(self, wired: dict[int, int]) -> None:
         for row in self._rows:
@@ -443,55 +438,54 @@ class PlaybackPanel(Panel):
             row.tone_wanted.connect(self.tone_wanted)
 
     def _meaning(self, played: Played) -> str:
-        """What a gain of 0 dB is, and whether that is calibrated."""
+        """Return what a gain of 0 dB means, and whether it is calibrated."""
         if not played.rig_title or played.output.stand_in:
             return (
                 f"At a gain of 0 dB an amplitude of 1{_gap(self._unit)} is full scale. "
                 "Uncalibrated: what reaches the skin depends on amplifier and actuator."
             )
-        known = f"{played.calibration[:1].upper()}{played.calibration[1:]}."
+        calibration = f"{played.calibration[:1].upper()}{played.calibration[1:]}."
         if self._in_volts:
-            return f"At a gain of 0 dB the actuators get the volts of the design. {known}"
-        return f"At a gain of 0 dB an amplitude of 1{_gap(self._unit)} is full scale. {known}"
+            return f"At a gain of 0 dB the actuators get the volts of the design. {calibration}"
+        return f"At a gain of 0 dB an amplitude of 1{_gap(self._unit)} is full scale. {calibration}"
 
     def _wire(self, place: int, output: int) -> None:
-        """Give a place an output; the place that had it takes the other's."""
+        """Give a place an output; the place that had it gets the other's."""
         before = dict(self._played.wired)
         pairs = {**dict(self._played.output.outputs), **before}
-        other = next((one for one, number in pairs.items() if number == output), None)
+        other = next(
+            (mapped_place for mapped_place, number in pairs.items() if number == output), None
+        )
         if other is not None and other != place:
             pairs[other] = pairs[place]
         pairs[place] = output
-        self.output_wanted.emit(_wired(self._played.output, pairs))
+        outputs = tuple(sorted(pairs.items()))
+        self.output_wanted.emit(replace(self._played.output, outputs=outputs))
 
-    def _say(self, played: Played) -> None:
-        says = []
+    def _show_text(self, played: Played) -> None:
+        sentences = []
         if not played.wired:
-            says.append(_NOT_WIRED if played.rig_title else _NO_INPUTS)
+            sentences.append(_NOT_WIRED if played.rig_title else _NO_INPUTS)
         if played.output.stand_in:
-            says.append(
+            sentences.append(
                 f"All frequencies sound {played.output.shift_hz:g} Hz higher than they are felt."
             )
-        says.append(self._meaning(played))
+        sentences.append(self._meaning(played))
         if played.delay is not None:
-            says.append(f"{played.delay.words}.")
+            sentences.append(f"{played.delay.words}.")
         if played.levels is not None:
-            says.append(
+            sentences.append(
                 "The device never ran out of samples."
                 if not played.underruns
                 else f"The device ran out of samples {played.underruns} times: ask for a longer "
                 "delay."
             )
         elif not played.missing and not played.playing:
-            says.append(f"Press {shortcut_text('play')} to play.")
-        text = "\n".join(says)
-        if text != self.words.text():
-            self.words.setText(text)
+            sentences.append(f"Press {shortcut_text('play')} to play.")
+        text = "\n".join(sentences)
+        if text != self.text.text():
+            self.text.setText(text)
 
 
 def _gap(unit: str) -> str:
     return f" {unit}" if unit != "×" else ""
-
-
-def _wired(output: Output, pairs: dict[int, int]) -> Output:
-    return replace(output, outputs=tuple(sorted(pairs.items())))

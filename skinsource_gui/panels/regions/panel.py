@@ -1,4 +1,4 @@
-"""Columns of the table of regions."""
+"""The regions panel: RMS levels by region, of snapshots and of all people's limbs."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -48,16 +48,16 @@ from skinsource_gui.state.compared import (
 )
 from skinsource_gui.state.panel import Panel
 
-#: What is said of own limbs.
+#: Message for own limbs.
 NO_REGIONS = "Of an own limb it is not known which outputs lie in which region"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Column:
-    """A column: its title, what it is, and a text and a number for each region.
+    """A column of the table: its title, a hint, and a number for each region.
 
-    ``head`` is the title in two narrow lines, where it is not as narrow itself; ``spelt`` what the
-    table for a spreadsheet has in its place; ``computing``: there are no numbers yet.
+    ``head`` is the title in two narrow lines, if it has any; ``full_title`` is the title in a
+    spreadsheet; ``computing``: there are no numbers yet.
     """
 
     title: str
@@ -66,139 +66,142 @@ class Column:
     head: str = ""
     synthetic: bool = False
     computing: bool = False
-    spelt: str = ""
+    full_title: str = ""
 
     @property
     def has_levels(self) -> bool:
-        """Whether there is any number: there is none of a limb that is missing, or of silence."""
-        return any(np.isfinite(one) and one > FLOOR_DB for one in self.numbers)
+        """Whether any number is a level: a missing limb and silence have none."""
+        return any(np.isfinite(level_db) and level_db > FLOOR_DB for level_db in self.numbers)
 
     def texts(self) -> list[str]:
-        """As they are shown: a dash where there is no number, as for silence; dots until it is."""
+        """Return the shown texts: a dash for no level, dots while it is computed."""
         if self.computing:
             return ["…"] * len(self.numbers)
         return [
-            "–" if not np.isfinite(one) or one <= FLOOR_DB else f"{one:z.1f}".replace("-", "−")
-            for one in self.numbers
+            "–"
+            if not np.isfinite(level_db) or level_db <= FLOOR_DB
+            else f"{level_db:z.1f}".replace("-", "−")
+            for level_db in self.numbers
         ]
 
 
 def columns_of(snapshots: Sequence[Compared], *, matched: bool) -> list[Column]:
-    """Snapshots, where any is stored; ``matched``: they are shown as loud as each other."""
+    """Return columns of snapshots, if any is stored; ``matched``: they have matching levels."""
     if len(snapshots) < 2:
         return []
-    found = [_column(*_stored(one), one) for one in snapshots]
+    columns = [_column(*_stored(snapshot), snapshot) for snapshot in snapshots]
     if not matched:
-        return found
-    said = [f", {LEVELS_MATCHED} ({minus(f'{gain_db(one):+z.1f}')} dB)" for one in snapshots]
+        return columns
+    gains = [
+        f", {LEVELS_MATCHED} ({minus(f'{gain_db(snapshot):+z.1f}')} dB)" for snapshot in snapshots
+    ]
     return [
-        replace(column, hint=f"{column.hint}{words}") if column.has_levels else column
-        for column, words in zip(found, said, strict=True)
+        replace(column, hint=f"{column.hint}{gain}") if column.has_levels else column
+        for column, gain in zip(columns, gains, strict=True)
     ]
 
 
 def columns_of_people(people: Sequence[Compared]) -> list[Column]:
-    """People, their mean, and their standard deviation."""
-    of_people = [_column(*_names(one), one) for one in people]
-    found = list(of_people)
-    known = [one.numbers for one in of_people if np.isfinite(one.numbers).all()]
-    # A mean of those that happen to be known already would change by itself.
-    computing = any(one.values is None and not one.problem for one in people)
+    """Return columns of people, their mean, and their standard deviation."""
+    columns = [_column(*_names(person), person) for person in people]
+    known = [column.numbers for column in columns if np.isfinite(column.numbers).all()]
+    # A mean of the limbs that are computed first would change while others are computed.
+    computing = any(person.values is None and not person.problem for person in people)
     if len(known) > 1 and not computing:
         by_region = np.array(known).T
         pairs = [mean_and_spread(levels) for levels in by_region]
-        # Silence is no level that others could lie about.
-        felt = [bool(np.all(levels > FLOOR_DB)) for levels in by_region]
-        what = f"over {len(known)} people, dB"
-        found.append(
+        # Silence is not a level, so that there is no spread around it.
+        audible = [bool(np.all(levels > FLOOR_DB)) for levels in by_region]
+        over_people = f"over {len(known)} people, dB"
+        columns.append(
             Column(
                 title="Mean",
-                hint=f"Mean {what} re 1 m/s²",
+                hint=f"Mean {over_people} re 1 m/s²",
                 numbers=tuple(mean for mean, _ in pairs),
-                spelt=f"Mean over {len(known)} people",
+                full_title=f"Mean over {len(known)} people",
             )
         )
-        found.append(
+        columns.append(
             Column(
                 title="± dB",
                 head="±\ndB",
-                hint=f"Standard deviation {what}",
-                spelt=f"Standard deviation {what}",
+                hint=f"Standard deviation {over_people}",
+                full_title=f"Standard deviation {over_people}",
                 numbers=tuple(
-                    spread if heard else float("nan")
-                    for (_, spread), heard in zip(pairs, felt, strict=True)
+                    spread if is_audible else float("nan")
+                    for (_, spread), is_audible in zip(pairs, audible, strict=True)
                 ),
             )
         )
-    return found
+    return columns
 
 
-def _limb(one: Compared) -> str:
-    return one.snapshot.design.limb
+def _limb(compared: Compared) -> str:
+    return compared.snapshot.design.limb
 
 
-def _names(one: Compared) -> tuple[str, str]:
-    """Title and head of a limb; one that is computed is called so."""
-    number = _limb(one).rpartition("-")[2]
-    if _is_synthetic(one):
+def _names(compared: Compared) -> tuple[str, str]:
+    """Return title and head of a limb; a computed limb is called synthetic."""
+    number = _limb(compared).rpartition("-")[2]
+    if _is_synthetic(compared):
         return f"Synthetic {number}", f"Syn.\n{number}"
     return f"Limb {number}", f"Limb\n{number}"
 
 
-def _stored(one: Compared) -> tuple[str, str]:
-    """Title and head of a snapshot."""
-    return (f"{one.name}, synthetic", f"{one.name}\nsyn.") if _is_synthetic(one) else (one.name, "")
+def _stored(compared: Compared) -> tuple[str, str]:
+    """Return title and head of a snapshot."""
+    return (
+        (f"{compared.name}, synthetic", f"{compared.name}\nsyn.")
+        if _is_synthetic(compared)
+        else (compared.name, "")
+    )
 
 
-def _is_synthetic(one: Compared) -> bool:
-    return _limb(one).startswith("synthetic-")
+def _is_synthetic(compared: Compared) -> bool:
+    return _limb(compared).startswith("synthetic-")
 
 
-def _column(title: str, head: str, one: Compared) -> Column:
-    kind = "synthetic" if _is_synthetic(one) else "measured"
-    spelt = title if kind in title.lower() else f"{title}, {kind}"
-    if _limb(one) not in PUBLISHED:
-        spelt = title
-    said = partial(Column, title=title, head=head, synthetic=_is_synthetic(one), spelt=spelt)
+def _column(title: str, head: str, compared: Compared) -> Column:
+    kind = "synthetic" if _is_synthetic(compared) else "measured"
+    full_title = title if kind in title.lower() else f"{title}, {kind}"
+    if _limb(compared) not in PUBLISHED:
+        full_title = title
+    column = partial(
+        Column, title=title, head=head, synthetic=_is_synthetic(compared), full_title=full_title
+    )
     nothing = (float("nan"),) * len(REGION_OUTPUTS)
-    if one.values is None:
-        computing = not one.problem
-        return said(hint=one.problem or COMPUTING, numbers=nothing, computing=computing)
-    if _limb(one) not in PUBLISHED:
-        return said(hint=NO_REGIONS, numbers=nothing)
-    rms = 10.0 ** (one.values["output_levels_db"] / 20.0)
-    levels = region_levels_db(rms * one.gain)
-    limb = word_of(LIMBS, _limb(one)).title
-    return said(hint=f"{title}: dB re 1 m/s², {limb}", numbers=tuple(levels.values()))
+    if compared.values is None:
+        computing = not compared.problem
+        return column(hint=compared.problem or COMPUTING, numbers=nothing, computing=computing)
+    if _limb(compared) not in PUBLISHED:
+        return column(hint=NO_REGIONS, numbers=nothing)
+    rms = 10.0 ** (compared.values["output_levels_db"] / 20.0)
+    levels = region_levels_db(rms * compared.gain)
+    limb = word_of(LIMBS, _limb(compared)).title
+    return column(hint=f"{title}: dB re 1 m/s², {limb}", numbers=tuple(levels.values()))
 
 
 def tab_separated(columns: Sequence[Column]) -> str:
-    """The table for a spreadsheet; empty where a dash is shown."""
-    lines = [
-        "\t".join(
-            (
-                "region_db_re_1_m_per_s2",
-                *(one.spelt or one.title for one in columns),
-            )
-        )
-    ]
+    """Return the table for a spreadsheet; a cell is empty where the panel shows a dash."""
+    titles = (column.full_title or column.title for column in columns)
+    lines = ["\t".join(("region_db_re_1_m_per_s2", *titles))]
     for row, region in enumerate(REGION_OUTPUTS):
-        lines.append("\t".join((region, *(copied_level(one.numbers[row]) for one in columns))))
+        lines.append(
+            "\t".join((region, *(copied_level(column.numbers[row]) for column in columns)))
+        )
     return "\n".join(lines) + "\n"
 
 
-# One table of levels: a row for each region, as high as all of them.
-
-#: Size of its words: six columns beside the names of regions need it.
+#: Relative size of the text, with which six columns fit beside the names of regions.
 _TEXT = 0.9
-# Of a row, besides what its name needs.
+# Height of a row beyond that of its name.
 _ROW_PX = 1
-#: Names where those of the table have too little room.
+#: Shorter names for narrow panels.
 _SHORT = {"Back of the hand": "Back", "Wrist, palm side": "W. palm"}
 
 
 class RegionTable(QTableWidget):
-    """Columns beside the names of regions; what is around it scrolls up and down."""
+    """A table with a row for each region; its height fits all rows, the area around it scrolls."""
 
     def __init__(self, name: str, title: str) -> None:
         super().__init__(len(REGION_OUTPUTS), 0)
@@ -208,17 +211,17 @@ class RegionTable(QTableWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         dress_table(self)
-        # Names stay in sight where there are more columns than have room.
+        # The names stay visible while columns are scrolled.
         self.verticalHeader().show()
-        self.fit_words(self.font())
+        self.fit_font(self.font())
 
     @property
     def needed_px(self) -> int:
-        """Width that shows all columns beside whole names."""
+        """Width that shows all columns beside full names."""
         return self._names_px() + self.horizontalHeader().length() + 2 * self.frameWidth()
 
     def show_columns(self, columns: Sequence[Column]) -> None:
-        """Show them in this order."""
+        """Show these columns in their order."""
         self.setColumnCount(len(columns))
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         for k, column in enumerate(columns):
@@ -234,9 +237,9 @@ class RegionTable(QTableWidget):
         self._name_rows()
         self._fit_height()
 
-    def fit_words(self, around: QFont) -> None:
-        """Take over the size of the words around."""
-        font = scaled(tabular(around), _TEXT)
+    def fit_font(self, base: QFont) -> None:
+        """Take over the font of the surroundings."""
+        font = scaled(tabular(base), _TEXT)
         for part in (self, self.horizontalHeader(), self.verticalHeader()):
             part.setFont(font)
         self._name_rows()
@@ -262,7 +265,7 @@ class RegionTable(QTableWidget):
         return max(map(self.fontMetrics().horizontalAdvance, REGION_OUTPUTS)) + 2 * UNIT_PX
 
     def _name_rows(self) -> None:
-        """Call regions by their names, or shorter where the numbers need the room."""
+        """Show the names of regions, shorter ones where the numbers need the room."""
         names = list(REGION_OUTPUTS)
         if self.needed_px > self.width():
             names = [_SHORT.get(name, name) for name in names]
@@ -270,13 +273,11 @@ class RegionTable(QTableWidget):
         for row, name in enumerate(REGION_OUTPUTS):
             item = self.verticalHeaderItem(row)
             item.setToolTip(name)
-            # The header itself takes over the font around it once it is shown.
+            # When it is shown, the header takes over the font of its surroundings.
             item.setFont(self.font())
         rows = self.verticalHeader()
         rows.setDefaultSectionSize(max(map(rows.sectionSizeHint, range(rows.count()))) + _ROW_PX)
 
-
-# RMS levels by region: of snapshots side by side, and of the design on all people's limbs.
 
 _NEEDS = frozenset({"output_levels_db"})
 
@@ -333,20 +334,20 @@ class RegionsPanel(Panel):
 
     def show_state(self, design: Design, view: View) -> None:
         self._matched = view.levels_matched
-        # Of others it is not known which outputs lie where.
+        # For other limbs it is unknown which outputs lie in which region.
         self._limbs = related_limbs(design.limb) if design.limb in PUBLISHED else ()
         if self._on_limbs and not self._limbs:
             self.show_on_limbs(())
         if not self._limbs:
             missing = missing_limb(design.limb, design.limb_digest).rstrip(".")
             self._about = missing or NO_REGIONS
-            self._say_about()
+            self._show_about()
             return
-        words = signal_label(view.axes, view.method)
+        signal = signal_label(view.axes, view.method)
         people = display_gain_text(design, view)
-        parts = f"RMS in dB re 1 m/s², {words}", span_label(view.span), "no sensor on the palm"
+        parts = f"RMS in dB re 1 m/s², {signal}", span_label(view.span), "no sensor on the palm"
         self._about = " · ".join([*parts, *([f"people: {people}"] if people else [])])
-        self._say_about()
+        self._show_about()
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
         self._snapshots = compared
@@ -354,7 +355,7 @@ class RegionsPanel(Panel):
 
     def show_on_limbs(self, compared: Sequence[Compared]) -> None:
         self._on_limbs = compared
-        self.show_stale(any(one.late for one in compared))
+        self.show_stale(any(person.late for person in compared))
         self._show_columns()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -365,25 +366,25 @@ class RegionsPanel(Panel):
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
             for table in self._tables:
-                table.fit_words(self.font())
+                table.fit_font(self.font())
             self._put_in_order()
 
     def _show_columns(self) -> None:
         matched = have_matching_level(self._snapshots, matched=self._matched)
         stored = columns_of(self._snapshots, matched=matched)
-        told = matched and any(one.has_levels for one in stored)
-        self._shifted = (matched_text(self._snapshots) or LEVELS_MATCHED) if told else ""
+        has_gain = matched and any(column.has_levels for column in stored)
+        self._shifted = (matched_text(self._snapshots) or LEVELS_MATCHED) if has_gain else ""
         people = columns_of_people(self._on_limbs)
         self.columns = [*stored, *people]
-        computing = any(one.computing for one in self.columns)
-        self.copy.offer(not computing and any(one.has_levels for one in self.columns))
+        computing = any(column.computing for column in self.columns)
+        self.copy.offer(not computing and any(column.has_levels for column in self.columns))
         self.stored.show_columns(stored)
         self.table.show_columns(people)
-        self._say_about()
+        self._show_about()
         self._put_in_order()
 
     def _scrolled(self) -> SteadyArea:
-        """The tables, which go below each other where they have no room side by side."""
+        """Return a scroll area with the tables, side by side where they have room."""
         inside = QWidget()
         self._box = QBoxLayout(QBoxLayout.Direction.TopToBottom, inside)
         self._box.setContentsMargins(0, 0, 0, 0)
@@ -397,7 +398,7 @@ class RegionsPanel(Panel):
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         area.setWidget(inside)
-        # It takes what there is: the dock around it need not scroll as well.
+        # It takes the room that there is, so that the dock around it does not scroll as well.
         area.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
         return area
 
@@ -406,13 +407,13 @@ class RegionsPanel(Panel):
         beside = needed <= self.width()
         ways = QBoxLayout.Direction
         self._box.setDirection(ways.LeftToRight if beside else ways.TopToBottom)
-        # What is left over is theirs beside each other, and below them otherwise.
+        # Side by side the tables share the remaining room; otherwise it stays below them.
         for k in range(self._box.count()):
             self._box.setStretch(k, int(beside == (k < len(self._tables))))
 
-    def _say_about(self) -> None:
-        some = any(one.synthetic for one in self.columns)
+    def _show_about(self) -> None:
+        some = any(column.synthetic for column in self.columns)
         note = " · syn.: a synthetic limb, computed" if some else ""
-        # Only the columns of snapshots are shifted: those of people are as they are.
+        # Only the columns of snapshots have a display gain.
         shifted = f" · snapshots: {self._shifted}" if self._shifted else ""
         self.about.say(f"{self._about}{shifted}{note}")

@@ -1,4 +1,4 @@
-"""Which instants a film of the skin map shows, and how large its frames are."""
+"""The skin map in time as a file (MP4, WebM or GIF): its options, its size, and its frames."""
 
 from dataclasses import dataclass, replace
 from math import sqrt
@@ -11,8 +11,7 @@ from PySide6.QtGui import QGuiApplication, QImage, QPainter
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.job import Progress, Stop, never, silent
-from skinsource.base.published import N_OUTPUTS
-from skinsource.base.published import axes_text as axis_words
+from skinsource.base.published import N_OUTPUTS, axes_text
 from skinsource.design.design import Design, audible_inputs
 from skinsource.design.labels import limb_word
 from skinsource.design.panel_settings import settings_of, with_settings
@@ -26,7 +25,7 @@ from skinsource.perception.validity import Findings, Judged, in_short
 from skinsource.specs import fields
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.panels.skin.layout import ALL, HAND, VisiblePart
-from skinsource_gui.panels.skin.painting import MapContent
+from skinsource_gui.panels.skin.painting import MapContent, px_per_mm_of
 from skinsource_gui.panels.skin.picture import Heading, heading_of, paint_picture
 from skinsource_gui.panels.skin.settings import (
     MAGNITUDE,
@@ -46,13 +45,13 @@ from skinsource_gui.qt.wheel import WHOLE
 
 #: The most pixels on a side that encoders take.
 MOST_PX = 4096
-#: Ten minutes of a film.
+#: The most frames of a film: ten minutes.
 MOST_FRAMES = 36_000
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Film:
-    """Which instants are shown, and how fast.
+    """Which instants a film shows, and how fast.
 
     Attributes
     ----------
@@ -68,17 +67,17 @@ class Film:
     slow_motion: float
 
     def time_s(self, number: int) -> float:
-        """Instant of a frame, from 0 on."""
+        """Return the instant of a frame, counted from 0."""
         return self.begin_s + number / (self.frames_per_s * self.slow_motion)
 
     @property
     def duration_s(self) -> float:
-        """How long it plays."""
+        """Duration of the film."""
         return self.count / self.frames_per_s
 
 
 def film_of(view: View, settings: SkinSettings, end_s: float, per_s: int, limb: LimbFacts) -> Film:
-    """The film of what the time axes show, of all of it where they are not zoomed.
+    """Return the film of the visible time range, of the whole response where it is not zoomed.
 
     Raises
     ------
@@ -88,7 +87,7 @@ def film_of(view: View, settings: SkinSettings, end_s: float, per_s: int, limb: 
     first_s, last_s = view.time_range_s or (0.0, end_s)
     first_s, last_s = min(max(first_s, 0.0), end_s), min(max(last_s, 0.0), end_s)
     pace = slow_down_factor(view, settings, per_s, limb)
-    # The last instant belongs to it, however its seconds are rounded.
+    # The last instant belongs to the film, however its seconds are rounded.
     count = int((last_s - first_s) * per_s * pace + 1e-6) + 1
     if count > MOST_FRAMES:
         raise InvalidInputError(
@@ -100,7 +99,7 @@ def film_of(view: View, settings: SkinSettings, end_s: float, per_s: int, limb: 
 
 
 def frame_size(options: PictureOptions) -> tuple[int, int]:
-    """Width and height of a frame, px: even ones, as encoders want them.
+    """Return width and height of a frame, px: even numbers, which encoders need.
 
     Raises
     ------
@@ -108,7 +107,9 @@ def frame_size(options: PictureOptions) -> tuple[int, int]:
         It is larger than encoders take.
     """
     scale = options.dpi / PER_INCH
-    sides = [max(2 * round(one * scale / 2), 2) for one in (options.width_px, options.height_px)]
+    sides = [
+        max(2 * round(side_px * scale / 2), 2) for side_px in (options.width_px, options.height_px)
+    ]
     if max(sides) > MOST_PX:
         raise InvalidInputError(
             f"The animation has {sides[0]} x {sides[1]} pixels, expected at most {MOST_PX} on a "
@@ -117,16 +118,14 @@ def frame_size(options: PictureOptions) -> tuple[int, int]:
     return sides[0], sides[1]
 
 
-# What is asked before a film of the skin map is written; it begins with what the screen shows.
-
-#: What a film can be written as, in words and as names of files end.
+#: Formats of a film: title and suffix.
 KINDS = (("MP4", ".mp4"), ("WebM", ".webm"), ("GIF", ".gif"))
-#: The part of the map that is in sight, whichever that is.
-SEEN = "seen"
+#: The part of the map that is visible on the screen.
+ON_SCREEN = "seen"
 
 KIND = ChoiceSpec(
     label="Format",
-    options=tuple((ending, words) for words, ending in KINDS),
+    options=tuple((ending, title) for title, ending in KINDS),
     hint="MP4 plays nearly everywhere; a GIF is far larger, with 50 frames per second, not 60",
 )
 SHOWN = ChoiceSpec(
@@ -137,7 +136,7 @@ SHOWN = ChoiceSpec(
 )
 PART = ChoiceSpec(
     label="Part",
-    options=((SEEN, "As on screen"), (HAND, "Hand"), (WHOLE, "Hand and arm")),
+    options=((ON_SCREEN, "As on screen"), (HAND, "Hand"), (WHOLE, "Hand and arm")),
     hint="What part of the map is seen",
 )
 PACE = ChoiceSpec(
@@ -149,14 +148,14 @@ PACE = ChoiceSpec(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FilmOptions(PictureOptions):
-    """What a film shows, how slowly, and as which kind of file.
+    """What a film shows, how slowly, and in which format.
 
     Attributes
     ----------
     quantity, rms_window_s
         What is shown: `Z`, `MAGNITUDE` or `RMS`; what the RMS is taken over.
     part
-        `SEEN`, `HAND` or `WHOLE`.
+        `ON_SCREEN`, `HAND` or `WHOLE`.
     pace
         How many times slower it shall run than it happens.
     kind
@@ -165,7 +164,7 @@ class FilmOptions(PictureOptions):
 
     quantity: str = fields.choice(Z, SHOWN)
     rms_window_s: float = fields.number(0.02, RMS_WINDOW)
-    part: str = fields.choice(SEEN, PART)
+    part: str = fields.choice(ON_SCREEN, PART)
     pace: str = fields.choice("20", PACE)
     kind: str = fields.choice(".mp4", KIND)
 
@@ -175,15 +174,15 @@ class FilmOptions(PictureOptions):
 
     @property
     def frames_per_s(self) -> int:
-        """Of a film of this kind."""
+        """Frames per second of this format."""
         return frames_per_s(Path(f"film{self.kind}"))
 
-    def part_of(self, seen: VisiblePart) -> VisiblePart:
-        """Which part of the map is filmed, where ``seen`` is in sight."""
-        return seen if self.part == SEEN else VisiblePart(fit=self.part)
+    def part_of(self, visible: VisiblePart) -> VisiblePart:
+        """Return the filmed part of the map, where ``visible`` is on the screen."""
+        return visible if self.part == ON_SCREEN else VisiblePart(fit=self.part)
 
     def view_of(self, view: View) -> View:
-        """The view that shows what is filmed."""
+        """Return the view that shows what is filmed."""
         shown = replace(
             settings_of(view, SKIN, SkinSettings),
             quantity=self.quantity,
@@ -193,11 +192,10 @@ class FilmOptions(PictureOptions):
 
 
 def film_options(design: Design, view: View, sizes: PictureOptions) -> FilmOptions:
-    """What the screen shows, as large as ``sizes`` say and of the kind that was chosen last.
+    """Return options for what the screen shows, in the given size and the last chosen format.
 
-    Where the screen shows what is the same at any time, it is the motion along z, or its magnitude
-    on a limb that is not measured along z; faster than its waves can be followed, as fast as they
-    can.
+    Where the screen shows levels, the film shows the motion along z, or its magnitude on a limb
+    that was not measured along z. It runs slowly enough that its waves can be followed.
     """
     limb = facts_of(design.limb)
     settings = settings_of(view, SKIN, SkinSettings)
@@ -214,60 +212,60 @@ def film_options(design: Design, view: View, sizes: PictureOptions) -> FilmOptio
         colours=sizes.colours,
         quantity=settings.quantity,
         rms_window_s=settings.rms_window_s,
-        part=SEEN,
-        pace=next((f"{one}" for one in PACES if one >= pace), f"{PACES[-1]}"),
+        part=ON_SCREEN,
+        pace=next((f"{choice}" for choice in PACES if choice >= pace), f"{PACES[-1]}"),
     )
 
 
-# How a film of the skin map is called, and what is to be known before it is written.
-
 # In names of files.
-_CALLED = {Z: "along-z", MAGNITUDE: "magnitude", RMS: "sliding-rms"}
-# Bytes of a frame for each million pixels of the map at 1/20: fewer with this power of the speed,
-# and for this quantity, more with more outputs.  And for how long the skin moves on.  As films of
-# the published limbs came out, most within this factor: the least and the most of it are told.
+_FILE_NAMES = {Z: "along-z", MAGNITUDE: "magnitude", RMS: "sliding-rms"}
+# Bytes of a frame for each million pixels of the map at 1/20 of real time. A slower film has fewer,
+# by this power of its speed; so have a sliding RMS and skin at rest, by these factors. The skin
+# moves on for some time after the clips. Most films of the published limbs were within the spread.
 _BYTES = {".mp4": 4500.0, ".webm": 5000.0, ".gif": 40_000.0}
-_WITHIN = 2.0
+_SPREAD = 2.0
 _USUAL_PACE, _POWER = 20.0, 0.7
-_OF_RMS, _AT_REST = 0.4, 0.1
+_RMS_COST, _REST_COST = 0.4, 0.1
 _MOVES_ON_S = 0.15
-# The map is so much higher than wide; what lies beside it, scale and words, costs less.
-_MAP_SHAPE, _OF_BESIDE = 4 / 3, 0.25
+# Height of the map over its width; scale and text beside it cost less than the map.
+_MAP_SHAPE, _OTHER_COST = 4 / 3, 0.25
 
 
 def film_name(design: Design, view: View, options: FilmOptions) -> str:
-    """``"skin-map-along-z-1-50.mp4"``: what it shows, and how much slower than it happens."""
+    """Return the name of the file, such as ``"skin-map-along-z-1-50.mp4"``."""
     pace = _pace(design, view, options)
-    return f"skin-map-{_CALLED[options.quantity]}-1-{pace:g}{options.kind}"
+    return f"skin-map-{_FILE_NAMES[options.quantity]}-1-{pace:g}{options.kind}"
 
 
 def film_remark(design: Design, view: View, options: FilmOptions) -> Remark:
-    """How long it will be, how many frames and about how large; or why there is none."""
+    """Return how long and about how large the film will be, or why it cannot be made."""
     shown = options.view_of(view)
     settings, limb = settings_of(shown, SKIN, SkinSettings), facts_of(design.limb)
     if options.quantity == Z and Z not in limb.axes:
-        along = axis_words(limb.axes)
-        words = f"This limb was measured along {along}, and not along z: choose another quantity."
-        return Remark(words, refuses=True)
+        along = axes_text(limb.axes)
+        sentence = (
+            f"This limb was measured along {along}, and not along z: choose another quantity."
+        )
+        return Remark(sentence, refuses=True)
     try:
         frame_size(options)
         film = film_of(shown, settings, _end_s(design, view), options.frames_per_s, limb)
     except InvalidInputError as error:
         return Remark(str(error), refuses=True)
-    # How long all of it is follows from the clips, and is known within a sample or two.
+    # The duration of the whole response follows from the clips, within a sample or two.
     about = "about " if view.time_range_s is None else ""
-    said = [
-        f"{_part_words(view)}: {about}{film.duration_s:.3g} s of film, {film.count} frames, "
-        f"{_size_words(_bytes(film, design, options))}."
+    sentences = [
+        f"{_part_text(view)}: {about}{film.duration_s:.3g} s of film, {film.count} frames, "
+        f"{_size_text(_bytes(film, design, options))}."
     ]
     if film.slow_motion != float(options.pace):
-        said.append(
+        sentences.append(
             f"It runs at 1/{film.slow_motion:g}: at 1/{options.pace} it would have fewer than two "
             "frames in a period of its fastest waves, and show waves that there are not."
         )
     if view.time_range_s is None:
-        said.append("Zoom the traces to film a part.")
-    return Remark(" ".join(said))
+        sentences.append("Zoom the traces to film a part.")
+    return Remark(" ".join(sentences))
 
 
 def _pace(design: Design, view: View, options: FilmOptions) -> float:
@@ -277,22 +275,22 @@ def _pace(design: Design, view: View, options: FilmOptions) -> float:
 
 
 def _moves_s(design: Design) -> tuple[float, float]:
-    """From when until when clips play; what they play is not computed for it."""
+    """Return from when until when clips play, without computing what they play."""
     tracks = audible_inputs(design.inputs)
-    heard = [clip for track in tracks for clip in track.clips if not clip.muted]
-    begin_s = min((clip.onset_s for clip in heard), default=0.0)
-    return begin_s, max((clip.end_s for clip in heard), default=0.0)
+    clips = [clip for track in tracks for clip in track.clips if not clip.muted]
+    begin_s = min((clip.onset_s for clip in clips), default=0.0)
+    return begin_s, max((clip.end_s for clip in clips), default=0.0)
 
 
 def _end_s(design: Design, view: View) -> float:
-    """When the response ends on the time axis."""
+    """Return the end of the response on the time axis."""
     limb = facts_of(design.limb)
     removed_s = limb.pre_trigger_delay_s if view.delay_removed else 0.0
     end_s = _moves_s(design)[1] + (limb.n_taps - 1) / limb.sample_rate_hz
     return max(end_s - removed_s, 0.0)
 
 
-def _part_words(view: View) -> str:
+def _part_text(view: View) -> str:
     if view.time_range_s is None:
         return "All of the response"
     first_s, last_s = view.time_range_s
@@ -302,29 +300,27 @@ def _part_words(view: View) -> str:
 def _bytes(film: Film, design: Design, options: FilmOptions) -> float:
     width, height = frame_size(options)
     map_px = min(width * height, width * width * _MAP_SHAPE, height * height / _MAP_SHAPE)
-    counted_px = map_px + _OF_BESIDE * (width * height - map_px)
+    counted_px = map_px + _OTHER_COST * (width * height - map_px)
     begin_s, end_s = _moves_s(design)
-    seen_s = min(film.time_s(film.count), end_s + _MOVES_ON_S) - max(film.begin_s, begin_s)
-    moving = min(max(seen_s, 0.0) * film.frames_per_s * film.slow_motion, film.count)
-    frames = moving + _AT_REST * (film.count - moving)
-    each = _BYTES[options.kind] * (_OF_RMS if options.quantity == RMS else 1.0)
+    visible_s = min(film.time_s(film.count), end_s + _MOVES_ON_S) - max(film.begin_s, begin_s)
+    moving = min(max(visible_s, 0.0) * film.frames_per_s * film.slow_motion, film.count)
+    frames = moving + _REST_COST * (film.count - moving)
+    each = _BYTES[options.kind] * (_RMS_COST if options.quantity == RMS else 1.0)
     each *= sqrt(facts_of(design.limb).n_outputs / N_OUTPUTS)
     return frames * each * counted_px / 1e6 * (_USUAL_PACE / film.slow_motion) ** _POWER
 
 
-def _size_words(n_bytes: float) -> str:
-    """``"0.5 to 2 MB"``: from the least to the most that is likely, with one digit each."""
-    least, most = n_bytes / _WITHIN, n_bytes * _WITHIN
-    unit, words = (1e6, "MB") if most >= 0.95e6 else (1e3, "kB")
-    told = [float(f"{one / unit:.1g}") for one in (least, most)]
+def _size_text(n_bytes: float) -> str:
+    """Return the likely size, such as ``"0.5 to 2 MB"``, with one digit each."""
+    least, most = n_bytes / _SPREAD, n_bytes * _SPREAD
+    unit, symbol = (1e6, "MB") if most >= 0.95e6 else (1e3, "kB")
+    rounded = [float(f"{amount / unit:.1g}") for amount in (least, most)]
     if unit < 1e6:
-        told = [max(one, 1.0) for one in told]
-    return f"{told[0]:g} to {told[1]:g} {words}"
+        rounded = [max(size, 1.0) for size in rounded]
+    return f"{rounded[0]:g} to {rounded[1]:g} {symbol}"
 
 
-# The skin map in time as a file: MP4, WebM or GIF.
-
-#: Width and height of a frame unless another size is asked for, px.
+#: Usual width and height of a frame, px.
 SIZE_PX = (900, 1200)
 
 
@@ -354,7 +350,7 @@ def export_animation(
     StorageError, Stopped
         As `skinsource.export.video`.
     """
-    # Frames are no numbers that anyone computes with.
+    # Nobody computes with the pixels of a frame.
     del largest_error
     options = options or film_options(design, view, _usual_size())
     view = options.view_of(view)
@@ -363,8 +359,8 @@ def export_animation(
     exported = ExportedDesign(design, view, progress, stop)
     camera = _Camera(exported, settings, options, options.part_of(seen))
     film = film_of(view, settings, camera.end_s, per_s, facts_of(design.limb))
-    about = f"SkinSource studio, {camera.words(film)}"
-    with video_file(path, camera.size, about, stop) as add:
+    comment = f"SkinSource studio, {camera.text(film)}"
+    with video_file(path, camera.size, comment, stop) as add:
         for number in range(film.count):
             add(camera.frame(film, number))
             progress(number + 1, film.count, "Drawing frames")
@@ -382,9 +378,9 @@ class _Camera:
         exported: ExportedDesign,
         settings: SkinSettings,
         options: PictureOptions | None = None,
-        seen: VisiblePart = ALL,
+        visible: VisiblePart = ALL,
     ) -> None:
-        self._seen = seen
+        self._visible = visible
         self._exported, self._settings = exported, settings
         self._options = options or _usual_size()
         self.size = frame_size(self._options)
@@ -393,36 +389,36 @@ class _Camera:
         self._frames = Frames()
         self._family = QGuiApplication.font().family()
         interpolated = settings.map_style == "interpolated"
-        found = exported.values({"limb_map", *({"surface"} if interpolated else ())})
-        self._surface = found.get("surface")
+        results = exported.values({"limb_map", *({"surface"} if interpolated else ())})
+        self._surface = results.get("surface")
         limb = exported.limb
         self._content = MapContent(
-            limb_map=found["limb_map"],
+            limb_map=results["limb_map"],
             field=None if self._surface is None else field_image(self._surface, limb),
             outputs=exported.view.outputs,
             sensors_shown=settings.sensors_shown,
-            px_per_mm=limb.map.hand_length_px / limb.hand_length_mm,
-            noisy=next((one.outputs for one in findings if one.name == "noise"), ()),
+            px_per_mm=px_per_mm_of(limb),
+            noisy=next((finding.outputs for finding in findings if finding.name == "noise"), ()),
             synthetic=limb.synthetic,
         )
         self._image = QImage(*self.size, QImage.Format.Format_RGB888)
-        self._look(exported.view)
+        self._read_signals(exported.view)
 
     @property
     def end_s(self) -> float:
-        """When the response ends, on the time axis."""
+        """End of the response on the time axis."""
         return self._frames.end_s(self._exported.view)
 
-    def words(self, film: Film) -> str:
-        """How fast time runs, and of whom this is."""
+    def text(self, film: Film) -> str:
+        """Return how fast time runs, and which limb is shown."""
         limb = limb_word(self._exported.design.limb).title
         return f"{limb} · 1/{film.slow_motion:g} of real time"
 
     def frame(self, film: Film, number: int) -> NDArray[np.uint8]:
-        """One frame, (rows, columns, 3)."""
+        """Return one frame, (rows, columns, 3)."""
         view = replace(self._exported.view, playhead_s=film.time_s(number))
         if self._frames.runs_out(view) or not self._frames.has(view):
-            self._look(view)
+            self._read_signals(view)
         shown = self._frames.frame(view, self._settings)
         signed = shown.quantity.signed
         content = replace(
@@ -448,7 +444,7 @@ class _Camera:
 
         def draw(painter: QPainter, width: int, height: int, theme: Theme) -> None:
             size = QSizeF(width, height)
-            paint_picture(painter, size, content, heading, theme, self._family, self._seen)
+            paint_picture(painter, size, content, heading, theme, self._family, self._visible)
 
         painter = QPainter(self._image)
         width, height = self.size
@@ -461,15 +457,15 @@ class _Camera:
         )
         painter.end()
 
-    def _look(self, view: View) -> None:
+    def _read_signals(self, view: View) -> None:
         name = self._settings.quantity
         block = block_of(view.playhead_s)
-        found = self._exported.values({NEEDS[name]}, moving_block=block)
-        self._frames.take(found, name, view)
+        results = self._exported.values({NEEDS[name]}, moving_block=block)
+        self._frames.update(results, name, view)
 
 
 def _caption_of(exported: ExportedDesign, findings: Findings) -> str:
-    """Stimulus, limb, and conditions of the measurement that are not kept."""
+    """Return stimulus, limb, and the conditions of the measurement that are not met."""
     design, note = exported.design, exported.limb.note
     judged = Judged(label=limb_word(design.limb).title, note=note, findings=findings)
     return caption_of(design, notes=in_short([judged]))

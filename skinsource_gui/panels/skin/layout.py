@@ -1,4 +1,4 @@
-"""Which way the sensors' axes point."""
+"""Where the parts of the skin map lie on the screen, and the drawing of the sensors' axes."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -15,25 +15,25 @@ from skinsource_gui.qt.frames import Frame, fitted
 from skinsource_gui.qt.theme import Theme
 from skinsource_gui.qt.wheel import FREE, WHOLE, PanZoom
 
-#: Under the drawing: x and y point another way at each sensor.
+#: Caption below the drawing: x and y have another direction at each sensor.
 CAPTION = ("x, y differ", "by sensor")
 TITLE = "Axes"
 
-# Angle of the x arrow, degrees counter-clockwise: no direction that means something on the map.
+# Angle of the x arrow, degrees counter-clockwise: a direction without a meaning on the map.
 _TURNED = 28.0
 # Size of the drawing, and of its parts, in lines of text.
 _DRAWING_LINES, _ARM_LINES, _RING_LINES, _FOOT_LINES = 2.7, 1.15, 0.3, 0.4
 
 
 def triad_size(metrics: QFontMetricsF) -> QSizeF:
-    """Size of the card."""
+    """Return the size of the card with the axes."""
     line = metrics.height()
     width = max(map(metrics.horizontalAdvance, (TITLE, *CAPTION))) + 0.9 * line
     return QSizeF(width, (1.3 + _DRAWING_LINES + len(CAPTION) + _FOOT_LINES) * line)
 
 
 def paint_triad(painter: QPainter, card: QRectF, theme: Theme) -> None:
-    """Draw z out of the skin, x and y along it, dashed, and what there is to know of them."""
+    """Draw z out of the skin, x and y along it, dashed, and a caption."""
     line = painter.fontMetrics().height()
     centred = Qt.AlignmentFlag.AlignCenter
     painter.setPen(QColor(theme.dim))
@@ -76,8 +76,6 @@ def _paint_arrow(
     painter.drawText(area, Qt.AlignmentFlag.AlignCenter, name)
 
 
-# Where the parts of the map lie on the screen.
-
 Rows = tuple[tuple[int, ...], ...]
 
 #: Palmar outputs of the published limbs as they are laid out: rows from the wrist to the elbow,
@@ -90,19 +88,19 @@ _MOST_ROWS, _FEWEST_COLUMNS = 5, 2
 _MARGIN_PX = 10.0
 #: The fit that shows the hand without the arm.
 HAND = "hand"
-#: Above a map that is fitted there is a line for words, in lines of text: none lies on the skin.
-WORDS_LINES = 2.0
-# Height of a line of text at which sizes are as written here, px.
+#: Room for text above a fitted map, in lines, so that none lies on the skin.
+TEXT_LINES = 2.0
+# Height of a line of text at which sizes are those written here, px.
 _USUAL_LINE_PX = 14.0
 
 
 def outline_bounds(limb_map: LimbMap) -> QRectF:
-    """Box around the whole outline, in outline pixels; its top is the lowest y."""
+    """Return the box around the whole outline, in outline pixels; its top is the lowest y."""
     return _box(limb_map.outline)
 
 
 def hand_bounds(limb_map: LimbMap) -> QRectF:
-    """Box around the outline from the fingertips to just past the wrist."""
+    """Return box around the outline from the fingertips to just past the wrist."""
     outline = limb_map.outline
     wrist = outline[:, 1].max() - 1.06 * limb_map.hand_length_px
     box = _box(outline[outline[:, 1] >= wrist])
@@ -148,7 +146,7 @@ class MapLayout:
 
 
 def unplaced_rows(limb_map: LimbMap) -> Rows:
-    """Outputs without a place on the map, in the rows of their group."""
+    """Return the outputs without a place on the map, in the rows of their group."""
     unplaced = limb_map.unplaced
     if unplaced == VOLAR_OUTPUTS:
         return PALMAR_ROWS
@@ -157,7 +155,7 @@ def unplaced_rows(limb_map: LimbMap) -> Rows:
 
 
 def palmar_size(rows: Rows, metrics: QFontMetricsF) -> QSizeF:
-    """Size of the group of unplaced outputs; nothing where there are none."""
+    """Return the size of the group of unplaced outputs; zero where there are none."""
     if not rows:
         return QSizeF(0.0, 0.0)
     line = metrics.height()
@@ -169,7 +167,7 @@ def palmar_size(rows: Rows, metrics: QFontMetricsF) -> QSizeF:
 def fitted_beside_cards(
     limb_map: LimbMap, bounds: QRectF, room: QRectF, metrics: QFontMetricsF
 ) -> Frame:
-    """The frame that fits ``bounds`` into ``room`` without the cards in its way."""
+    """Return the frame that fits ``bounds`` into ``room`` without the cards in its way."""
     beside, above = _fits(limb_map, bounds, room, metrics)
     return beside if beside.scale >= above.scale else above
 
@@ -177,8 +175,8 @@ def fitted_beside_cards(
 def _fits(
     limb_map: LimbMap, bounds: QRectF, room: QRectF, metrics: QFontMetricsF
 ) -> tuple[Frame, Frame]:
-    """The frame beside a column of cards, and the one above a row of them."""
-    top = max(_MARGIN_PX, WORDS_LINES * metrics.height())
+    """Return the frame beside a column of cards, and the one above a row of cards."""
+    top = max(_MARGIN_PX, TEXT_LINES * metrics.height())
     inner = room.adjusted(_MARGIN_PX, top, -_MARGIN_PX, -_MARGIN_PX)
     palm, triad = _sizes(limb_map, metrics)
     width, height = max(palm.width(), triad.width()), max(palm.height(), triad.height())
@@ -191,7 +189,7 @@ def _fits(
 def _cards(
     limb_map: LimbMap, room: QRectF, metrics: QFontMetricsF, unit: float
 ) -> tuple[QRectF, QRectF]:
-    """Areas of palmar group and axes: in the lower right corner, where they stay while zooming."""
+    """Return areas of palmar group and axes, which stay in the lower right corner."""
     edge = 4 * unit
     palm, triad = _sizes(limb_map, metrics)
     corner = QPointF(room.right() - palm.width() - edge, room.bottom() - palm.height() - edge)
@@ -202,7 +200,7 @@ def _cards(
     else:
         at = QPointF(corner.x() - triad.width() - edge, room.bottom() - triad.height() - edge)
     triad_card = QRectF(at, triad)
-    free = room.adjusted(edge, WORDS_LINES * metrics.height(), 0, 0)
+    free = room.adjusted(edge, TEXT_LINES * metrics.height(), 0, 0)
     if triad.isEmpty():
         return palm_card, QRectF()
     return palm_card, triad_card if free.contains(triad_card) else QRectF()
@@ -245,11 +243,11 @@ def map_layout(limb_map: LimbMap, frame: Frame, room: QRectF, metrics: QFontMetr
 
 @lru_cache(maxsize=8)
 def smallest_spacing(limb_map: LimbMap) -> float:
-    """Smallest distance between two outputs on the map, in outline pixels; 0: there are no two."""
+    """Return the smallest distance between outputs, in outline pixels; 0 for a single one."""
     positions = limb_map.output_positions
     dorsal = positions[np.isfinite(positions[:, 0])]
-    apart = np.linalg.norm(dorsal[:, None] - dorsal[None], axis=-1)
-    return float(apart[apart > 0].min(initial=np.inf)) if apart.any() else 0.0
+    distances = np.linalg.norm(dorsal[:, None] - dorsal[None], axis=-1)
+    return float(distances[distances > 0].min(initial=np.inf)) if distances.any() else 0.0
 
 
 def _box(points: Floats) -> QRectF:
@@ -259,7 +257,7 @@ def _box(points: Floats) -> QRectF:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VisiblePart:
-    """A fit, or a part that somebody has zoomed to.
+    """A fit, or a part that was zoomed to.
 
     Attributes
     ----------
@@ -274,7 +272,7 @@ class VisiblePart:
     size: tuple[float, float] = (0.0, 0.0)
 
     def frame_in(self, limb_map: LimbMap, room: QRectF, metrics: QFontMetricsF) -> Frame:
-        """The frame that shows it in ``room``: all of what was seen, and what is beside it."""
+        """Return the frame that shows the part in ``room``, and what is around it."""
         if self.fit != FREE or 0.0 in self.size:
             bounds = hand_bounds if self.fit == HAND else outline_bounds
             return fitted_beside_cards(limb_map, bounds(limb_map), room, metrics)
@@ -288,12 +286,12 @@ class VisiblePart:
         )
 
 
-#: All of it.
+#: The whole map.
 ALL = VisiblePart()
 
 
 def visible_part(pan_zoom: PanZoom, room: QRectF) -> VisiblePart:
-    """What part of the map is seen in ``room``."""
+    """Return which part of the map is visible in ``room``."""
     frame = pan_zoom.frame
     if frame is None or pan_zoom.fit != FREE:
         return VisiblePart(fit=pan_zoom.fit)

@@ -1,4 +1,4 @@
-"""Which input is pointed at on the map, and which one a click means."""
+"""The widget of the skin map: what is under the pointer, its texts, its zoom, and lines of text."""
 
 from itertools import product
 
@@ -53,12 +53,12 @@ from skinsource_gui.qt.theme import Theme, current_theme, tabular
 from skinsource_gui.qt.tooltips import tooltip
 from skinsource_gui.qt.wheel import FREE, WHOLE, PanZoom
 
-#: Of inputs on each other, so many are named.
+#: Number of inputs on top of each other that are named.
 _NAMED = 3
 
 
 class InputPointer(QObject):
-    """Tells which input is pointed at, once for each."""
+    """Emits which input is pointed at, once for each."""
 
     #: Its id, or None.
     pointed_at = Signal(object)
@@ -68,50 +68,50 @@ class InputPointer(QObject):
         self._now: int | None = None
 
     def follow(self, input_id: int | None) -> None:
-        """Take over what is under the pointer."""
+        """Take over the input under the pointer."""
         if input_id != self._now:
             self._now = input_id
             self.pointed_at.emit(input_id)
 
 
 def input_at(content: MapContent, layout: MapLayout | None, at: QPointF) -> int | None:
-    """Id of the input whose mark is at a place of the screen."""
-    found = _inputs_at(content, layout, at)
-    return found[0].id if found else None
+    """Return the id of the input whose mark is at a place of the screen."""
+    marks = _inputs_at(content, layout, at)
+    return marks[0].id if marks else None
 
 
 def clicked_input(
     content: MapContent, layout: MapLayout | None, at: QPointF, last: str
 ) -> int | None:
-    """Id of the input that a click means; None: the output there, or nothing.
+    """Return the id of the input that a click selects; None: the output there, or nothing.
 
-    What lies on each other takes turns, click by click: an output, then one input after the other.
-    ``last`` is what the click before selected: "input" or "outputs".
+    Marks on top of each other take turns, click by click: an output, then one input after the
+    other. ``last`` is what the click before selected: "input" or "outputs".
     """
     if layout is None:
         return None
-    inputs = [one.id for one in _inputs_at(content, layout, at)]
+    inputs = [mark.id for mark in _inputs_at(content, layout, at)]
     output = output_at(layout.points, at)
-    here = [*([] if output is None else [None]), *inputs]
+    candidates = [*([] if output is None else [None]), *inputs]
     chosen = selected_inputs(content)
     if len(chosen) == 1 and chosen[0] in inputs and (output is None or last == "input"):
-        turn = here.index(chosen[0]) + 1
+        turn = candidates.index(chosen[0]) + 1
     else:
         turn = int(output is not None and last == "outputs" and content.outputs == (output,))
-    return here[turn % len(here)] if here else None
+    return candidates[turn % len(candidates)] if candidates else None
 
 
 def inputs_text(content: MapContent, layout: MapLayout | None, at: QPointF) -> str:
-    """The inputs at a place of the screen, a line for each, and how to come to those below."""
-    found = _inputs_at(content, layout, at)
-    numbers = {one.id: number for number, one in enumerate(content.inputs, 1)}
+    """Return a line for each input at a place of the screen, and how to reach those below."""
+    marks = _inputs_at(content, layout, at)
+    numbers = {mark.id: number for number, mark in enumerate(content.inputs, 1)}
+    names = {mark.id: input_name(mark.location, content.limb).name for mark in marks}
     lines = [
-        f"Input {numbers[one.id]}: {one.location} · {input_name(one.location, content.limb).name}"
-        for one in found[:_NAMED]
+        f"Input {numbers[mark.id]}: {mark.location} · {names[mark.id]}" for mark in marks[:_NAMED]
     ]
-    lines += ["…"] * (len(found) > _NAMED)
+    lines += ["…"] * (len(marks) > _NAMED)
     covered = layout is not None and output_at(layout.points, at) is not None
-    if len(found) + covered > 1:
+    if len(marks) + covered > 1:
         lines.append("Click again for the next one here")
     return "\n".join(lines)
 
@@ -123,24 +123,19 @@ def _inputs_at(content: MapContent, layout: MapLayout | None, at: QPointF) -> tu
 
 
 def selected_inputs(content: MapContent) -> tuple[int, ...]:
-    """Ids of the inputs that are selected."""
-    return tuple(one.id for one in content.inputs if one.selected)
-
-
-# What is under the pointer, or else selected, in words.
+    """Return the ids of the selected inputs."""
+    return tuple(mark.id for mark in content.inputs if mark.selected)
 
 
 def output_readout(content: MapContent, number: int) -> str:
-    """Number and place of an output, and in a second line its value."""
+    """Return number and place of an output, and in a second line its value."""
     values = content.coloured_values
-    words = output_text(number, content.limb)
-    return (
-        words if values is None else f"{words}\n{_value_text(float(values[number - 1]), content)}"
-    )
+    text = output_text(number, content.limb)
+    return text if values is None else f"{text}\n{_value_text(float(values[number - 1]), content)}"
 
 
 def pixel_readout(content: MapContent, layout: MapLayout, at: QPointF) -> str:
-    """Value of the interpolated map at a screen place, empty outside."""
+    """Return value of the interpolated map at a screen place, empty outside."""
     field, levels = content.shown_field, content.field_values
     on_card = layout.palmar_card.contains(at) or layout.triad_card.contains(at)
     if field is None or levels is None or on_card:
@@ -150,7 +145,7 @@ def pixel_readout(content: MapContent, layout: MapLayout, at: QPointF) -> str:
 
 
 def map_tooltip(content: MapContent, layout: MapLayout | None, at: QPointF) -> str:
-    """What a tooltip says at a screen place: of the axes, of an output, of inputs, or nothing."""
+    """Return the tooltip at a screen place: of the axes, of an output, of inputs, or nothing."""
     if layout is None:
         return ""
     if layout.triad_card.contains(at):
@@ -161,7 +156,7 @@ def map_tooltip(content: MapContent, layout: MapLayout | None, at: QPointF) -> s
 
 
 def selection_readout(outputs: tuple[int, ...]) -> str:
-    """How many outputs are selected, and in a second line how to select others."""
+    """Return how many outputs are selected, and in a second line how to select others."""
     if not outputs:
         return "No output selected\nClick one, or drag around several"
     return f"{counted(len(outputs), 'output')} selected\nShift+click adds or removes one"
@@ -173,13 +168,11 @@ def _value_text(value: float, content: MapContent) -> str:
     return level_text(value, quantity.span) if is_level else quantity.text(value)
 
 
-# Words that stand on the map: the reason for its absence, and marks.
-
 SYNTHETIC_MARK = "SYNTHETIC"
 OUTDATED_MARK = "updating…"
-# Places that are tried for a message: so many steps across, and so many down.
+# Number of steps, across and down, in which places are tried for a message.
 _STEPS = 24
-# Into so many lines a message is broken, rather than that it hides something.
+# Largest number of lines of a message that would otherwise hide something.
 _MOST_LINES = 4
 
 
@@ -198,59 +191,61 @@ def paint_map_texts(
         free.setRight(_paint_synthetic_mark(painter, inner, theme) - 8 * unit)
     painter.save()
     painter.setFont(small_font(painter.font()))
-    said = _side_words(content, free.width(), QFontMetricsF(painter.font()))
-    _paint_card(painter, free, said, theme)
+    label = _side_text(content, free.width(), QFontMetricsF(painter.font()))
+    _paint_card(painter, free, label, theme)
     painter.restore()
     if content.message:
         _paint_message(painter, inner, content.message, layout, theme)
 
 
-def message_place(wanted: QRectF, room: QRectF, layout: MapLayout) -> QRectF | None:
-    """Return ``wanted``, moved no farther than needed to hide no output and no card in ``room``.
+def message_place(preferred: QRectF, room: QRectF, layout: MapLayout) -> QRectF | None:
+    """Return ``preferred``, moved as little as needed to hide no output and no card in ``room``.
 
     None: there is no such place.
     """
-    return _nearest(wanted, room, layout, free_of_outputs=True)
+    return _nearest(preferred, room, layout, free_of_outputs=True)
 
 
 def _nearest(
-    wanted: QRectF, room: QRectF, layout: MapLayout, *, free_of_outputs: bool
+    preferred: QRectF, room: QRectF, layout: MapLayout, *, free_of_outputs: bool
 ) -> QRectF | None:
     radius = layout.disc_radius
     outputs = [QPointF(x, y) for x, y in layout.points] if free_of_outputs else []
 
     def is_free(place: QRectF) -> bool:
-        around = place.adjusted(-radius, -radius, radius, radius)
+        surroundings = place.adjusted(-radius, -radius, radius, radius)
         cards = (layout.palmar_card, layout.triad_card)
-        return not any(map(around.contains, outputs)) and not any(map(around.intersects, cards))
+        return not any(map(surroundings.contains, outputs)) and not any(
+            map(surroundings.intersects, cards)
+        )
 
-    across, down = room.width() - wanted.width(), room.height() - wanted.height()
+    across, down = room.width() - preferred.width(), room.height() - preferred.height()
     corners = (
         QPointF(room.left() + across * i / _STEPS, room.top() + down * k / _STEPS)
         for i, k in product(range(_STEPS + 1), repeat=2)
     )
-    places = [wanted, *(QRectF(corner, wanted.size()) for corner in corners)]
+    places = [preferred, *(QRectF(corner, preferred.size()) for corner in corners)]
     free = [place for place in places if is_free(place)]
     return min(
         free,
-        key=lambda place: (place.center() - wanted.center()).manhattanLength(),
+        key=lambda place: (place.center() - preferred.center()).manhattanLength(),
         default=None,
     )
 
 
-def _side_words(content: MapContent, room_px: float, metrics: QFontMetricsF) -> str:
+def _side_text(content: MapContent, room_px: float, metrics: QFontMetricsF) -> str:
     side = "" if content.limb_map is None else BACK_SIDE
-    said = [FIXED_MARK] if content.fixed else []
+    parts = [FIXED_MARK] if content.fixed else []
     if content.quantity.moves and content.values is not None:
-        said.insert(0, time_text(content.quantity.time_s))
+        parts.insert(0, time_text(content.quantity.time_s))
     phrasings: tuple[str, ...]
     if content.outdated:
         phrasings = (f"{side} · {OUTDATED_MARK}", OUTDATED_MARK) if side else (OUTDATED_MARK,)
-    elif said and side:
-        phrasings = (" · ".join((side, *said)), " · ".join(said), said[0])
+    elif parts and side:
+        phrasings = (" · ".join((side, *parts)), " · ".join(parts), parts[0])
     else:
         phrasings = (side, side.partition(" ")[0])
-    fitting = (words for words in phrasings if metrics.horizontalAdvance(words) <= room_px)
+    fitting = (phrase for phrase in phrasings if metrics.horizontalAdvance(phrase) <= room_px)
     return next(fitting, phrasings[-1])
 
 
@@ -273,23 +268,23 @@ def _paint_synthetic_mark(painter: QPainter, area: QRectF, theme: Theme) -> floa
 
 
 def message_card(
-    words: str, area: QRectF, layout: MapLayout | None, metrics: QFontMetricsF
+    text: str, area: QRectF, layout: MapLayout | None, metrics: QFontMetricsF
 ) -> QRectF:
-    """Where a message stands in ``area``: rather in more lines than on outputs or cards.
+    """Return the place of a message in ``area``: more lines rather than on outputs or cards.
 
-    Where everything is full it hides outputs rather than cards.
+    Where there is no free place it hides outputs rather than cards.
     """
     flags = int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap)
     inside = area.adjusted(10, 7, -10, -7)
-    wide = metrics.boundingRect(inside, flags, words).adjusted(-10, -7, 10, 7)
+    wide = metrics.boundingRect(inside, flags, text).adjusted(-10, -7, 10, 7)
     if layout is None:
         return wide
-    widest_word = max(map(metrics.horizontalAdvance, words.split()), default=0.0)
+    widest_word = max(map(metrics.horizontalAdvance, text.split()), default=0.0)
     for lines in range(1, _MOST_LINES + 1):
         narrow = QRectF(inside)
         narrow.setWidth(max(inside.width() if lines == 1 else wide.width() / lines, widest_word))
         narrow.moveCenter(inside.center())
-        needed = metrics.boundingRect(narrow, flags, words).adjusted(-10, -7, 10, 7)
+        needed = metrics.boundingRect(narrow, flags, text).adjusted(-10, -7, 10, 7)
         place = message_place(needed, area, layout)
         if place is not None:
             return place
@@ -297,52 +292,49 @@ def message_card(
 
 
 def _paint_message(
-    painter: QPainter, area: QRectF, words: str, layout: MapLayout | None, theme: Theme
+    painter: QPainter, area: QRectF, text: str, layout: MapLayout | None, theme: Theme
 ) -> None:
     flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-    card = message_card(words, area, layout, QFontMetricsF(painter.font()))
+    card = message_card(text, area, layout, QFontMetricsF(painter.font()))
     painter.setPen(QColor(theme.border))
     painter.setBrush(QColor(theme.base))
     painter.drawRoundedRect(card, 4, 4)
     painter.setPen(QColor(theme.text))
-    painter.drawText(card.adjusted(10, 7, -10, -7), int(flags), words)
+    painter.drawText(card.adjusted(10, 7, -10, -7), int(flags), text)
 
 
-def _paint_card(painter: QPainter, area: QRectF, words: str, theme: Theme) -> None:
-    """Words in the upper left corner of ``area``, readable on whatever was moved under them."""
-    if not words:
+def _paint_card(painter: QPainter, area: QRectF, text: str, theme: Theme) -> None:
+    """Draw text into the upper left corner of ``area``, readable on any ground."""
+    if not text:
         return
     # One line: below a second one there could be skin.
     flags, metrics = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, painter.fontMetrics()
-    words = metrics.elidedText(words, Qt.TextElideMode.ElideRight, int(area.width()))
-    needed = QFontMetricsF(painter.font()).boundingRect(area, int(flags), words)
+    text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, int(area.width()))
+    needed = QFontMetricsF(painter.font()).boundingRect(area, int(flags), text)
     ground = QColor(theme.base)
     ground.setAlphaF(0.88)
     painter.fillRect(needed.adjusted(-4, -2, 4, 2), ground)
     painter.setPen(QColor(theme.dim))
-    painter.drawText(needed, int(flags), words)
-
-
-# What part of the map is seen, and where everything lies.
+    painter.drawText(needed, int(flags), text)
 
 
 class MapStage(QObject):
-    """Fits the map of a limb into a widget, and lays it out wherever it is panned and zoomed to.
+    """Fits the map of a limb into a widget, and lays it out for each pan and zoom.
 
     Parameters
     ----------
     widget
-        Where it is drawn, in small letters of its font, or smaller ones.
+        The widget; labels have small letters of its font, or smaller ones.
 
     Attributes
     ----------
     pan_zoom
-        What part of it is seen.
+        Which part of it is visible.
     layout
         Screen places of everything; None before there is a limb.
     """
 
-    #: Everything lies elsewhere.
+    #: Everything has moved.
     changed = Signal()
 
     def __init__(self, widget: QWidget) -> None:
@@ -355,7 +347,7 @@ class MapStage(QObject):
 
     @property
     def letters(self) -> QFont:
-        """Those of messages on it; labels have small ones."""
+        """Font of messages; labels have a smaller one."""
         return letters_for(self._widget.font(), self._room)
 
     @property
@@ -364,11 +356,11 @@ class MapStage(QObject):
         return visible_part(self.pan_zoom, self._room)
 
     def place_of(self, number: int) -> QPointF:
-        """Where an output is drawn; nowhere before there is a limb."""
+        """Return where an output is drawn; a null point before there is a limb."""
         return QPointF() if self.layout is None else QPointF(*self.layout.points[number - 1])
 
     def show_limb(self, limb_map: LimbMap | None) -> None:
-        """Take another limb, which is fitted anew."""
+        """Show another limb, which is fitted anew."""
         self._limb_map = limb_map
         if self.pan_zoom.fit == FREE:
             self.pan_zoom.fit = WHOLE
@@ -401,32 +393,29 @@ class MapStage(QObject):
         return QFontMetricsF(small_font(self.letters))
 
 
-# The map of the skin, on which outputs are selected.
-
-
 class SkinMap(QWidget):
-    """Shows `MapContent`, and tells which outputs the user wants selected.
+    """Shows `MapContent`, and emits which outputs or inputs the user selects.
 
     Attributes
     ----------
     content
         What is shown.
     stage
-        What part of it is seen, and where everything lies.
+        Which part of it is visible, and where everything lies.
     picker
-        Which outputs mouse and keys mean.
+        Which outputs mouse and keys select.
     """
 
     #: The outputs to select, a tuple of numbers.
     outputs_chosen = Signal(object)
-    #: What is under the pointer or the keyboard's cursor, in words; empty for nothing.
+    #: Text on what is under the pointer or the keyboard's cursor; empty for nothing.
     readout_changed = Signal(str)
-    #: Id of the input that is pointed at, or None; those of the inputs to select, a tuple.
+    #: Id of the input that is pointed at, or None; ids of the inputs to select, a tuple.
     input_pointed_at = Signal(object)
     inputs_chosen = Signal(object)
     #: Delete was pressed; whether what was selected last are outputs.
     removal_wanted = Signal(bool)
-    #: Where on the screen a menu is wanted.
+    #: Point of the screen at which the menu shall open.
     menu_requested = Signal(QPoint)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -435,7 +424,7 @@ class SkinMap(QWidget):
         self._painter: MapPainter | None = None
         self._pointer = InputPointer(self)
         self._pointer.pointed_at.connect(self.input_pointed_at)
-        # What was selected here last, "input" or "outputs": keys are about that.
+        # What was selected here last, "input" or "outputs": keys act on that.
         self._last = ""
         # Outputs that were selected here last.
         self._chosen: tuple[int, ...] = ()
@@ -445,7 +434,7 @@ class SkinMap(QWidget):
         self.picker.chosen.connect(self._choose_outputs)
         self.picker.moved.connect(self._follow_cursor)
         self.setMinimumSize(150, 180)
-        # All of it is painted: nothing behind needs to be.
+        # It paints all of its area, so that nothing behind it has to be painted.
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -462,7 +451,7 @@ class SkinMap(QWidget):
         if selected_inputs(content) != selected_inputs(self.content) and self._last == "outputs":
             self._last = ""
         if content.outputs not in (self.content.outputs, self._chosen):
-            # They were selected elsewhere: nothing is said any more of where keys were before.
+            # They were selected elsewhere: the old place of the cursor means nothing any more.
             self.picker.keys.cursor_output = None
         self.content, self.picker.selected = content, content.outputs
         if other_limb:
@@ -474,7 +463,7 @@ class SkinMap(QWidget):
             self.readout_changed.emit(self.readout())
 
     def readout(self) -> str:
-        """What is under the pointer, or else under the keyboard's cursor, in words."""
+        """Return a text on what is under the pointer, else under the keyboard's cursor."""
         number, pointer = self.picker.pointed_at(focused=self.hasFocus()), self.picker.mouse.pointer
         if number is not None:
             return output_readout(self.content, number)
@@ -516,12 +505,13 @@ class SkinMap(QWidget):
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            words = map_tooltip(self.content, self.stage.layout, QPointF(event.pos()))
-            QToolTip.showText(event.globalPos(), words, self)
+            text = map_tooltip(self.content, self.stage.layout, QPointF(event.pos()))
+            QToolTip.showText(event.globalPos(), text, self)
             return True
         return claims_shortcut(event, self._claims) or super().event(event)
 
     def _claims(self, event: QKeyEvent) -> bool:
+        # Some events come before there is a picker: it is looked up for a key alone.
         return self.picker.claims(event)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
@@ -545,11 +535,9 @@ class SkinMap(QWidget):
             points, mouse = self.stage.layout.points, self.picker.mouse
             on_output = output_at(points, event.position()) is not None
             adds = bool(event.modifiers() & ADDS) and on_output
-            meant_input = clicked_input(
-                self.content, self.stage.layout, event.position(), self._last
-            )
-            if meant_input is not None and mouse.band is None and not adds:
-                self._choose_inputs((meant_input,))
+            input_id = clicked_input(self.content, self.stage.layout, event.position(), self._last)
+            if input_id is not None and mouse.band is None and not adds:
+                self._choose_inputs((input_id,))
                 mouse.give_up()
             elif on_output:
                 self._last = "outputs"
@@ -579,21 +567,21 @@ class SkinMap(QWidget):
         self.menu_requested.emit(middle if by_key else event.globalPos())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        layout, wanted = self.stage.layout, meaning_of("skin", event)
+        layout, meaning = self.stage.layout, meaning_of("skin", event)
         middle = QRectF(self.rect()).center()
         if layout is None:
             super().keyPressEvent(event)
-        elif wanted == "whole":
+        elif meaning == "whole":
             self.stage.pan_zoom.show(WHOLE)
-        elif wanted == "hand":
+        elif meaning == "hand":
             self.stage.pan_zoom.show(HAND)
-        elif wanted == "remove":
+        elif meaning == "remove":
             self.removal_wanted.emit(self._last == "outputs")
-        elif wanted == "select_none" and self._last == "input" and selected_inputs(self.content):
+        elif meaning == "select_none" and self._last == "input" and selected_inputs(self.content):
             if not self.picker.mouse.give_up():
                 self._choose_inputs(())
             self.update()
-        elif self.stage.pan_zoom.step(wanted) or self.picker.press_key(
+        elif self.stage.pan_zoom.step(meaning) or self.picker.press_key(
             event, layout.points, layout.unplaced, middle
         ):
             self.update()
@@ -615,35 +603,33 @@ class SkinMap(QWidget):
         self.update()
 
 
-# A line that warns, where there is something to warn of.
-
-_NOTE_LINE_MOST_LINES, _LOST_AT_ENDS = 2, 0.3
+_NOTE_LINES, _LOST_AT_ENDS = 2, 0.3
 _WRAPPED = Qt.AlignmentFlag.AlignLeft | Qt.TextFlag.TextWordWrap
 
 
 class NoteLine(QWidget):
-    """Some lines of text, cut short where it is longer; the whole of it is in its tooltip.
+    """A warning of some lines, cut short where it is longer; its tooltip has all of it.
 
-    It takes no room while there is nothing to say.
+    It takes no room while it is empty.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._text = self._short = ""
-        self._most_lines = _NOTE_LINE_MOST_LINES
+        self._most_lines = _NOTE_LINES
         self.setAccessibleName("Note on the map")
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.hide()
 
     def text(self) -> str:
-        """The text, uncut."""
+        """Return the whole text."""
         return self._text
 
     @property
     def shown(self) -> str:
-        """What of it there is room for: the text, or the short one."""
-        whole = self.fontMetrics().horizontalAdvance(self._text) <= self._room_px
-        return self._text if whole else self._short or self._text
+        """The text, or the short one where the text has no room."""
+        fits = self.fontMetrics().horizontalAdvance(self._text) <= self._room_px
+        return self._text if fits else self._short or self._text
 
     def show_text(self, text: str, short: str = "") -> None:
         """Show other text, or the short one where it has no room; hide where it is empty."""
@@ -656,7 +642,7 @@ class NoteLine(QWidget):
             self.update()
 
     def show_lines(self, count: int) -> None:
-        """Have so many lines at most."""
+        """Set the largest number of lines."""
         if count != self._most_lines:
             self._most_lines = count
             self.updateGeometry()
@@ -673,11 +659,11 @@ class NoteLine(QWidget):
         painter.setPen(QColor(current_theme().warning))
         metrics = self.fontMetrics()
         if self._n_lines() > 1:
-            words = metrics.elidedText(self.shown, Qt.TextElideMode.ElideRight, self._room_px)
-            painter.drawText(self.rect(), _WRAPPED, words)
+            text = metrics.elidedText(self.shown, Qt.TextElideMode.ElideRight, self._room_px)
+            painter.drawText(self.rect(), _WRAPPED, text)
         else:
-            words = metrics.elidedText(self.shown, Qt.TextElideMode.ElideRight, self.width())
-            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignLeft, words)
+            text = metrics.elidedText(self.shown, Qt.TextElideMode.ElideRight, self.width())
+            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignLeft, text)
         painter.end()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -687,7 +673,7 @@ class NoteLine(QWidget):
 
     @property
     def _room_px(self) -> int:
-        # Two lines hold a little less than twice one: words are not broken.
+        # Two lines hold a little less than twice one, since words are not broken.
         lost = _LOST_AT_ENDS if self._most_lines > 1 else 0.0
         return round(self.width() * (self._most_lines - lost))
 
@@ -696,23 +682,21 @@ class NoteLine(QWidget):
         return self._most_lines if wide else 1
 
 
-# Two quiet lines that follow the pointer.
-
-_LINES = 2
+_READOUT_LINES = 2
 
 
 class ReadoutLines(QWidget):
-    """Text of up to two lines, cut short where it is too long, always of the same height."""
+    """Text of up to two lines that follows the pointer, always of the same height."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._text = ""
-        self._lines = _LINES
+        self._lines = _READOUT_LINES
         self.setFont(tabular(self.font()))
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
 
     def text(self) -> str:
-        """The text, uncut."""
+        """Return the whole text."""
         return self._text
 
     def show_text(self, text: str) -> None:
@@ -724,7 +708,7 @@ class ReadoutLines(QWidget):
             self.update()
 
     def show_lines(self, count: int) -> None:
-        """Have room for so many lines; in one alone a value comes first, and how to select last."""
+        """Set the number of lines; a single line begins with the value."""
         if count != self._lines:
             self._lines = count
             self.updateGeometry()
@@ -732,9 +716,9 @@ class ReadoutLines(QWidget):
 
     @property
     def shown(self) -> tuple[str, ...]:
-        """What stands in its lines."""
-        lines = self._text.split("\n")[:_LINES]
-        if self._lines > 1 or len(lines) < _LINES:
+        """The text in each line."""
+        lines = self._text.split("\n")[:_READOUT_LINES]
+        if self._lines > 1 or len(lines) < _READOUT_LINES:
             return tuple(lines[: self._lines])
         first, second = lines
         return (f"{second} · {first}" if any(map(str.isdigit, second)) else first,)
@@ -750,6 +734,6 @@ class ReadoutLines(QWidget):
         painter.setPen(QColor(current_theme().dim))
         height = self.fontMetrics().lineSpacing()
         for k, line in enumerate(self.shown):
-            words = self.fontMetrics().elidedText(line, Qt.TextElideMode.ElideRight, self.width())
-            painter.drawText(QRectF(0, k * height, self.width(), height), 0, words)
+            text = self.fontMetrics().elidedText(line, Qt.TextElideMode.ElideRight, self.width())
+            painter.drawText(QRectF(0, k * height, self.width(), height), 0, text)
         painter.end()

@@ -1,4 +1,4 @@
-"""Where the inputs are, seen through the hand, and how they are drawn."""
+"""The content of the skin map, and how it is painted: inputs, length bar, hatching and labels."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, fields, replace
@@ -23,7 +23,7 @@ from skinsource.design.design import Design, audible_indices
 from skinsource.design.view import View
 from skinsource.limbs.limb import Limb, LimbMap
 from skinsource.limbs.surface.operator import SurfaceOperator
-from skinsource_gui.panels.skin.layout import WORDS_LINES, MapLayout, paint_triad
+from skinsource_gui.panels.skin.layout import TEXT_LINES, MapLayout, paint_triad
 from skinsource_gui.panels.skin.settings import LEVELS, SILENT_RANGE, LevelRange, MapQuantity
 from skinsource_gui.plots.colour_maps import VIRIDIS, colour_table, is_light, level_colours
 from skinsource_gui.plots.outputs import dorsal_outputs
@@ -37,55 +37,47 @@ from skinsource_gui.qt.frames import CachedPicture, PaintedAnew
 from skinsource_gui.qt.overlays import COVERED
 from skinsource_gui.qt.theme import Theme
 
-_RING_PX, _DASH, _REACH_PX = 7.5, (3.0, 2.0), 10.0
+_INPUT_RING_PX, _DASH, _REACH_PX = 7.5, (3.0, 2.0), 10.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InputMark:
-    """One input on the map.
-
-    Attributes
-    ----------
-    id, location, colour
-        As those of the input; colours are numbers of the theme's palette.
-    heard, selected
-        Whether it is heard; whether it is selected.
-    """
+    """One input on the map; ``colour`` is a number of the theme's palette."""
 
     id: int
     location: int
     colour: int
-    heard: bool
+    audible: bool
     selected: bool
 
 
 def marks_of(design: Design, view: View) -> tuple[InputMark, ...]:
-    """Marks of all inputs of a design."""
-    heard = set(audible_indices(design.inputs))
+    """Return the marks of all inputs of a design."""
+    audible = set(audible_indices(design.inputs))
     return tuple(
         InputMark(
-            id=one.id,
-            location=one.location,
-            colour=one.colour,
-            heard=index in heard,
-            selected=one.id in view.selected_inputs,
+            id=track.id,
+            location=track.location,
+            colour=track.colour,
+            audible=index in audible,
+            selected=track.id in view.selected_inputs,
         )
-        for index, one in enumerate(design.inputs)
+        for index, track in enumerate(design.inputs)
     )
 
 
 def marks_at(
     marks: tuple[InputMark, ...], limb_map: LimbMap, layout: MapLayout, at: QPointF
 ) -> tuple[InputMark, ...]:
-    """The marks within reach of a place of the screen, nearest first, of one place the last one."""
-    found = []
-    for rank, one in enumerate(marks):
-        centre = _centre(one, limb_map, layout)
+    """Return the marks within reach of a screen place, nearest first, later ones before earlier."""
+    reached = []
+    for rank, mark in enumerate(marks):
+        centre = _centre(mark, limb_map, layout)
         if centre is not None:
             away = float(np.hypot(at.x() - centre.x(), at.y() - centre.y()))
             if away <= _REACH_PX * layout.unit:
-                found.append((away, -rank, one))
-    return tuple(one for *_, one in sorted(found, key=lambda each: each[:2]))
+                reached.append((away, -rank, mark))
+    return tuple(mark for *_, mark in sorted(reached, key=lambda each: each[:2]))
 
 
 def paint_marks(
@@ -96,65 +88,62 @@ def paint_marks(
     theme: Theme,
     pointed_at: int | None = None,
 ) -> None:
-    """Draw a dashed ring for each input; the one that is pointed at with its number."""
+    """Draw a dashed ring for each input, and a number at the one that is pointed at."""
     painter.save()
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    for one in marks:
-        centre = _centre(one, limb_map, layout)
+    for mark in marks:
+        centre = _centre(mark, limb_map, layout)
         if centre is None:
             continue
-        wide = one.selected or one.id == pointed_at
-        radius = (_RING_PX + (1.5 if wide else 0.0)) * layout.unit
+        wide = mark.selected or mark.id == pointed_at
+        radius = (_INPUT_RING_PX + (1.5 if wide else 0.0)) * layout.unit
         width = (2.4 if wide else 1.6) * layout.unit
-        painter.setOpacity(1.0 if one.heard else 0.45)
+        painter.setOpacity(1.0 if mark.audible else 0.45)
         painter.setPen(QPen(QColor(theme.base), width + 2.0 * layout.unit))
         painter.drawEllipse(centre, radius, radius)
-        pen = QPen(theme.input_colour(one.colour), width)
+        pen = QPen(theme.input_colour(mark.colour), width)
         pen.setDashPattern(list(_DASH))
         painter.setPen(pen)
         painter.drawEllipse(centre, radius, radius)
-        if one.id == pointed_at:
-            _paint_number(painter, one, centre, radius, layout, theme)
+        if mark.id == pointed_at:
+            _paint_number(painter, mark, centre, radius, layout, theme)
     painter.restore()
 
 
 def _paint_number(
     painter: QPainter,
-    one: InputMark,
+    mark: InputMark,
     centre: QPointF,
     radius: float,
     layout: MapLayout,
     theme: Theme,
 ) -> None:
-    words = str(one.location)
+    text = str(mark.location)
     line = painter.fontMetrics().height()
-    width = painter.fontMetrics().horizontalAdvance(words) + 0.5 * line
+    width = painter.fontMetrics().horizontalAdvance(text) + 0.5 * line
     area = QRectF(centre.x() + radius + 2 * layout.unit, centre.y() - line / 2, width, line)
-    painter.setPen(QPen(theme.input_colour(one.colour), layout.unit))
+    painter.setPen(QPen(theme.input_colour(mark.colour), layout.unit))
     painter.setBrush(QColor(theme.base))
     painter.drawRoundedRect(area, 3 * layout.unit, 3 * layout.unit)
     painter.setPen(QColor(theme.text))
-    painter.drawText(area, Qt.AlignmentFlag.AlignCenter, words)
+    painter.drawText(area, Qt.AlignmentFlag.AlignCenter, text)
     painter.setBrush(Qt.BrushStyle.NoBrush)
 
 
-def _centre(one: InputMark, limb_map: LimbMap, layout: MapLayout) -> QPointF | None:
-    if not 1 <= one.location <= len(limb_map.input_positions):
+def _centre(mark: InputMark, limb_map: LimbMap, layout: MapLayout) -> QPointF | None:
+    if not 1 <= mark.location <= len(limb_map.input_positions):
         return None
-    [[x, y]] = layout.frame.to_screen(limb_map.input_positions[one.location - 1 : one.location])
+    [[x, y]] = layout.frame.to_screen(limb_map.input_positions[mark.location - 1 : mark.location])
     return QPointF(float(x), float(y)) if np.isfinite((x, y)).all() else None
-
-
-# The bar on the skin map that says how long some millimetres are.
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LengthBar:
-    """Where the bar stands, with what stands over it, and how long it is, px."""
+    """Place, text and length of the bar that shows some millimetres, px."""
 
     card: QRectF
-    words: str
-    long_px: float
+    text: str
+    length_px: float
     line_px: float
     unit: float
 
@@ -162,7 +151,7 @@ class LengthBar:
 def length_bar(
     layout: MapLayout, px_per_mm: float, skin: QPainterPath, metrics: QFontMetrics
 ) -> LengthBar:
-    """The bar in a corner, the lower left one unless skin lies there.
+    """Return the length bar in a corner, the lower left one unless skin lies there.
 
     Parameters
     ----------
@@ -177,17 +166,17 @@ def length_bar(
     """
     on_screen = px_per_mm * layout.frame.scale
     if on_screen <= 0.0:
-        return LengthBar(card=QRectF(), words="", long_px=0.0, line_px=0.0, unit=0.0)
+        return LengthBar(card=QRectF(), text="", length_px=0.0, line_px=0.0, unit=0.0)
     length_mm = bar_length_mm(on_screen, layout.room.width())
     line, unit = metrics.height(), layout.unit
-    words = f"{length_mm} mm"
-    width = max(length_mm * on_screen, metrics.horizontalAdvance(words))
+    text = f"{length_mm} mm"
+    width = max(length_mm * on_screen, metrics.horizontalAdvance(text))
     card = bar_card(layout, QSizeF(width + 8 * unit, 1.5 * line + 3 * unit), line, skin)
-    return LengthBar(card=card, words=words, long_px=length_mm * on_screen, line_px=line, unit=unit)
+    return LengthBar(card=card, text=text, length_px=length_mm * on_screen, line_px=line, unit=unit)
 
 
 def paint_length_bar(painter: QPainter, bar: LengthBar, theme: Theme) -> None:
-    """Draw the bar; the painter's font is that of labels."""
+    """Draw the bar in the font of labels, which the painter has."""
     card, line, unit = bar.card, bar.line_px, bar.unit
     if card.isEmpty():
         return
@@ -198,38 +187,43 @@ def paint_length_bar(painter: QPainter, bar: LengthBar, theme: Theme) -> None:
     pen = QPen(QColor(theme.text), 2 * unit)
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)
     painter.setPen(pen)
-    painter.drawLine(QLineF(left, bottom, left + bar.long_px, bottom))
+    painter.drawLine(QLineF(left, bottom, left + bar.length_px, bottom))
     painter.setPen(QColor(theme.text))
-    beside = QRectF(left, bottom - 1.4 * line, card.width() - 8 * unit, 1.2 * line)
-    painter.drawText(beside, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, bar.words)
+    above = QRectF(left, bottom - 1.4 * line, card.width() - 8 * unit, 1.2 * line)
+    painter.drawText(above, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, bar.text)
 
 
 def bar_card(layout: MapLayout, size: QSizeF, line: float, skin: QPainterPath) -> QRectF:
-    """Where the bar stands: in the first corner where it hides neither skin nor a card.
+    """Return the first corner in which the bar hides neither skin nor a card.
 
-    Where there is none, as on a hand that was zoomed into, in the lower left one.
+    Where there is none, as on a magnified hand, return the lower left one.
     """
     room, unit = layout.room, layout.unit
-    cards = [one for one in (layout.palmar_card, layout.triad_card) if not one.isEmpty()]
-    left, top = room.left() + 4 * unit, room.top() + WORDS_LINES * line
+    cards = [card for card in (layout.palmar_card, layout.triad_card) if not card.isEmpty()]
+    left, top = room.left() + 4 * unit, room.top() + TEXT_LINES * line
     low, right = room.bottom() - 3 * unit - size.height(), room.right() - 4 * unit - size.width()
-    beside = min((one.left() for one in cards), default=room.right()) - 4 * unit - size.width()
-    corners = (QPointF(left, low), QPointF(beside, low), QPointF(right, top), QPointF(left, top))
+    left_of_cards = (
+        min((card.left() for card in cards), default=room.right()) - 4 * unit - size.width()
+    )
+    corners = (
+        QPointF(left, low),
+        QPointF(left_of_cards, low),
+        QPointF(right, top),
+        QPointF(left, top),
+    )
     places = [QRectF(corner, size) for corner in corners]
     free = (
         place
         for place in places
         if room.contains(place)
         and not skin.intersects(place)
-        and not any(one.intersects(place) for one in cards)
+        and not any(card.intersects(place) for card in cards)
     )
     return next(free, places[0])
 
 
-# Strokes over what is mostly noise.
-
-# Around a sensor, in radii of its disc: about half of the way to its neighbours.
-_REACH = 3.0
+# Hatched area around a sensor, in radii of its disc: about half of the way to its neighbours.
+_HATCH_RADII = 3.0
 
 
 def paint_hatch(
@@ -240,36 +234,34 @@ def paint_hatch(
     On the back of the hand inside of the outline; on the palm side their discs.
     """
     dorsal = dorsal_outputs(layout.points, layout.unplaced)
-    known = [number for number in noisy if number <= len(layout.points)]
-    places = {number: QPointF(*layout.points[number - 1]) for number in known}
+    on_limb = [number for number in noisy if number <= len(layout.points)]
+    places = {number: QPointF(*layout.points[number - 1]) for number in on_limb}
     aside = [place for number, place in places.items() if number not in dorsal]
     paint_dark_strokes(painter, aside, layout.palmar_radius)
     on_map = [place for number, place in places.items() if number in dorsal]
-    paint_strokes(painter, on_map, _REACH * layout.disc_radius, outline)
+    paint_strokes(painter, on_map, _HATCH_RADII * layout.disc_radius, outline)
 
 
-# Where the numbers of selected outputs stand.
-
-# Directions in which a label may lie from its ring, the better ones first, and how far beyond
-# the nearest place, in heights of a label.
-_WAYS = ((1, 0), (-1, 0), (0, -1), (0, 1), (1, -1), (-1, -1), (1, 1), (-1, 1))
-_FURTHER = (0.0, 0.8, 1.6, 2.4)
+# Directions from a ring to its label, the better ones first, and distances beyond the nearest
+# place, in heights of a label.
+_DIRECTIONS = ((1, 0), (-1, 0), (0, -1), (0, 1), (1, -1), (-1, -1), (1, 1), (-1, 1))
+_FARTHER = (0.0, 0.8, 1.6, 2.4)
 
 
-# From so many selected outputs on numbers need discs of this radius beside each other.
+# With more selected outputs, numbers are drawn only where discs have at least this radius.
 _MANY, _ROOMY_PX = 20, 8.0
 
 
 def is_crowded(n: int, layout: MapLayout) -> bool:
-    """Whether ``n`` selected outputs are so many, and so near, that numbers would hide the map.
+    """Return whether ``n`` selected outputs are too many for numbers beside their rings.
 
-    Magnified they have room again.
+    A magnified map has room for more.
     """
     return n > _MANY and layout.disc_radius < _ROOMY_PX * layout.unit
 
 
 def is_on_card(number: int, layout: MapLayout) -> bool:
-    """Whether an output that has a place on the map lies under one of the cards."""
+    """Return whether an output that has a place on the map lies under one of the cards."""
     if number in layout.unplaced:
         return False
     place = QPointF(*layout.points[number - 1])
@@ -278,7 +270,7 @@ def is_on_card(number: int, layout: MapLayout) -> bool:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OutputLabel:
-    """A number and the area it is written in; ``far`` from its ring a line leads to it."""
+    """A number and its area; a line leads to a label that is ``far`` from its ring."""
 
     number: int
     area: QRectF
@@ -290,9 +282,12 @@ def output_labels(
     layout: MapLayout,
     radius: float,
     metrics: QFontMetricsF,
-    taken: QRectF,
+    occupied: QRectF,
 ) -> tuple[OutputLabel, ...]:
-    """Labels of dorsal outputs, each beside its ring, and where that is taken at some distance.
+    """Return labels of dorsal outputs beside their rings, or farther off where there is no room.
+
+    A label that would cover another one or a ring is left out: a pile of numbers tells less than
+    the output that is pointed at.
 
     One that would cover another label or a ring is left out: a pile of numbers says less than the
     output that is pointed at.
@@ -310,15 +305,15 @@ def output_labels(
     taken
         Where none may lie, as on the cards.
     """
-    wanted = tuple(numbers)
-    rings = [square(QPointF(*layout.points[number - 1]), radius) for number in wanted]
+    ranked = tuple(numbers)
+    rings = [square(QPointF(*layout.points[number - 1]), radius) for number in ranked]
     gap = 1.5 * layout.unit
     placed: list[OutputLabel] = []
-    # Words stand above the map.
-    room = layout.room.adjusted(0, WORDS_LINES * metrics.height(), 0, 0)
-    for number in wanted:
+    # Text stands above the map.
+    room = layout.room.adjusted(0, TEXT_LINES * metrics.height(), 0, 0)
+    for number in ranked:
         hidden = [label.area.adjusted(-gap, -gap, gap, gap) for label in placed]
-        hidden += [layout.palmar_card, layout.triad_card, taken]
+        hidden += [layout.palmar_card, layout.triad_card, occupied]
         free = [
             label
             for label in _candidates(number, layout, radius, metrics)
@@ -334,15 +329,15 @@ def paint_labels(
     layout: MapLayout,
     radius: float,
     theme: Theme,
-    taken: QRectF,
+    occupied: QRectF,
 ) -> None:
-    """Draw numbers beside the rings of dorsal outputs; palmar ones carry theirs anyway."""
+    """Draw numbers beside the rings of dorsal outputs; palmar ones contain their numbers."""
     drawn = dorsal_outputs(layout.points, layout.unplaced)
-    dorsal = [one for one in outputs if one in drawn and not is_on_card(one, layout)]
+    dorsal = [output for output in outputs if output in drawn and not is_on_card(output, layout)]
     if is_crowded(len(outputs), layout):
         return
     painter.setBrush(QColor(theme.base))
-    for label in output_labels(dorsal, layout, radius, QFontMetricsF(painter.font()), taken):
+    for label in output_labels(dorsal, layout, radius, QFontMetricsF(painter.font()), occupied):
         painter.setPen(theme.output_pen(outputs.index(label.number), 1.0))
         if label.far:
             centre = QPointF(*layout.points[label.number - 1])
@@ -355,7 +350,7 @@ def paint_labels(
 
 
 def square(centre: QPointF, radius: float) -> QRectF:
-    """The square around a circle."""
+    """Return the square around a circle."""
     return QRectF(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius)
 
 
@@ -366,7 +361,7 @@ def _candidates(
     width = metrics.horizontalAdvance(str(number)) + 6 * layout.unit
     height = metrics.height()
     labels = []
-    for further, (right, down) in product(_FURTHER, _WAYS):
+    for further, (right, down) in product(_FARTHER, _DIRECTIONS):
         away = radius + 3 * layout.unit + further * height
         if right and down:
             away *= 0.75  # the same distance from the ring, slantwise
@@ -377,14 +372,12 @@ def _candidates(
     return labels
 
 
-# What the map shows.
-
 _LEVELS = MapQuantity()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class MapContent:
-    """What the map shows.
+    """What the skin map shows.
 
     Attributes
     ----------
@@ -444,7 +437,7 @@ class MapContent:
     outdated: bool = False
 
     def same_as(self, other: "MapContent") -> bool:
-        """Whether ``other`` looks the same; arrays are compared by identity."""
+        """Return whether ``other`` looks the same; arrays are compared by identity."""
         return all(
             mine is theirs
             or (
@@ -459,13 +452,13 @@ class MapContent:
 
     @property
     def covered(self) -> "MapContent":
-        """The same without anything that was computed, for an audience that shall guess first."""
+        """The content without anything that was computed, for an audience that guesses first."""
         quantity = replace(self.quantity, name=LEVELS)
         return replace(self, values=None, field_values=None, quantity=quantity, message=COVERED)
 
     @property
     def coloured_values(self) -> Floats | None:
-        """Values that may be shown, (n_outputs,); none while a message stands in their place."""
+        """Values to show, (n_outputs,); none while a message stands in their place."""
         return None if self.message else self.values
 
     @property
@@ -480,56 +473,54 @@ class MapContent:
 
 
 def px_per_mm_of(limb: Limb) -> float:
-    """Outline pixels in a millimetre."""
+    """Return the number of outline pixels in a millimetre."""
     return limb.map.hand_length_px / limb.hand_length_mm
 
 
 def note_of(surface: SurfaceOperator | None, limb: Limb) -> str:
-    """What one should know about the map and about where its numbers come from."""
+    """Return the notes on the map and on the source of its numbers."""
     last = sentence(f"{limb.note[:1].upper()}{limb.note[1:]}") if limb.note else ""
     return " ".join(part for part in (drawn_note_of(surface), last) if part)
 
 
 def drawn_note_of(surface: SurfaceOperator | None) -> str:
-    """What one should know about the map itself."""
+    """Return the notes on the map itself."""
     return "" if surface is None else " ".join(surface.warnings)
 
 
-# Draws the dorsal map.
-
-_MAP_PAINTER_RING_PX, _THIN_PX = 2.2, 1.2
-# A map is so many lines of its letters high, and wide, at least; a line that is no larger, px.
-_MAP_LINES, _MAP_WORDS, _USUAL_PX = 12.0, 9.0, 18.0
+_OUTPUT_RING_PX, _THIN_PX = 2.2, 1.2
+# A map is at least this many lines of text high, and wide, if a line is larger than the last, px.
+_MAP_LINES, _MAP_WIDTH_LINES, _USUAL_PX = 12.0, 9.0, 18.0
 _HINTS = QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform
 
 
 class MapPainter:
-    """Draws maps, and keeps what stays the same from one frame to the next.
+    """Paints maps, and caches what stays the same from one frame to the next.
 
     Parameters
     ----------
     limb_map
         Outline and places.
-    kept
+    picture_type
         `CachedPicture` on the screen, `PaintedAnew` for pages and files.
     """
 
     def __init__(
         self,
         limb_map: LimbMap,
-        kept: type[CachedPicture | PaintedAnew] = CachedPicture,
+        picture_type: type[CachedPicture | PaintedAnew] = CachedPicture,
     ) -> None:
         self._limb_map, self._outline = limb_map, QPainterPath()
         self._outline.addPolygon(QPolygonF([QPointF(x, y) for x, y in limb_map.outline]))
         self._outline.closeSubpath()
-        self._kept = kept
+        self._picture_type = picture_type
         self._layout: MapLayout | None = None
         self._screen_outline, self._bar_card = QPainterPath(), QRectF()
         self._forget_pictures()
 
     def _forget_pictures(self) -> None:
-        self._still, self._selection = self._kept(), self._kept()
-        self._hatch, self._marks = self._kept(), self._kept()
+        self._still, self._selection = self._picture_type(), self._picture_type()
+        self._hatch, self._marks = self._picture_type(), self._picture_type()
 
     def paint(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
@@ -559,12 +550,12 @@ class MapPainter:
     def _paint_ground(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
     ) -> None:
-        """The field, a little beyond the outline, or the bare skin."""
+        """Paint the field, a little beyond the outline, or the bare skin."""
         field, levels = content.shown_field, content.field_values
         if field is None or levels is None:
             painter.fillPath(self._screen_outline, QColor(theme.skin))
             return
-        # The picture's first line is the highest y: it is drawn downwards from there.
+        # The first row of the picture is the highest y: it is drawn downwards from there.
         area = layout.frame.transform().mapRect(field.rect)
         table = colour_table(content.colours)
         painter.drawImage(area, field.image(levels, content.value_range, table))
@@ -572,13 +563,13 @@ class MapPainter:
     def _paint_still(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
     ) -> None:
-        """Outline; on a field also sensor dots, the card of the palm, and all that is outside."""
+        """Paint the outline; on a field also sensor dots, the card of the palm and the outside."""
         on_field = content.shown_field is not None
         dots = content.sensors_shown and on_field
 
         def paint(on_image: QPainter) -> None:
             if on_field:
-                # To cover what is outside is far quicker than to clip what is inside.
+                # Covering the outside is far quicker than clipping the inside.
                 outside = QPainterPath(self._screen_outline)
                 outside.addRect(layout.room)
                 on_image.fillPath(outside, QColor(theme.base))
@@ -592,7 +583,7 @@ class MapPainter:
         self._still.paint(painter, layout.room, (theme.name, dots, on_field), paint)
 
     def _paint_hatch(self, painter: QPainter, content: MapContent, layout: MapLayout) -> None:
-        """Strokes where there is mostly noise."""
+        """Hatch what is mostly noise."""
 
         def paint(on_image: QPainter) -> None:
             paint_hatch(on_image, content.noisy, layout, self._screen_outline)
@@ -604,12 +595,12 @@ class MapPainter:
     ) -> None:
         shown = content.inputs, self._limb_map, layout, theme, content.pointed_at
         key = (theme.name, content.inputs, content.pointed_at)
-        self._marks.paint(painter, layout.room, key, lambda one: paint_marks(one, *shown))
+        self._marks.paint(painter, layout.room, key, lambda on_image: paint_marks(on_image, *shown))
 
     def _paint_selection(
         self, painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme
     ) -> None:
-        """Rings in the colours of the curves, and numbers."""
+        """Paint rings in the colours of the curves, and numbers."""
         if not content.outputs:
             return
 
@@ -648,7 +639,7 @@ class MapPainter:
             painter.drawText(square(centre, radius), Qt.AlignmentFlag.AlignCenter, str(number))
 
     def _fills(self, outputs: Sequence[int], content: MapContent, theme: Theme) -> list[QColor]:
-        """Colour of each of ``outputs``."""
+        """Return the colour of each of ``outputs``."""
         levels = content.coloured_values
         if levels is None:
             return [QColor(theme.base)] * len(outputs)
@@ -657,7 +648,7 @@ class MapPainter:
 
 
 def ring_radius(number: int, content: MapContent, layout: MapLayout) -> float:
-    """Radius of the ring around an output, px."""
+    """Return radius of the ring around an output, px."""
     if number in layout.unplaced:
         return layout.palmar_radius + 2 * layout.unit
     if content.shown_field is None:
@@ -687,7 +678,7 @@ def paint_mark(
     """Draw a wide ring around an output that is pointed at."""
     radius = ring_radius(number, content, layout) + 3.5 * layout.unit
     centre = QPointF(*layout.points[number - 1])
-    pen = QPen(QColor(colour), 0.8 * _MAP_PAINTER_RING_PX * layout.unit)
+    pen = QPen(QColor(colour), 0.8 * _OUTPUT_RING_PX * layout.unit)
     paint_ring(painter, centre, radius, pen, QColor(theme.base))
 
 
@@ -701,17 +692,17 @@ def paint_band(painter: QPainter, band: QRectF, theme: Theme) -> None:
 
 
 def letters_for(font: QFont, room: QRectF) -> QFont:
-    """Copy of ``font``, smaller where in its size a map in ``room`` would be hidden by its words.
+    """Return a copy of ``font`` so small that the map in ``room`` is not hidden by its text.
 
     Letters of a usual size stay as they are.
     """
     line = QFontMetricsF(font).height()
-    most = max(min(room.height() / _MAP_LINES, room.width() / _MAP_WORDS), _USUAL_PX)
+    most = max(min(room.height() / _MAP_LINES, room.width() / _MAP_WIDTH_LINES), _USUAL_PX)
     return font if line <= most else small_font(font, most / line)
 
 
 def small_font(font: QFont, factor: float = 0.86) -> QFont:
-    """Copy of ``font`` for labels."""
+    """Return copy of ``font`` for labels."""
     copy = QFont(font)
     if font.pixelSize() > 0:
         copy.setPixelSize(max(round(font.pixelSize() * factor), 8))
@@ -751,13 +742,13 @@ def _paint_dots(painter: QPainter, layout: MapLayout) -> None:
 
 
 def _paint_rings(painter: QPainter, content: MapContent, layout: MapLayout, theme: Theme) -> None:
-    """Rings in the colours of the curves around the selected outputs."""
+    """Paint rings in the colours of the curves around the selected outputs."""
     ground, crowded = QColor(theme.base), is_crowded(len(content.outputs), layout)
     for rank, number in enumerate(content.outputs):
         if number > len(layout.points) or is_on_card(number, layout):
-            continue  # not on this limb, or out of sight
+            continue  # not on this limb, or hidden
         centre = QPointF(*layout.points[number - 1])
         radius = ring_radius(number, content, layout)
-        width = (_THIN_PX if crowded else _MAP_PAINTER_RING_PX) * layout.unit
+        width = (_THIN_PX if crowded else _OUTPUT_RING_PX) * layout.unit
         pen = theme.output_pen(rank, width, layout.unit)
         paint_ring(painter, centre, radius, pen, ground)

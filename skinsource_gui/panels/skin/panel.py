@@ -1,4 +1,4 @@
-"""What is chosen on the skin map and around it."""
+"""The skin panel: the map of levels or of motion, its toolbar, its choices and its results."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -35,7 +35,7 @@ from skinsource_gui.panels.skin.painting import (
     note_of,
     px_per_mm_of,
 )
-from skinsource_gui.panels.skin.picture import heading_of, in_short, paint_picture
+from skinsource_gui.panels.skin.picture import heading_of, paint_picture, short_note
 from skinsource_gui.panels.skin.scale import ColourBar
 from skinsource_gui.panels.skin.settings import (
     LEVELS,
@@ -56,20 +56,14 @@ from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, current_theme, drawn_
 from skinsource_gui.qt.wheel import WHOLE
 from skinsource_gui.state.panel import Panel
 
-#: Told where what is to be removed was selected last, and is none.
+#: Refusal where Delete is pressed after outputs were selected.
 NO_OUTPUTS = Refusal(
     sentence="Outputs cannot be removed; click an input, a dashed ring on the map, to remove it."
 )
 
 
 class MapChoices(QObject):
-    """Turns what map, toolbar and colour bar tell into another choice of outputs, or settings.
-
-    Attributes
-    ----------
-    settings
-        Those of the present view.
-    """
+    """Translates what map, toolbar and colour bar emit into edits, or into other settings."""
 
     #: `Edit` or `Refusal`, None: no gesture.
     edited = Signal(object, object)
@@ -98,24 +92,24 @@ class MapChoices(QObject):
             self.edited.emit(edits.select_outputs(self._design, self._view, outputs), None)
 
     def choose_inputs(self, ids: tuple[int, ...]) -> None:
-        """Select inputs."""
+        """Select these inputs."""
         if self._design is not None:
             self.edited.emit(edits.select_inputs(self._design, self._view, ids), None)
 
-    def remove_inputs(self, outputs_meant: bool) -> None:
+    def remove_inputs(self, outputs_selected: bool) -> None:
         """Remove those that are selected; where none is, or outputs are meant, say so."""
         if self._design is not None:
             removed = edits.remove_inputs(self._design, self._view, self._view.selected_inputs)
-            self.edited.emit(NO_OUTPUTS if outputs_meant else removed, None)
+            self.edited.emit(NO_OUTPUTS if outputs_selected else removed, None)
 
     @property
     def chosen_range(self) -> tuple[float, float] | None:
-        """Ends of the colours that were chosen for what is shown; None: they follow it."""
+        """The chosen range of the colours; None: they follow what is shown."""
         settings = self.settings
         if settings.quantity not in STILL:
             return settings.moving_range_db
-        felt = settings.quantity == SENSATION
-        return settings.sensation_range_db if felt else settings.map_range_db
+        is_sensation = settings.quantity == SENSATION
+        return settings.sensation_range_db if is_sensation else settings.map_range_db
 
     def choose_range(self, range_db: tuple[float, float] | None) -> None:
         """Let colours span these levels, or follow the loudest output."""
@@ -135,7 +129,7 @@ class MapChoices(QObject):
         self._change(quantity=name)
 
     def choose_window(self, window_s: float) -> None:
-        """Take the sliding RMS over another time."""
+        """Set the duration of the sliding RMS."""
         self._change(rms_window_s=window_s)
 
     def choose_colours(self, name: str) -> None:
@@ -143,7 +137,7 @@ class MapChoices(QObject):
         self._change(colours=name)
 
     def choose_pace(self, slow_motion: float) -> None:
-        """Play so many times slower than it happens."""
+        """Play this many times slower than real time."""
         if self._design is not None:
             self.edited.emit(edits.play_slower(self._design, self._view, slow_motion), None)
 
@@ -160,9 +154,6 @@ class MapChoices(QObject):
         self.view_changed.emit(with_settings(self._view, self._panel_name, settings))
 
 
-# What the right button offers on the map.
-
-
 def open_map_menu(
     shown: SkinMap,
     at: QPoint,
@@ -171,28 +162,28 @@ def open_map_menu(
     export: Callable[[], None],
     colours: tuple[str, Callable[[str], None]],
 ) -> None:
-    """Offer fits and pictures of a map at a point of the screen.
+    """Open the menu of the map at a point of the screen: fits, colours, picture and data.
 
     Parameters
     ----------
     shown
         The map.
     at
-        Where on the screen.
+        Point of the screen.
     picture, save, export
-        Make a picture of it; ask where to, and save one; ask where to, and save its numbers.
+        Make a picture; ask for a file and save a picture; ask for a file and save the numbers.
     colours
-        Name of the colour map of levels, and who is told of another one.
+        Name of the colour map of levels, and what is called with another one.
     """
     menu = QMenu(shown)
     menu.setObjectName("skin_menu")
     menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-    for words, fit, key in (("Fit hand", HAND, "hand"), ("Fit hand and arm", WHOLE, "whole")):
-        menu.addAction(f"{words}\t{key_text('skin', key)}", partial(shown.stage.pan_zoom.show, fit))
+    for title, fit, key in (("Fit hand", HAND, "hand"), ("Fit hand and arm", WHOLE, "whole")):
+        menu.addAction(f"{title}\t{key_text('skin', key)}", partial(shown.stage.pan_zoom.show, fit))
     menu.addSeparator()
     _add_colours(menu.addMenu("Colours"), *colours)
     menu.addSeparator()
-    # What is written to a file is waited for; the clipboard gets what is drawn.
+    # A file waits for new results; the clipboard gets what is drawn now.
     menu.addAction("Copy picture", partial(_copy, picture)).setEnabled(not shown.content.outdated)
     menu.addAction("Save picture as…", save)
     menu.addAction("Export data…", export)
@@ -202,7 +193,7 @@ def open_map_menu(
 def open_colours_menu(
     over: QWidget, at: QPoint, chosen: str, choose: Callable[[str], None]
 ) -> None:
-    """Offer the colour maps of levels over a widget, at a point of the screen."""
+    """Open the menu of colour maps over a widget, at a point of the screen."""
     menu = QMenu(over)
     menu.setObjectName("colours_menu")
     menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -223,11 +214,8 @@ def _copy(picture: Callable[[], QImage]) -> None:
     QGuiApplication.clipboard().setImage(picture())
 
 
-# Icons of the map's buttons, drawn in the colours of the theme.
-
-
 def sensors_icon() -> QIcon:
-    """A few dots."""
+    """Return an icon with a few dots."""
     dots = QPainterPath()
     for x, y in (
         (3.5, 4),
@@ -244,7 +232,7 @@ def sensors_icon() -> QIcon:
 
 
 def fit_icon() -> QIcon:
-    """An arm between the corners of a frame."""
+    """Return an icon with an arm between the corners of a frame."""
     path = QPainterPath()
     for x, y, dx, dy in ((2, 2, 1, 1), (14, 2, -1, 1), (2, 14, 1, -1), (14, 14, -1, -1)):
         path.moveTo(x + 3 * dx, y)
@@ -255,7 +243,7 @@ def fit_icon() -> QIcon:
 
 
 def hand_icon() -> QIcon:
-    """An open hand, thumb to the left."""
+    """Return an icon with an open hand, thumb to the left."""
     path = QPainterPath(QPointF(5, 14.5))
     for x, y in ((2.2, 9.4), (3.4, 8.4), (5.3, 9.8)):
         path.lineTo(x, y)
@@ -270,14 +258,12 @@ def hand_icon() -> QIcon:
     return drawn_icon(path, current_theme(), greyed=False)
 
 
-# Buttons of the map.
-
-# As narrow as they are, all buttons fit into the narrowest panel.
+# With this width all buttons fit into the narrowest panel.
 _ICON_BUTTON_PX = 33
 
 
 class MapToolbar(QWidget):
-    """Style of the map, its sensors, and what part of it is seen."""
+    """Buttons for the style of the map, its sensors, and its visible part."""
 
     #: ``"interpolated"`` or ``"sensors"``.
     style_chosen = Signal(str)
@@ -342,17 +328,17 @@ class MapToolbar(QWidget):
         self.hand.setIcon(hand_icon())
 
     def minimumSizeHint(self) -> QSize:
-        # Without the fits, which go where there is no room for them.
-        every = (self.interpolated, self.sensors_only, self.sensors)
-        width = sum(part.minimumSizeHint().width() for part in every) + UNIT_PX
+        # Without the buttons for fits, which are hidden where there is no room.
+        buttons = (self.interpolated, self.sensors_only, self.sensors)
+        width = sum(part.minimumSizeHint().width() for part in buttons) + UNIT_PX
         return QSize(width, super().minimumSizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        # Where there is no room for all, the fits are left to the menu and to keys.
-        row, every = self._row, (self.interpolated, self.sensors_only, self.sensors)
+        # Where there is no room for all, the fits remain in the menu and on keys.
+        row, buttons = self._row, (self.interpolated, self.sensors_only, self.sensors)
         fits = (self.all, self.hand)
-        needed = sum(part.sizeHint().width() for part in every) + len(fits) * _ICON_BUTTON_PX
+        needed = sum(part.sizeHint().width() for part in buttons) + len(fits) * _ICON_BUTTON_PX
         roomy = self.width() >= needed + row.spacing() * (row.count() + 1)
         for part in fits:
             part.setVisible(roomy)
@@ -375,11 +361,8 @@ class MapToolbar(QWidget):
         self.fit_chosen.emit(HAND)
 
 
-# The controls around the map: they show the settings, and what they tell is chosen.
-
-
 class MapControls:
-    """Connects the controls around the map to what is chosen, and shows them what was."""
+    """Connects the controls around the map to the choices, and shows the settings in them."""
 
     def __init__(
         self, choices: MapChoices, toolbar: MapToolbar, time: TimeView, colour_bar: ColourBar
@@ -397,7 +380,7 @@ class MapControls:
         time.row.pace_chosen.connect(choices.choose_pace)
 
     def show_settings(self, view: View) -> None:
-        """Show what is chosen; of the two colour bars the one for it."""
+        """Show the settings, and of the two colour bars the one that they need."""
         settings = self._choices.settings
         signed = settings.quantity == Z
         self._toolbar.show_settings(settings)
@@ -412,31 +395,28 @@ class MapControls:
         open_colours_menu(strip, over, choices.settings.colours, choices.choose_colours)
 
 
-# What the map shows, on all that shows it.
-
-
 class MapDisplay(QObject):
-    """Keeps `MapContent`, and shows it on the map, in colour bar, note and readout.
+    """Holds `MapContent`, and shows it on the map, in colour bar, note and readout.
 
     Parameters
     ----------
-    parent, lateness
-        The panel that it is in, and whether what is known belongs to an older design.
+    parent, staleness
+        The panel that it is in, and whether the content belongs to an older design.
 
     Attributes
     ----------
     content
-        What is known, also while it is covered.
+        What is shown, also while it is covered.
     map, colour_bar, note, readout
-        Who shows it.
+        The widgets that show it.
     """
 
-    def __init__(self, parent: QWidget, lateness: Staleness) -> None:
+    def __init__(self, parent: QWidget, staleness: Staleness) -> None:
         super().__init__(parent)
         self.content = MapContent()
         self._covered = False
-        self._lateness = lateness
-        self._lateness.changed.connect(self._mark_outdated)
+        self._staleness = staleness
+        self._staleness.changed.connect(self._mark_outdated)
         self.map, self.colour_bar = SkinMap(parent), ColourBar(parent)
         self.note, self.readout = NoteLine(parent), ReadoutLines(parent)
         self.map.setObjectName("skin_map")
@@ -448,19 +428,19 @@ class MapDisplay(QObject):
         self._show_readout("")
 
     def change(self, **changes: Any) -> None:
-        """Take over other fields of the content; they are seen from `show` on."""
+        """Replace fields of the content; `show` makes them visible."""
         self.content = replace(self.content, **changes)
 
     def show(self) -> None:
-        """Show what is known now."""
+        """Show the content."""
         self.colour_bar.strip.show_quantity(self.content.quantity, self.content.colours)
         self._show_marks()
         self.show_map()
-        self.note.show_text(self.content.note, in_short(self.content.note))
+        self.note.show_text(self.content.note, short_note(self.content.note))
         self._show_readout(self.map.readout())
 
     def show_map(self) -> None:
-        """Show what is known now on the map alone."""
+        """Show the content on the map alone."""
         self.map.show_content(self.content.covered if self._covered else self.content)
 
     def cover(self, covered: bool) -> None:
@@ -469,11 +449,11 @@ class MapDisplay(QObject):
         self.show()
 
     def set_stale(self, stale: bool) -> None:
-        """Say whether what is known belongs to an older design; once it is late, that is seen."""
-        self._lateness.set_stale(stale)
+        """Say whether the content belongs to an older design."""
+        self._staleness.set_stale(stale)
 
-    def _mark_outdated(self, late: bool) -> None:
-        self.change(outdated=late)
+    def _mark_outdated(self, stale: bool) -> None:
+        self.change(outdated=stale)
         self.show_map()
 
     def _show_marks(self) -> None:
@@ -490,24 +470,21 @@ class MapDisplay(QObject):
             )
         )
 
-    def _show_readout(self, words: str) -> None:
-        self.readout.show_text(words or selection_readout(self.content.outputs))
-
-
-# From results to what the map shows.
+    def _show_readout(self, text: str) -> None:
+        self.readout.show_text(text or selection_readout(self.content.outputs))
 
 
 class MapResults:
-    """Makes of results what is chosen to be seen of them: what stays, or what is at the playhead.
+    """Turns results into the content of the map: levels, or the skin at the playhead.
 
     Parameters
     ----------
     choices
-        What is chosen.
+        The settings.
     time
-        Who makes frames.
+        Makes frames.
     display
-        Who is told.
+        Shows the content.
     """
 
     def __init__(self, choices: MapChoices, time: TimeView, display: MapDisplay) -> None:
@@ -517,7 +494,7 @@ class MapResults:
 
     @property
     def needs(self) -> frozenset[str]:
-        """Names of the quantities that `take` reads."""
+        """Names of the results that `update` reads."""
         settings = self._choices.settings
         moving, shown = self._time.needs(settings), settings.quantity
         always = frozenset({"limb_map", "limb_data", "match_gain"}) | (
@@ -526,24 +503,24 @@ class MapResults:
         if settings.map_style == "sensors":
             return always
         on_surface = always | {"surface"}
-        return on_surface if moving else on_surface | {picture.over_skin(shown)}
+        return on_surface if moving else on_surface | {picture.surface_name(shown)}
 
     @property
     def moves(self) -> bool:
-        """Whether what is shown is another thing at another time."""
+        """Whether the map changes with the playhead."""
         return self._choices.settings.quantity not in STILL
 
-    def take(self, results: Mapping[str, Any], design: Design | None, view: View) -> None:
+    def update(self, results: Mapping[str, Any], design: Design | None, view: View) -> None:
         """Take over what was computed for a design and view."""
         settings = self._choices.settings
         surface = results.get("surface") if "surface" in self.needs else None
         self._matched = match_text(results["match_gain"])
         self._time.bar.strip.show_matched(self._matched)
-        self._take_limb(results, surface, design)
-        self._time.take(results, settings, view)
+        self._update_limb(results, surface, design)
+        self._time.update(results, settings, view)
         if self.moves:
             frames = self._time.frames
-            self._display.colour_bar.follow(self._time.levels_of_largest())
+            self._display.colour_bar.follow(frames.largest_db)
             self._display.change(message="" if frames.largest > 0.0 else picture.SILENT)
             self._time.show_state(settings, view)
         else:
@@ -553,18 +530,18 @@ class MapResults:
         self.follow(view)
 
     def follow(self, view: View) -> None:
-        """Take the skin at the playhead, or let the range follow what stays."""
+        """Show the skin at the playhead, or let the range of colours follow the levels."""
         settings, values = self._choices.settings, self._display.content.values
         if self.moves:
-            self._take_frame(view)
+            self._update_frame(view)
         elif values is not None:
             self._display.colour_bar.follow(values)
         if settings.map_style == "sensors":
-            # Kept, it would belong to an older design when it is shown again.
+            # When the map is interpolated again, this field would belong to an older design.
             self._display.change(field_values=None)
 
     def show_choice(self, design: Design | None, view: View) -> None:
-        """Show what is known, as design, view and settings say it is to be seen."""
+        """Show the results as design, view and settings ask for."""
         settings, display = self._choices.settings, self._display
         limbs = (display.content.limb, "" if design is None else design.limb)
         still: dict[str, Any] = {}
@@ -587,15 +564,15 @@ class MapResults:
         display.show()
 
     def forget(self, message: str = "") -> None:
-        """Nothing is known any more; ``message`` says why, where that is to be said."""
+        """Drop all results; ``message`` says why."""
         self._time.frames.forget()
         nothing = {"values": None, "field_values": None}
         self._display.change(**nothing, message=message)
 
     def show_bare(self, design: Design | None) -> None:
-        """Where nothing is computed for an own limb, show its places, not those of another.
+        """Show the places of an own limb for which nothing is computed.
 
-        Of one that is missing there is nothing to show.
+        A limb that is missing has no places to show.
         """
         limb = "" if design is None else design.limb
         own, missing = own_map(limb), facts_of(limb).missing
@@ -610,7 +587,7 @@ class MapResults:
             noisy=(),
         )
 
-    def _take_limb(
+    def _update_limb(
         self, results: Mapping[str, Any], surface: SurfaceOperator | None, design: Design | None
     ) -> None:
         limb, shown = results["limb_data"], self._choices.settings.quantity
@@ -621,12 +598,12 @@ class MapResults:
             limb_map=results["limb_map"],
             limb="" if design is None else design.limb,
             px_per_mm=px_per_mm_of(limb),
-            note=picture.limits_and(note_of(surface, limb), shown),
-            drawn_note=picture.limits_and(drawn_note_of(surface), shown),
+            note=picture.with_limits(note_of(surface, limb), shown),
+            drawn_note=picture.with_limits(drawn_note_of(surface), shown),
         )
 
-    def _take_frame(self, view: View) -> None:
-        """Take the skin at the playhead; where it is not known yet, what was shown is late."""
+    def _update_frame(self, view: View) -> None:
+        """Show the skin at the playhead; mark the map as stale where it is not known yet."""
         settings = self._choices.settings
         surface = self._surface if settings.map_style == "interpolated" else None
         changes = self._time.changes(settings, view, surface)
@@ -637,16 +614,14 @@ class MapResults:
             self._display.set_stale(True)
 
 
-# Panel of the dorsal heat map.
-
-#: Width and height of a picture for which none is asked, px.
+#: Usual width and height of a picture, px.
 PICTURE_PX = (1200, 1800)
-# Of its own letters; with fewer it says less.
+# Height in lines of text below which readout and note have one line each.
 _FEW_LINES = 14
 
 
 class SkinPanel(Panel):
-    """RMS level over the back of the hand and arm, on which outputs are selected.
+    """A map of the back of hand and arm: RMS levels or motion; outputs are selected on it.
 
     Attributes
     ----------
@@ -661,9 +636,9 @@ class SkinPanel(Panel):
         super().__init__(parent)
         self._design: Design | None = None
         self._view = View()
-        # What of design and view is seen here, as it was shown last.
-        self._seen: tuple[object, ...] = ()
-        # Tab goes through them as they are made.
+        # The parts of design and view that were shown last.
+        self._visible: tuple[object, ...] = ()
+        # The Tab key goes through them in this order.
         self.toolbar, self.time = MapToolbar(self), TimeView(self)
         self._display = MapDisplay(self, self._lateness)
         self.map, self.colour_bar = self._display.map, self._display.colour_bar
@@ -689,15 +664,15 @@ class SkinPanel(Panel):
         self._design, self._view = design, view
         before = self._choices.settings.quantity
         self._choices.show_state(design, view)
-        seen = (view, facts_of(design.limb), marks_of(design, view))
-        if seen == self._seen and not self._results.moves:
-            return  # another waveform is another map, but only once that is computed
-        self._seen = seen
+        visible = (view, facts_of(design.limb), marks_of(design, view))
+        if visible == self._visible and not self._results.moves:
+            return  # another waveform changes the map only when that is computed
+        self._visible = visible
         self._controls.show_settings(view)
         if self._choices.settings.quantity == before:
             self._results.follow(view)
         else:
-            # What is shown are not the numbers that are wanted now.
+            # The results are those of another quantity.
             self._results.forget()
         self._results.show_choice(design, view)
 
@@ -709,7 +684,7 @@ class SkinPanel(Panel):
             self._results.show_choice(self._design, view)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
-        self._results.take(results, self._design, self._view)
+        self._results.update(results, self._design, self._view)
         self._results.show_choice(self._design, self._view)
 
     def show_problem(self, reason: str) -> None:
@@ -720,7 +695,7 @@ class SkinPanel(Panel):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        # In large letters the map needs the room more than the second line does.
+        # With large letters the map needs the room more than a second line does.
         few = self.height() < _FEW_LINES * self.fontMetrics().lineSpacing()
         for part in (self.readout, self.note):
             part.show_lines(1 if few else 2)
@@ -735,7 +710,7 @@ class SkinPanel(Panel):
         self._display.show_map()
 
     def show_covered(self, covered: bool) -> None:
-        """Hide what was computed; limb and inputs stay, so that there is something to point at."""
+        """Hide what was computed; limb and inputs stay, so that they can be pointed at."""
         self._display.cover(covered)
 
     def draw_picture(
@@ -745,11 +720,11 @@ class SkinPanel(Panel):
         content = replace(self._display.content, outdated=False)
         heading = heading_of(self._design, self._view, content.quantity)
         heading = replace(heading, note=content.drawn_note)
-        family, seen = self.font().family(), self.map.stage.seen
-        paint_picture(painter, QSizeF(width, height), content, heading, theme, family, seen)
+        family, visible = self.font().family(), self.map.stage.seen
+        paint_picture(painter, QSizeF(width, height), content, heading, theme, family, visible)
 
     def picture(self, width: int, height: int, theme: Theme = LIGHT) -> QImage:
-        """What `draw_picture` draws, as pixels, with the caption that the window gives."""
+        """Return `draw_picture` as pixels, with the caption that the window gives."""
         image = QImage(width, height, QImage.Format.Format_RGB32)
         with self.as_stored():
             painter = QPainter(image)

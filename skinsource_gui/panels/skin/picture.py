@@ -1,4 +1,4 @@
-"""The map as a picture for a page or a slide."""
+"""The skin map as a picture for a page or a slide, and its content at no particular time."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -25,21 +25,21 @@ from skinsource_gui.plots.colour_maps import colour_table
 from skinsource_gui.qt.frames import PaintedAnew
 from skinsource_gui.qt.theme import Theme, tabular
 
-#: What strokes over a map say.
+#: What strokes over a map mean.
 HATCHED = f"hatched: less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise"
 # Lines of text in the height of the picture, also of one that is wide; the limits of a line, px.
 _LINES, _WIDE_LINES = 48, 32
 _SMALLEST_FONT_PX, _LARGEST_FONT_PX = 9, 64
-# Each part of a heading may take this part of the height; where it needs more, its font shrinks.
+# Share of the height for each part of a heading; where it needs more, its font shrinks.
 _HEADING_LINE = 0.06
-# Size of the details, in fonts of the title.
+# Size of the details, as a share of the font of the title.
 _DETAILS = 0.8
 _WRAPPED = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Heading:
-    """What stands above the map: what is shown, of what, and what one should know about it."""
+    """Title, details and note above a map."""
 
     title: str
     details: str
@@ -47,12 +47,12 @@ class Heading:
 
     @property
     def with_hatching(self) -> "Heading":
-        """The same where something is hatched, which nobody can ask a picture about."""
+        """The heading with an explanation of the hatching."""
         return replace(self, details=f"{self.details} · {HATCHED}")
 
 
 def heading_of(design: Design | None, view: View, quantity: MapQuantity | None = None) -> Heading:
-    """What a picture of the map is called; levels, if nothing else is said."""
+    """Return the heading of a picture of the map; of levels unless ``quantity`` is given."""
     quantity = quantity or MapQuantity(span=view.span)
     limb = facts_of("" if design is None else design.limb)
     parts = [quantity.details_on(limb.axes) or signal_label(view.axes, view.method)]
@@ -71,7 +71,7 @@ def paint_picture(
     heading: Heading,
     theme: Theme,
     family: str,
-    seen: VisiblePart = ALL,
+    visible: VisiblePart = ALL,
 ) -> None:
     """Draw the map with heading, colour bar and, where due, the synthetic mark.
 
@@ -91,22 +91,22 @@ def paint_picture(
     if content.hatched:
         heading = heading.with_hatching
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    whole = QRectF(0, 0, size.width(), size.height())
-    painter.fillRect(whole, QColor(theme.base))
+    page = QRectF(0, 0, size.width(), size.height())
+    painter.fillRect(page, QColor(theme.base))
     font = QFont(family)
-    # The map is narrow: where the picture is wide, as a slide is, words have more room.
-    lines = _LINES if whole.width() <= whole.height() else _WIDE_LINES
-    pixels = min(whole.height() / lines, whole.width() / _LINES * 1.6)
+    # The map is narrow: in a wide picture, as on a slide, text has more room.
+    lines = _LINES if page.width() <= page.height() else _WIDE_LINES
+    pixels = min(page.height() / lines, page.width() / _LINES * 1.6)
     font.setPixelSize(round(min(max(pixels, _SMALLEST_FONT_PX), _LARGEST_FONT_PX)))
     font = tabular(font)
     line = QFontMetricsF(font).height()
-    inner = whole.adjusted(line, 0.6 * line, -line, -line)
+    inner = page.adjusted(line, 0.6 * line, -line, -line)
     inner.setTop(_paint_heading(painter, inner, heading, font, theme) + 0.4 * line)
     room = inner.adjusted(0, 0, -6.2 * line, 0)
     painter.setFont(small_font(font))
     layout = None
     if content.limb_map is not None:
-        layout = _paint_map(painter, content, content.limb_map, room, theme, seen)
+        layout = _paint_map(painter, content, content.limb_map, room, theme, visible)
     ramp = QRectF(room.right() + line, room.top() + line, line, room.height() - 2 * line)
     levels = content.value_range
     painter.setFont(small_font(font))
@@ -117,7 +117,7 @@ def paint_picture(
 
 
 def heading_font(font: QFont, text: str, area: QRectF) -> QFont:
-    """Copy of ``font``, shrunk until ``text`` fits into ``area`` in as many lines as it takes."""
+    """Return a copy of ``font``, shrunk until the wrapped ``text`` fits into ``area``."""
     copy = QFont(font)
     while copy.pixelSize() > 1:
         needed = QFontMetricsF(copy).boundingRect(QRectF(area), int(_WRAPPED), text)
@@ -134,19 +134,19 @@ def _paint_heading(
     title_font = QFont(font)
     title_font.setBold(True)
     top = inner.top()
-    for words, usual, colour in (
+    for text, usual, colour in (
         (heading.title, title_font, theme.text),
         (heading.details, small_font(font, _DETAILS), theme.dim),
         (heading.note, small_font(font, _DETAILS), theme.warning),
     ):
-        if not words:
+        if not text:
             continue
         area = QRectF(inner.left(), top, inner.width(), _HEADING_LINE * inner.height())
-        painter.setFont(heading_font(usual, words, area))
+        painter.setFont(heading_font(usual, text, area))
         painter.setPen(QColor(colour))
-        painter.drawText(area, int(_WRAPPED), words)
+        painter.drawText(area, int(_WRAPPED), text)
         metrics = QFontMetricsF(painter.font())
-        top += metrics.boundingRect(area, int(_WRAPPED), words).height() + 0.15 * metrics.height()
+        top += metrics.boundingRect(area, int(_WRAPPED), text).height() + 0.15 * metrics.height()
     return top
 
 
@@ -156,10 +156,10 @@ def _paint_map(
     limb_map: LimbMap,
     room: QRectF,
     theme: Theme,
-    seen: VisiblePart,
+    visible: VisiblePart,
 ) -> MapLayout:
     metrics = QFontMetricsF(painter.font())
-    frame = seen.frame_in(limb_map, room, metrics)
+    frame = visible.frame_in(limb_map, room, metrics)
     layout = map_layout(limb_map, frame, room, metrics)
     map_painter = MapPainter(limb_map, PaintedAnew)
     painter.save()
@@ -170,10 +170,8 @@ def _paint_map(
     return layout
 
 
-# What the map shows that is the same at any time: levels, or levels above threshold.
-
 SILENT = "Silent: nothing is driven"
-#: By quantity: that of outputs, and that over the skin.
+#: By quantity: names of the results at the outputs and over the skin.
 _NAMES = {
     LEVELS: ("output_levels_db", "surface_levels_db"),
     SENSATION: ("sensation_db", "surface_sensation_db"),
@@ -181,18 +179,18 @@ _NAMES = {
 
 
 def needs_of(quantity: str) -> frozenset[str]:
-    """What has to be known of outputs."""
+    """Return the results that are needed at the outputs."""
     more = {"sensation"} if quantity == SENSATION else set()
     return frozenset({_NAMES[quantity][0]} | more)
 
 
-def over_skin(quantity: str) -> str:
-    """What has to be known over the skin."""
+def surface_name(quantity: str) -> str:
+    """Return the result that is needed over the skin."""
     return _NAMES[quantity][1]
 
 
 def changes_of(quantity: str, results: Mapping[str, Any], *, interpolated: bool) -> dict[str, Any]:
-    """What of the map's content follows from ``results``."""
+    """Return the fields of the map's content that follow from ``results``."""
     values = results[_NAMES[quantity][0]]
     if not values.size:
         return {"values": None, "field_values": None, "message": results["sensation"].problem}
@@ -203,11 +201,11 @@ def changes_of(quantity: str, results: Mapping[str, Any], *, interpolated: bool)
     }
 
 
-def limits_and(note: str, quantity: str) -> str:
-    """What is to be said below the map: what thresholds are not good for, before all else."""
+def with_limits(note: str, quantity: str) -> str:
+    """Return the note below the map; of sensations, their limits come first."""
     return f"{LIMITS} {note}".strip() if quantity == SENSATION else note
 
 
-def in_short(note: str) -> str:
-    """The note where there is little room for it."""
+def short_note(note: str) -> str:
+    """Return the note where there is little room for it."""
     return note.replace(LIMITS, LIMITS_IN_SHORT)

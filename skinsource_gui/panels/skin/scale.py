@@ -1,4 +1,4 @@
-"""The switch that lets a range of colours follow the design."""
+"""The colour bar of the skin map: a scale whose ends are dragged or typed, or follow the design."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -49,32 +49,30 @@ from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, letter_scale,
 
 
 class AutoButton(QToolButton):
-    """Is down while the range follows the design.
+    """A button that is down while the range follows the design.
 
     Parameters
     ----------
-    name, words, hint
-        Its name, what it switches, and what is followed.
+    name, title, hint
+        Its `objectName`, its accessible name, and its tooltip.
     """
 
-    def __init__(self, name: str, words: str, hint: str, parent: QWidget) -> None:
+    def __init__(self, name: str, title: str, hint: str, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName(name)
         self.setText("Auto")
-        self.setAccessibleName(words)
+        self.setAccessibleName(title)
         self.setToolTip(hint)
         self.setCheckable(True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
 
-# Draws a colour scale with its ticks.
-
-# So many lines beside the colours are numbers: farther than handles reach.
-_WORDS_LINES = 0.8
+# Distance of the numbers from the colours, in lines of text: farther than handles reach.
+_TEXT_LINES = 0.8
 
 
 def level_y(level_db: float, axis_db: LevelRange, ramp: QRectF) -> float:
-    """Screen height of a level on a scale whose ``ramp`` spans ``axis_db``."""
+    """Return the screen height of a level on a scale whose ``ramp`` spans ``axis_db``."""
     low, high = axis_db
     return ramp.bottom() - (level_db - low) / (high - low) * ramp.height()
 
@@ -120,20 +118,18 @@ def paint_colour_scale(
     widest = 0
     for level in _ticks(axis_db, ramp.height(), 2.8 * line, quantity):
         y = level_y(level, axis_db, ramp)
-        words = minus(f"{level:g}")
-        widest = max(widest, painter.fontMetrics().horizontalAdvance(words))
+        text = minus(f"{level:g}")
+        widest = max(widest, painter.fontMetrics().horizontalAdvance(text))
         painter.setPen(QPen(QColor(theme.dim), 1))
         painter.drawLine(QPointF(ramp.right(), y), QPointF(ramp.right() + 0.3 * line, y))
         painter.setPen(QColor(theme.text))
-        beside = QRectF(ramp.right() + _WORDS_LINES * line, y - line / 2, 4 * line, line)
-        painter.drawText(beside, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, words)
-    _paint_title(
-        painter, ramp, ramp.right() + (_WORDS_LINES + 0.4) * line + widest, theme, quantity
-    )
+        beside = QRectF(ramp.right() + _TEXT_LINES * line, y - line / 2, 4 * line, line)
+        painter.drawText(beside, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, text)
+    _paint_title(painter, ramp, ramp.right() + (_TEXT_LINES + 0.4) * line + widest, theme, quantity)
 
 
 def fitting_title(quantity: MapQuantity, metrics: QFontMetrics, room_px: int) -> str:
-    """The longest title that has room; of the shortest as much as has, with three dots."""
+    """Return the longest title that fits, else the shortest one, elided."""
     titles = quantity.titles
     fitting = (title for title in titles if metrics.horizontalAdvance(title) <= room_px)
     shortest = metrics.elidedText(titles[-1], Qt.TextElideMode.ElideRight, room_px)
@@ -148,9 +144,9 @@ def _paint_title(
     painter.setPen(QColor(theme.dim))
     painter.translate(left + line / 2, ramp.center().y())
     painter.rotate(-90)
-    words = fitting_title(quantity, painter.fontMetrics(), int(ramp.height()))
+    title = fitting_title(quantity, painter.fontMetrics(), int(ramp.height()))
     along = QRectF(-ramp.height() / 2, -line / 2, ramp.height(), line)
-    painter.drawText(along, Qt.AlignmentFlag.AlignCenter, words)
+    painter.drawText(along, Qt.AlignmentFlag.AlignCenter, title)
     painter.restore()
 
 
@@ -159,23 +155,21 @@ def _ticks(
 ) -> list[float]:
     if not quantity.signed:
         return tick_levels(*axis, room_px, spacing_px)
-    # Steps of levels are whole decibels; here any power of ten can be meant.
+    # Steps of levels are whole decibels; here any power of ten is possible.
     scale = 10.0 ** (floor(log10(axis[1] - axis[0])) - 1)
-    found = tick_levels(axis[0] / scale, axis[1] / scale, room_px, spacing_px)
-    return [tick * scale for tick in found]
+    ticks = tick_levels(axis[0] / scale, axis[1] / scale, room_px, spacing_px)
+    return [tick * scale for tick in ticks]
 
 
-# A range of levels that is pulled along its scale.
-
-#: Makes another range of one and of how far it was pulled, dB.
+#: Returns a range that was dragged by some dB.
 Change = Callable[[LevelRange, float], LevelRange]
 
-# The scale goes on this part of its range beyond either end, so that handles can be pulled out.
+# The scale extends this share of its range beyond either end, so that handles can be dragged out.
 _BEYOND, _LEAST_BEYOND_DB = 0.12, 2.0
 
 
 class PulledRange:
-    """A range and the ends of its scale, which stay where they are while the range is held.
+    """A range that is dragged; the ends of its scale stay where they are meanwhile.
 
     Attributes
     ----------
@@ -196,18 +190,18 @@ class PulledRange:
             self.axis_db = _axis_of(range_db)
 
     def hold(self) -> None:
-        """Begin to pull."""
+        """Begin to drag."""
         self._held = self.range_db
 
     def pulled(self, change: Change, part: float) -> LevelRange | None:
-        """What the range becomes, in steps of 0.1 dB; None: it is not held, or stays.
+        """Return the dragged range, in steps of 0.1 dB; None: it is not held, or stays.
 
         Parameters
         ----------
         change
-            What the pull does to a range.
+            Returns the dragged range.
         part
-            How far up it was pulled since it is held, as a part of the scale.
+            How far up it was dragged since it is held, as a share of the scale.
         """
         if self._held is None:
             return None
@@ -219,7 +213,7 @@ class PulledRange:
         return round(low, 1), round(high, 1)
 
     def let_go(self) -> None:
-        """Give the scale the ends that go with the range."""
+        """End the drag, and fit the ends of the scale to the range."""
         self._held = None
         self.axis_db = _axis_of(self.range_db)
 
@@ -229,8 +223,6 @@ def _axis_of(range_db: LevelRange) -> LevelRange:
     beyond = max(_BEYOND * (high - low), _LEAST_BEYOND_DB)
     return low - beyond, high + beyond
 
-
-# One end of a scale that can be moved.
 
 HANDLE_WIDTH, HANDLE_HEIGHT = 26, 12
 _KEY_STEPS_DB = {
@@ -244,21 +236,21 @@ _KEY_STEPS_DB = {
 
 
 class RangeHandle(QWidget):
-    """One end of the scale: dragged, or moved with the arrow keys."""
+    """One end of the range: dragged, or moved with the arrow keys."""
 
-    #: How far it was pulled since the press, px, upwards.
+    #: Distance upwards since the press, px.
     pulled = Signal(float)
     pressed = Signal()
     released = Signal()
     #: A step by a key, dB.
     stepped = Signal(float)
 
-    def __init__(self, name: str, words: str, parent: QWidget) -> None:
+    def __init__(self, name: str, title: str, parent: QWidget) -> None:
         super().__init__(parent)
         self._grip: QPoint | None = None
         self.setObjectName(name)
-        self.setAccessibleName(words)
-        self.setToolTip(f"{words}: drag, or arrow keys (Ctrl: 0.1 dB)")
+        self.setAccessibleName(title)
+        self.setToolTip(f"{title}: drag, or arrow keys (Ctrl: 0.1 dB)")
         self.setFixedSize(HANDLE_WIDTH, HANDLE_HEIGHT)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.SizeVerCursor)
@@ -296,7 +288,7 @@ class RangeHandle(QWidget):
 
 
 def key_step_db(event: QKeyEvent) -> float:
-    """Step that a key asks for, dB; 0 for none."""
+    """Return the step of a key, dB; 0 for none."""
     if not meaning_of("colour_bar", event):
         return 0.0
     step = _KEY_STEPS_DB[Qt.Key(event.key())]
@@ -307,8 +299,6 @@ def key_step_db(event: QKeyEvent) -> float:
     return step
 
 
-# A colour scale whose ends can be dragged.
-
 _RAMP_LEFT, _RAMP_WIDTH = 10, 14
 _END_PX = 8
 
@@ -316,7 +306,7 @@ _END_PX = 8
 class ColourStrip(QWidget):
     """A colour scale with a handle at either end; dragging between them moves both.
 
-    It shows what it is told, and tells which range the user wants.
+    It shows a range and emits which range the user chooses.
     """
 
     #: A range in dB, or None for the automatic one.
@@ -335,7 +325,7 @@ class ColourStrip(QWidget):
         self.setToolTip("Drag to move the range, double-click for the automatic one")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMinimumHeight(70)
-        # All of it is painted: nothing behind needs to be.
+        # It paints all of its area, so that nothing behind it has to be painted.
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.high = self._new_handle("range_high", "Level of the highest colour", with_high)
         self.low = self._new_handle("range_low", "Level of the lowest colour", with_low)
@@ -356,7 +346,7 @@ class ColourStrip(QWidget):
     def show_marks(self, marks: tuple[tuple[float, int], ...]) -> None:
         """Show levels of selected outputs, each in its colour."""
         if marks != self._marks:
-            # From where they were to where they come: the rest of the strip stays.
+            # Only the area of the old and the new marks is painted again.
             places = [self._mark_at(level).boundingRect() for level, _ in (*self._marks, *marks)]
             reached = reduce(QRectF.united, places)
             self._marks = marks
@@ -364,7 +354,7 @@ class ColourStrip(QWidget):
 
     def show_quantity(self, quantity: MapQuantity, colours: str = VIRIDIS) -> None:
         """Say what the levels are, and in which colours."""
-        # The strip is the same at each instant.
+        # The strip looks the same at each instant.
         quantity = replace(quantity, time_s=0.0)
         if (quantity, colours) != (self._quantity, self._colours):
             self._quantity, self._colours = quantity, colours
@@ -421,8 +411,8 @@ class ColourStrip(QWidget):
         table = colour_table(self._colours)
         paint_colour_scale(painter, self._ramp(), axis, levels, table, theme, self._quantity)
 
-    def _new_handle(self, name: str, words: str, change_end: Change) -> RangeHandle:
-        handle = RangeHandle(name, words, self)
+    def _new_handle(self, name: str, title: str, change_end: Change) -> RangeHandle:
+        handle = RangeHandle(name, title, self)
         end = 1 if change_end is with_high else 0
 
         def pull(by_db: LevelRange, pulled_db: float) -> LevelRange:
@@ -435,16 +425,16 @@ class ColourStrip(QWidget):
         return handle
 
     def _pull(self, change: Change, up_px: float) -> None:
-        wanted = self._pulled.pulled(change, up_px / self._ramp().height())
-        if wanted is not None:
-            self.range_chosen.emit(wanted)
+        dragged_to = self._pulled.pulled(change, up_px / self._ramp().height())
+        if dragged_to is not None:
+            self.range_chosen.emit(dragged_to)
 
     def _let_go(self) -> None:
         self._pulled.let_go()
         self._place_handles()
 
     def _mark_at(self, level_db: float) -> QPolygonF:
-        """A triangle beside the ramp."""
+        """Return a triangle beside the ramp."""
         ramp = self._ramp()
         y = min(max(level_y(level_db, self._pulled.axis_db, ramp), ramp.top()), ramp.bottom())
         tip, back = ramp.left() - 1, ramp.left() - 8
@@ -464,34 +454,15 @@ class ColourStrip(QWidget):
         self.update()
 
 
-# A number field for an end of the range.
-
-_UNIT = "dB"
-
-
-def high_field(parent: QWidget) -> NumberField:
-    """Field for the level of the highest colour."""
-    return _level_field(
-        "range_high_field", "Level of the highest colour", LOWEST_DB + SMALLEST_SPAN_DB, parent
-    )
-
-
-def low_field(parent: QWidget) -> NumberField:
-    """Field for the level of the lowest colour."""
-    return _level_field("range_low_field", "Level of the lowest colour", LOWEST_DB, parent)
-
-
-def _level_field(name: str, words: str, lowest_db: float, parent: QWidget) -> NumberField:
-    highest_db = HIGHEST_DB - (LOWEST_DB + SMALLEST_SPAN_DB - lowest_db)
-    spec = NumberSpec(label=words, unit=_UNIT, minimum=lowest_db, maximum=highest_db, step=1.0)
-    field = NumberField(spec, parent, widest_unit=_UNIT)
+def _level_field(name: str, label: str, limits_db: LevelRange, parent: QWidget) -> NumberField:
+    lowest_db, highest_db = limits_db
+    spec = NumberSpec(label=label, unit="dB", minimum=lowest_db, maximum=highest_db, step=1.0)
+    field = NumberField(spec, parent, widest_unit="dB")
     field.setObjectName(name)
     return field
 
 
-# The colour bar: what the colours mean, and the range they span.
-
-# So much of the strip is left at least, in letters of the usual size.
+# Smallest height of the strip, for letters of the usual size.
 _STRIP_PX = 40
 
 
@@ -506,7 +477,12 @@ class ColourBar(QWidget):
         self._chosen: LevelRange | None = None
         self.range_db: LevelRange = SILENT_RANGE
         self.strip = ColourStrip(self)
-        self.high_field, self.low_field = high_field(self), low_field(self)
+        high_db = LOWEST_DB + SMALLEST_SPAN_DB, HIGHEST_DB
+        low_db = LOWEST_DB, HIGHEST_DB - SMALLEST_SPAN_DB
+        self.high_field = _level_field(
+            "range_high_field", "Level of the highest colour", high_db, self
+        )
+        self.low_field = _level_field("range_low_field", "Level of the lowest colour", low_db, self)
         self.auto_button = AutoButton(
             "range_auto",
             "Automatic range",
@@ -543,23 +519,23 @@ class ColourBar(QWidget):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        # The numbers matter more than the switch.
+        # Where there is little room, the numbers matter more than the switch.
         fields = (self.high_field, self.low_field, self.auto_button)
         strip_px = round(_STRIP_PX * letter_scale(self.font()))
         needed = sum(part.sizeHint().height() for part in fields) + strip_px
         self.auto_button.setVisible(self.height() >= needed)
 
     def minimumSizeHint(self) -> QSize:
-        # Without the switch, which goes where there is no room for it.
+        # Without the switch, which is hidden where there is no room for it.
         parts = (self.high_field, self.strip, self.low_field)
         least = sum(part.minimumSizeHint().height() for part in parts)
         return QSize(self.width(), least + UNIT_PX)
 
     def event(self, event: QEvent) -> bool:
         done = super().event(event)
-        # Letters of the strip may change after those of the bar.
-        wanted = event.type() in (QEvent.Type.FontChange, QEvent.Type.LayoutRequest)
-        if wanted and self.width() != self._width():
+        # The font of the strip may change after that of the bar.
+        may_widen = event.type() in (QEvent.Type.FontChange, QEvent.Type.LayoutRequest)
+        if may_widen and self.width() != self._width():
             self.setFixedWidth(self._width())
         return done
 

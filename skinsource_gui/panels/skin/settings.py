@@ -1,4 +1,4 @@
-"""What the numbers on a map are: levels over a span, or what the skin does at an instant."""
+"""The settings of the skin map: its quantity, its colours, and the range of the colours."""
 
 import math
 from dataclasses import dataclass, replace
@@ -16,11 +16,11 @@ from skinsource.specs.spec import ChoiceSpec, SwitchSpec
 from skinsource_gui.fields.units import minus
 from skinsource_gui.plots.small_map import MAP_RANGE, LevelLook
 
-#: Levels; along z, with its sign; the length of the vector; the RMS of a window that slides.
+#: Levels; acceleration along z, with its sign; its magnitude; its RMS over a sliding window.
 LEVELS, Z, MAGNITUDE, RMS = "levels", "z", "magnitude", "rms"
 #: Level above the threshold of detection.
 SENSATION = "sensation"
-#: What is the same at any time.
+#: Quantities that are the same at any time.
 STILL = (LEVELS, SENSATION)
 _DB, _MPS2 = "dB re 1 m/s²", "m/s²"
 
@@ -59,7 +59,7 @@ class MapQuantity:
 
     @property
     def moves(self) -> bool:
-        """Whether it is another one at another time."""
+        """Whether the map changes with the playhead."""
         return self.name not in STILL
 
     @property
@@ -74,8 +74,8 @@ class MapQuantity:
         if self.name == LEVELS:
             return f"{_DB}, {level_label(self.span)}", f"{_DB}, {span_label(self.span)}", _DB
         if self.name == SENSATION:
-            said = "above the threshold of detection"
-            return f"dB {said}, loudest 100 ms", f"dB {said}", "dB above threshold", "dB"
+            above = "above the threshold of detection"
+            return f"dB {above}, loudest 100 ms", f"dB {above}", "dB above threshold", "dB"
         if self.name == Z:
             return f"{_MPS2}, acceleration along z", f"{_MPS2}, along z", _MPS2
         if self.name == MAGNITUDE:
@@ -85,26 +85,26 @@ class MapQuantity:
 
     @property
     def heading(self) -> str:
-        """What a picture of it is called."""
+        """Title of a picture of the map."""
         if self.name == LEVELS:
             return f"Skin acceleration, {level_label(self.span)}"
         if self.name == SENSATION:
             return "Level above the threshold of detection, loudest 100 ms"
-        what = {
+        titles = {
             Z: "Skin acceleration along z",
             MAGNITUDE: "Magnitude of skin acceleration",
             RMS: f"Skin acceleration, RMS over {self.window_s * 1e3:g} ms",
         }
-        return f"{what[self.name]}, at {time_text(self.time_s)}"
+        return f"{titles[self.name]}, at {time_text(self.time_s)}"
 
     def details_on(self, axes: str) -> str:
-        """What was made of the axes of a limb."""
+        """Return how the axes of a limb are combined."""
         if self.name in (Z, SENSATION):
             return "z" if self.name == Z else f"{word_of(AXES, axes).title} together"
         return signal_label(axes, "mag") if self.name == MAGNITUDE else self.signal
 
     def text(self, value: float) -> str:
-        """A value in words."""
+        """Return a value as text."""
         if self.name == SENSATION:
             return minus(f"{value:+z.1f} dB re the threshold of detection")
         if self.name == Z:
@@ -114,13 +114,11 @@ class MapQuantity:
 
 
 def time_text(time_s: float) -> str:
-    """An instant in ms, from a minute on in s."""
+    """Return an instant in ms, from a minute on in s."""
     if abs(time_s) < 60.0:
         return minus(f"{time_s * 1e3:.1f} ms")
     return f"{time_s:.3f} s"
 
-
-# What only the skin map looks at.
 
 #: Name of the panel, under which a view keeps its settings.
 SKIN = "skin"
@@ -180,7 +178,7 @@ class SkinSettings(LevelLook):
 
 
 def has_colours(name: str, design: Design, view: View) -> bool:
-    """Whether levels are shown in these colours."""
+    """Return whether levels are shown in these colours."""
     del design
     return settings_of(view, SKIN, SkinSettings).colours == name
 
@@ -191,11 +189,9 @@ def use_colours(name: str, design: Design, view: View) -> Edit:
     return Edit(label="Change colours", design=design, view=with_settings(view, SKIN, settings))
 
 
-# The range of levels that the colours span.
-
 LevelRange = tuple[float, float]
 
-#: What the range can reach, and its smallest span, dB.
+#: Limits of the range, and its smallest span, dB.
 LOWEST_DB, HIGHEST_DB = FLOOR_DB, MAP_HIGHEST_DB
 SMALLEST_SPAN_DB = 1.0
 #: The automatic range in silence.
@@ -205,19 +201,19 @@ _TICK_STEPS_DB = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 
 
 def with_low(range_db: LevelRange, low_db: float) -> LevelRange:
-    """The range with its lower end dragged, as far as the upper one allows."""
+    """Return the range with its lower end dragged, as far as the upper one allows."""
     high = range_db[1]
     return min(max(low_db, LOWEST_DB), high - SMALLEST_SPAN_DB), high
 
 
 def with_high(range_db: LevelRange, high_db: float) -> LevelRange:
-    """The range with its upper end dragged, as far as the lower one allows."""
+    """Return the range with its upper end dragged, as far as the lower one allows."""
     low = range_db[0]
     return low, max(min(high_db, HIGHEST_DB), low + SMALLEST_SPAN_DB)
 
 
 def pushed_low(range_db: LevelRange, low_db: float) -> LevelRange:
-    """The range with another lower end; an upper end in its way goes along with it."""
+    """Return the range with another lower end; an upper end in its way goes along with it."""
     low, high = range_db
     if low_db > high - SMALLEST_SPAN_DB:
         high = min(low_db + (high - low), HIGHEST_DB)
@@ -225,7 +221,7 @@ def pushed_low(range_db: LevelRange, low_db: float) -> LevelRange:
 
 
 def pushed_high(range_db: LevelRange, high_db: float) -> LevelRange:
-    """The range with another upper end; a lower end in its way goes along with it."""
+    """Return the range with another upper end; a lower end in its way goes along with it."""
     low, high = range_db
     if high_db < low + SMALLEST_SPAN_DB:
         low = max(high_db - (high - low), LOWEST_DB)
@@ -233,14 +229,14 @@ def pushed_high(range_db: LevelRange, high_db: float) -> LevelRange:
 
 
 def moved(range_db: LevelRange, by_db: float) -> LevelRange:
-    """The range shifted, with its span unchanged."""
+    """Return the range shifted, with its span unchanged."""
     low, high = range_db
     by = min(max(by_db, LOWEST_DB - low), HIGHEST_DB - high)
     return low + by, high + by
 
 
 def tick_levels(low_db: float, high_db: float, room_px: float, spacing_px: float) -> list[float]:
-    """Round levels from ``low_db`` to ``high_db``, at least ``spacing_px`` apart."""
+    """Return round levels from ``low_db`` to ``high_db``, at least ``spacing_px`` apart."""
     span = high_db - low_db
     fitting = (step for step in _TICK_STEPS_DB if step * room_px >= spacing_px * span)
     step = next(fitting, _TICK_STEPS_DB[-1])

@@ -1,4 +1,4 @@
-"""What the skin does at an instant, from signals that are kept."""
+"""The skin map in time: its frames, and the controls for quantity, speed, playhead and limits."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -50,10 +50,10 @@ from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, play_icon, tabular
 from skinsource_gui.qt.tooltips import tooltip
 
-#: What each quantity is made from.
+#: Name of the result from which each quantity is made.
 NEEDS = {Z: "moving_z", MAGNITUDE: "moving_vector", RMS: "moving_energy"}
-# Along z colours reach their ends at this part of the largest acceleration anywhere: under the
-# actuator it is far larger than elsewhere.
+# Along z colours reach their ends at this share of the largest acceleration, which under the
+# actuator is far larger than elsewhere.
 _SHARE_OF_LARGEST = 0.25
 
 
@@ -74,67 +74,73 @@ class Frame:
 
 
 class Frames:
-    """Makes frames; transforms nothing.
+    """Makes frames from signals that are cached; transforms nothing.
 
     Attributes
     ----------
     made
-        How many were made.
+        Number of frames that were made.
     """
 
     def __init__(self) -> None:
         self.made = 0
-        self._kept: Moving | SlidingEnergy | None = None
+        self._signals: Moving | SlidingEnergy | None = None
         self._name = ""
         self._block = 0
 
-    def take(self, results: Mapping[str, Any], name: str, view: View) -> None:
+    def update(self, results: Mapping[str, Any], name: str, view: View) -> None:
         """Take over signals for the quantity ``name``, computed for ``view``."""
-        self._kept, self._name = results[NEEDS[name]], name
+        self._signals, self._name = results[NEEDS[name]], name
         self._block = block_of(view.playhead_s)
 
     def forget(self) -> None:
-        """There are none any more."""
-        self._kept = None
+        """Drop the signals."""
+        self._signals = None
 
     @property
     def known(self) -> bool:
         """Whether there are signals."""
-        return self._kept is not None
+        return self._signals is not None
 
     @property
     def largest(self) -> float:
         """The largest acceleration of the whole response, m/s²; 0 where nothing is known."""
-        return 0.0 if self._kept is None else self._kept.largest
+        return 0.0 if self._signals is None else self._signals.largest
+
+    @property
+    def largest_db(self) -> Floats:
+        """The largest acceleration as a level, dB, (1,), which the automatic range follows."""
+        return decibels(np.array([self.largest]))
 
     def end_s(self, view: View) -> float:
-        """When the response ends, on the time axis of ``view``; 0 where nothing is known."""
-        kept = self._kept
-        if kept is None:
+        """Return the end of the response on the time axis of ``view``; 0 where nothing is known."""
+        signals = self._signals
+        if signals is None:
             return 0.0
-        return max((kept.response_samples - 1) / kept.sample_rate_hz - _removed_s(view, kept), 0.0)
+        removed_s = signals.delay_s if view.delay_removed else 0.0
+        return max((signals.response_samples - 1) / signals.sample_rate_hz - removed_s, 0.0)
 
     def has(self, view: View) -> bool:
-        """Whether the signals around the playhead of ``view`` are kept."""
-        kept = self._kept
-        if kept is None:
+        """Return whether the signals around the playhead of ``view`` are cached."""
+        signals = self._signals
+        if signals is None:
             return False
-        at = response_time_s(view, kept.delay_s) * kept.sample_rate_hz
-        return at >= kept.response_samples or kept.first <= at <= max(kept.end, 1)
+        at = response_time_s(view, signals.delay_s) * signals.sample_rate_hz
+        return at >= signals.response_samples or signals.first <= at <= max(signals.end, 1)
 
     def runs_out(self, view: View) -> bool:
-        """Whether others should be asked for: soon these will not do."""
-        kept = self._kept
-        if kept is None or (kept.first == 0 and kept.end >= kept.response_samples):
+        """Return whether other signals should be requested: soon the playhead leaves these."""
+        signals = self._signals
+        if signals is None or (signals.first == 0 and signals.end >= signals.response_samples):
             return False
         return block_of(view.playhead_s) != self._block
 
     def frame(self, view: View, settings: SkinSettings) -> Frame:
-        """The skin at the playhead of ``view``."""
-        kept = self._kept
-        if kept is None:
+        """Return the skin at the playhead of ``view``."""
+        signals = self._signals
+        if signals is None:
             raise LookupError("there are no signals to make a frame of")
-        at_s = response_time_s(view, kept.delay_s)
+        at_s = response_time_s(view, signals.delay_s)
         self.made += 1
         quantity = MapQuantity(
             name=self._name,
@@ -143,56 +149,47 @@ class Frames:
             window_s=settings.rms_window_s,
             time_s=view.playhead_s,
         )
-        if isinstance(kept, SlidingEnergy):
-            values = decibels(kept.rms(at_s, settings.rms_window_s))
+        if isinstance(signals, SlidingEnergy):
+            values = decibels(signals.rms(at_s, settings.rms_window_s))
         else:
             is_z = self._name == Z
-            values = kept.acceleration(at_s)[:, 0] if is_z else decibels(kept.magnitude(at_s))
+            values = signals.acceleration(at_s)[:, 0] if is_z else decibels(signals.magnitude(at_s))
         return Frame(quantity=quantity, values=values)
 
     def value_range(self, settings: SkinSettings) -> LevelRange:
-        """Values of the lowest and the highest colour: the same at each instant."""
+        """Return values of the lowest and the highest colour: the same at each instant."""
         if settings.quantity == Z:
             return settings.z_limits or self._usual_limits()
-        return settings.moving_range_db or self._usual_range_db()
+        return settings.moving_range_db or map_range_db(self.largest_db)
 
     def _usual_limits(self) -> LevelRange:
         limit = _round_up(self.largest * _SHARE_OF_LARGEST) if self.largest > 0.0 else 1.0
         return -limit, limit
 
-    def _usual_range_db(self) -> LevelRange:
-        return map_range_db(decibels(np.array([self.largest])))
-
 
 def response_time_s(view: View, delay_s: float) -> float:
-    """Where the playhead is in the response, which contains the pre-trigger delay."""
+    """Return the playhead's time in the response, which contains the pre-trigger delay."""
     return view.playhead_s + (delay_s if view.delay_removed else 0.0)
 
 
-def _removed_s(view: View, kept: Moving | SlidingEnergy) -> float:
-    return kept.delay_s if view.delay_removed else 0.0
-
-
 def _round_up(value: float) -> float:
-    """The next number that begins with 1, 2 or 5."""
+    """Return the next number that begins with 1, 2 or 5."""
     power = 10.0 ** np.floor(np.log10(value))
     return float(next(step * power for step in (1.0, 2.0, 5.0, 10.0) if step * power >= value))
 
-
-# How slowly a film of the skin map runs.
 
 #: How many times slower it can be chosen to run.
 PACES = (1, 2, 5, 10, 20, 50, 100, 200)
 
 
 def slow_down_factor(view: View, settings: SkinSettings, per_s: int, limb: LimbFacts) -> float:
-    """How many times slower it is shown: as the view says, or as slowly as it can be followed.
+    """Return the chosen slow motion, or the least at which a film shows the fastest motion.
 
-    Fewer than two instants in a period of the fastest motion would show waves that there are not:
-    of a limb that is sampled quickly a film runs more slowly than the window plays.
+    Fewer than two instants in a period of the fastest motion would show waves that do not exist.
+    Therefore a film of a limb with a high sample rate runs more slowly than the window plays.
     """
     highest_hz = limb.band_hz[1] if limb.band_hz else limb.sample_rate_hz / 2.0
-    # A length of a vector moves twice as fast.
+    # The length of a vector moves twice as fast.
     fastest_hz = {Z: highest_hz, MAGNITUDE: 2.0 * highest_hz, RMS: 1.0 / settings.rms_window_s}
     needed = 2.0 * fastest_hz[settings.quantity] / per_s
     if view.slow_motion >= needed:
@@ -201,11 +198,9 @@ def slow_down_factor(view: View, settings: SkinSettings, per_s: int, limb: LimbF
 
 
 def _paces() -> Iterator[float]:
-    """Round ones, 1, 2, 5, 10, 20, 50 and so on, without end."""
+    """Return the endless series 1, 2, 5, 10, 20, 50 and so on."""
     return (digit * 10.0**power for power in counted() for digit in (1.0, 2.0, 5.0))
 
-
-# What the map shows: levels, or the skin in time; and how slowly that is played.
 
 PACE = ChoiceSpec(
     label="Speed",
@@ -213,16 +208,16 @@ PACE = ChoiceSpec(
     hint="How fast time runs while it plays; below 1/1 it is seen, and not heard",
 )
 _PACE_PX, _WINDOW_PX = 76, 66
-# Beside the words of a list: its arrow and edges.
+# Width of the arrow and edges of a list, px.
 _ARROW_PX = 40
 
 
 class QuantityRow(QWidget):
-    """Shows what is chosen, and tells what is wanted."""
+    """Fields for the quantity of the map, its window, and the speed of playing."""
 
-    #: Name of what the map shall show.
+    #: Name of the chosen quantity.
     quantity_chosen = Signal(str)
-    #: How many times slower it shall be played.
+    #: How many times slower than real time it shall be played.
     pace_chosen = Signal(float)
     #: Length of the sliding window, s.
     window_chosen = Signal(float)
@@ -279,24 +274,22 @@ class QuantityRow(QWidget):
         self.window_chosen.emit(window_s)
 
 
-# Play, pause and scrub, below the map.
-
 # The slider counts tenths of a millisecond.
 _PER_S = 10_000
-# One press of an arrow key, and of Page Up.
+# Steps of an arrow key, and of Page Up.
 _STEP, _PAGE = 10, 500
 
 
 class ScrubBar(QWidget):
-    """Shows where the playhead is, and tells where it shall be."""
+    """A play button, a slider for the playhead, and its time."""
 
-    #: Where the playhead shall be, s.
+    #: New time of the playhead, s.
     time_wanted = Signal(float)
     play_wanted = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._telling = True
+        self._emitting = True
         self.play = QToolButton(self)
         self.play.setObjectName("skin_play")
         self.play.setIconSize(QSize(14, 14))
@@ -314,41 +307,39 @@ class ScrubBar(QWidget):
         self.slider.setToolTip("Drag through time; arrow keys step by a millisecond")
         self.slider.setSingleStep(_STEP)
         self.slider.setPageStep(_PAGE)
-        self.slider.valueChanged.connect(self._tell)
-        self.words = QLabel(self)
-        self.words.setFont(tabular(self.words.font()))
-        self.words.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        self.slider.valueChanged.connect(self._emit_time)
+        self.time = QLabel(self)
+        self.time.setFont(tabular(self.time.font()))
+        self.time.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(UNIT_PX // 2)
         row.addWidget(self.play)
         row.addWidget(self.slider, 1)
-        row.addWidget(self.words)
+        row.addWidget(self.time)
         self.play.setIcon(play_icon())
 
     def show_time(self, time_s: float, end_s: float) -> None:
-        """Show where the playhead is, in a response that ends there; tell nobody."""
-        self._telling = False
+        """Show the playhead in a response that ends at ``end_s``, without emitting it."""
+        self._emitting = False
         self.slider.setMaximum(max(round(end_s * _PER_S), 1))
         self.slider.setValue(round(time_s * _PER_S))
-        self._telling = True
-        self.words.setText(time_text(time_s))
-        # As wide as its widest words, so that the slider stays.
-        widest = self.words.fontMetrics().horizontalAdvance(time_text(max(end_s, time_s)) + "0")
-        if self.words.minimumWidth() != widest:
-            self.words.setMinimumWidth(widest)
+        self._emitting = True
+        self.time.setText(time_text(time_s))
+        # As wide as its widest text, so that the slider keeps its width.
+        widest = self.time.fontMetrics().horizontalAdvance(time_text(max(end_s, time_s)) + "0")
+        if self.time.minimumWidth() != widest:
+            self.time.setMinimumWidth(widest)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
             self.play.setIcon(play_icon())
 
-    def _tell(self, tenths_ms: int) -> None:
-        if self._telling:
+    def _emit_time(self, tenths_ms: int) -> None:
+        if self._emitting:
             self.time_wanted.emit(tenths_ms / _PER_S)
 
-
-# The colour bar of signed values: zero in the middle, the same limit either way.
 
 _LIMIT = NumberSpec(
     label="Limit",
@@ -361,13 +352,13 @@ _RAMP_LEFT, _RAMP_WIDTH, _END_PX = 4, 14, 8
 
 
 class SignedStrip(QWidget):
-    """The colours, with ticks."""
+    """Colours of signed values, with ticks."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self._range: LevelRange = (-1.0, 1.0)
         self._matched = ""
-        self._kept = CachedPicture()
+        self._scale = CachedPicture()
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setMinimumHeight(70)
 
@@ -378,7 +369,7 @@ class SignedStrip(QWidget):
             self.update()
 
     def show_matched(self, matched: str) -> None:
-        """Say by how much it is louder or softer than it was stored."""
+        """Show by how much the response is louder or softer than it was stored."""
         if matched != self._matched:
             self._matched = matched
             self.update()
@@ -388,11 +379,11 @@ class SignedStrip(QWidget):
         painter.setFont(tabular(small_font(self.font())))
         ground = self.palette().window().color()
         key = (self._range, current_theme(), self._matched)
-        self._kept.paint(painter, QRectF(self.rect()), key, self._paint, ground)
+        self._scale.paint(painter, QRectF(self.rect()), key, self._paint, ground)
         painter.end()
 
     def _paint(self, painter: QPainter) -> None:
-        # Half of a number stands beyond either end.
+        # The numbers reach beyond the ends by half of their height.
         end = max(_END_PX, painter.fontMetrics().height() / 2)
         ramp = QRectF(_RAMP_LEFT, end, _RAMP_WIDTH, self.height() - 2 * end)
         limits, table = self._range, colour_table(DIVERGING)
@@ -401,9 +392,9 @@ class SignedStrip(QWidget):
 
 
 class SignedBar(QWidget):
-    """Colours from minus to plus a limit, a field for it, and a switch for the automatic one."""
+    """A strip of signed values, a field for its limit, and a switch for the automatic one."""
 
-    #: The limits that are wanted, or None for the automatic ones.
+    #: The chosen limits, or None for the automatic ones.
     limits_chosen = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -453,21 +444,18 @@ class SignedBar(QWidget):
         return self.fontMetrics().horizontalAdvance("0.0005 m/s²") + 2 * UNIT_PX
 
 
-# The map in time: its frames, and the controls that only it has.
-
-
 class TimeView(QObject):
-    """Turns what is kept of the skin in time into what the map shows at the playhead.
+    """Turns cached signals into what the map shows at the playhead, and holds the controls.
 
     Attributes
     ----------
     frames
-        Who makes frames.
+        Makes frames.
     row, scrub, bar
-        What is shown, and how slowly; play and scrub; the colour bar of signed values.
+        Quantity and speed; play and scrub; the colour bar of signed values.
     """
 
-    #: Signals of another part of the response are wanted.
+    #: Signals of another part of the response are needed.
     part_wanted = Signal()
 
     def __init__(self, parent: QWidget) -> None:
@@ -475,13 +463,13 @@ class TimeView(QObject):
         self._parent = parent
         self.frames = Frames()
         self.row, self.scrub, self.bar = QuantityRow(parent), ScrubBar(parent), SignedBar(parent)
-        self._asked_block = -1
-        # Else Space, which plays, would open the list again.
+        self._requested_block = -1
+        # Otherwise Space, which plays, would open the list again.
         self.row.quantity.chosen.connect(self._leave_lists)
         self.row.pace.chosen.connect(self._leave_lists)
 
     def put_behind(self, widget: QWidget) -> None:
-        """Let the keyboard come to what stands below the map after ``widget``."""
+        """Put the controls below the map behind ``widget`` in the order of the Tab key."""
         order = (
             widget,
             self.bar.limit,
@@ -493,20 +481,20 @@ class TimeView(QObject):
             QWidget.setTabOrder(before, after)
 
     def needs(self, settings: SkinSettings) -> frozenset[str]:
-        """Quantities from which frames are made; none while levels are shown."""
+        """Return the results from which frames are made; none while levels are shown."""
         name = NEEDS.get(settings.quantity)
         return frozenset() if name is None else frozenset({name})
 
-    def take(self, results: Mapping[str, Any], settings: SkinSettings, view: View) -> None:
+    def update(self, results: Mapping[str, Any], settings: SkinSettings, view: View) -> None:
         """Take over signals, where ``results`` have any."""
         if settings.quantity not in STILL and NEEDS[settings.quantity] in results:
-            self.frames.take(results, settings.quantity, view)
-            self._asked_block = -1
+            self.frames.update(results, settings.quantity, view)
+            self._requested_block = -1
         else:
             self.frames.forget()
 
     def show_state(self, settings: SkinSettings, view: View) -> None:
-        """Show what is chosen."""
+        """Show the settings."""
         moves = settings.quantity not in STILL
         self.row.show_settings(settings, view.slow_motion)
         self.scrub.setVisible(moves)
@@ -515,16 +503,12 @@ class TimeView(QObject):
             self.bar.show_limits(limits, automatic=settings.z_limits is None)
             self.scrub.show_time(view.playhead_s, self.frames.end_s(view))
 
-    def levels_of_largest(self) -> np.ndarray:
-        """The largest level there can be, dB, (1,): what the automatic range follows."""
-        return decibels(np.array([self.frames.largest]))
-
     def changes(self, settings: SkinSettings, view: View, surface: Any) -> dict[str, Any] | None:
-        """What the map shows at the playhead; None: that is not known yet, and was asked for."""
+        """Return the content of the map at the playhead; None: it is unknown and was requested."""
         self.scrub.show_time(view.playhead_s, self.frames.end_s(view))
         block = block_of(view.playhead_s)
-        if self.frames.runs_out(view) and block != self._asked_block:
-            self._asked_block = block
+        if self.frames.runs_out(view) and block != self._requested_block:
+            self._requested_block = block
             self.part_wanted.emit()
         if not self.frames.has(view):
             return None

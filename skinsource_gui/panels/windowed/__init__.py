@@ -1,1 +1,1 @@
-"""The panel of windows that follow each other."""
+"""The panel of consecutive windows."""

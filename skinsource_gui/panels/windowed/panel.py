@@ -1,4 +1,4 @@
-"""Panel of windows that follow each other."""
+"""The panel of consecutive windows."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -28,7 +28,7 @@ from skinsource_gui.qt.room import BesideOrBelow
 from skinsource_gui.qt.theme import LIGHT, UNIT_PX, Theme, on_paper
 from skinsource_gui.state.panel import Panel
 
-# In a flat picture letters are so small that maps and plot have room beside the words.
+# Height of a picture in lines of text, so that maps and plot have room in a flat picture.
 _LINES_OF_PICTURE = 26
 _SILENT = "Silent: nothing is driven"
 _TOO_SHORT = "No whole window fits into the response. Choose shorter ones."
@@ -54,8 +54,8 @@ class WindowedPanel(Panel):
         cut, *others = self.cells.values()
         for cell in self.cells.values():
             cell.edited.connect(self._change)
-        given = [part for cell in others for part in (cell.label, cell)]
-        row = BesideOrBelow((cut.label, cut, None), (*given, None), spacing_px=UNIT_PX // 2)
+        fields = [part for cell in others for part in (cell.label, cell)]
+        row = BesideOrBelow((cut.label, cut, None), (*fields, None), spacing_px=UNIT_PX // 2)
         column = QVBoxLayout(self)
         column.setContentsMargins(UNIT_PX // 2, UNIT_PX // 2, UNIT_PX // 2, UNIT_PX // 2)
         column.setSpacing(UNIT_PX // 2)
@@ -92,7 +92,7 @@ class WindowedPanel(Panel):
             return
         looks = self._looks
         if any(getattr(content, name) != value for name, value in looks.items()):
-            # Only its words and colours change: nothing is computed for it.
+            # Only texts and colours change, which needs no new results.
             self.strip.show_content(replace(content, **looks), self.strip.message)
 
     def show_playhead(self, view: View) -> None:
@@ -158,11 +158,11 @@ class WindowedPanel(Panel):
 
     @property
     def _looks(self) -> dict[str, Any]:
-        """What the content has from the view alone."""
-        late_s = 0.0
+        """Fields of the content that follow from the view alone."""
+        delay_s = 0.0
         if self._design is not None and not self._view.delay_removed:
-            late_s = facts_of(self._design.limb).pre_trigger_delay_s
-        return {"traces_late_s": late_s, "look": level_look(self._view)}
+            delay_s = facts_of(self._design.limb).pre_trigger_delay_s
+        return {"traces_delay_s": delay_s, "look": level_look(self._view)}
 
     def _heading(self, times: str = "") -> str:
         if self._design is None:

@@ -1,4 +1,4 @@
-"""What the strip of windows shows."""
+"""The strip of consecutive windows: its content, layout, painter and widget."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -47,7 +47,7 @@ class WindowedContent:
     Attributes
     ----------
     design
-        Whose inputs are marked.
+        Its inputs are marked on the maps.
     small
         Outline, places and pixels that all maps share.
     windows, sample_rate_hz
@@ -59,15 +59,15 @@ class WindowedContent:
     extents
         Of each window; None where it is silent.
     noisy, in_noise
-        Outputs of each window that are mostly noise, and whether all of it is: noise has no extent.
+        Outputs of each window that are mostly noise, and whether all of them are.
     synthetic
         Whether the responses are computed, not measured.
-    traces_late_s
-        How much later than here the traces show what is shown; 0 where they do not.
+    traces_delay_s
+        How much later the traces show the same, s; 0 where their delay is removed.
     matched
         By how much levels are louder or softer than they were stored, or "".
     look
-        Colours and range that were chosen on the skin map.
+        Colours and range of the skin map.
     """
 
     design: Design
@@ -80,25 +80,25 @@ class WindowedContent:
     synthetic: bool
     noisy: tuple[tuple[int, ...], ...] = ()
     in_noise: tuple[bool, ...] = ()
-    traces_late_s: float = 0.0
+    traces_delay_s: float = 0.0
     matched: str = ""
     look: LevelLook = USUAL_LOOK
 
     @property
     def time_phrases(self) -> tuple[str, ...]:
-        """What the times of the windows are, the longest first."""
-        if not self.traces_late_s:
+        """Texts that say what the times of the windows are, the longest first."""
+        if not self.traces_delay_s:
             return "Times of the stimulus, as in the traces", "Times of the stimulus"
-        late = f"{self.traces_late_s * 1e3:.0f} ms"
+        delay = f"{self.traces_delay_s * 1e3:.0f} ms"
         return (
-            f"Times of the stimulus; the traces show it about {late} later",
-            f"Stimulus time; traces {late} later",
-            f"Traces: +{late}",
+            f"Times of the stimulus; the traces show it about {delay} later",
+            f"Stimulus time; traces {delay} later",
+            f"Traces: +{delay}",
         )
 
     @property
     def begin_phrases(self) -> tuple[str, ...]:
-        """What is said where windows have only their begins above them, the longest first."""
+        """Texts for windows that have only their begins above them, the longest first."""
         length = window_length_text(self.windows.window_samples / self.sample_rate_hz)
         unit, _ = axis_unit(self.bounds_s[-1][1])
         plain = (
@@ -107,40 +107,40 @@ class WindowedContent:
             f"{length} each",
         )
         whole = f"Windows of {length}; above each when it begins, in {unit} of the stimulus"
-        if not self.traces_late_s:
+        if not self.traces_delay_s:
             return whole, *plain, unit
-        late = f"{self.traces_late_s * 1e3:.0f} ms"
+        delay = f"{self.traces_delay_s * 1e3:.0f} ms"
         return (
-            f"{whole}; the traces show it about {late} later",
-            f"{plain[0]}; traces {late} later",
-            *(f"{one}; traces +{late}" for one in plain[1:]),
+            f"{whole}; the traces show it about {delay} later",
+            f"{plain[0]}; traces {delay} later",
+            *(f"{phrase}; traces +{delay}" for phrase in plain[1:]),
             *plain,
             unit,
         )
 
     @property
-    def told_extents(self) -> tuple[Extent | None, ...]:
-        """Extents of the windows that are more than noise."""
+    def shown_extents(self) -> tuple[Extent | None, ...]:
+        """Extents of the windows, None where a window is silent or mostly noise."""
         if not any(self.in_noise):
             return self.extents
         pairs = zip(self.extents, self.in_noise, strict=True)
-        return tuple(None if in_noise else one for one, in_noise in pairs)
+        return tuple(None if in_noise else extent for extent, in_noise in pairs)
 
-    def extent_words(self, window: int) -> str:
-        """The measures of a window, for a tooltip."""
+    def extent_text(self, window: int) -> str:
+        """Return the measures of a window, for a tooltip."""
         if self.in_noise and self.in_noise[window]:
             return "Mostly noise of the measurement: its extent means nothing"
-        return _extent_words(self.extents[window], self.origin)
+        return _extent_text(self.extents[window], self.origin)
 
     @property
     def origin(self) -> str:
-        """From where distances are."""
-        places = {one.location for one in audible_inputs(self.design.inputs)}
+        """Origin of the distances."""
+        places = {track.location for track in audible_inputs(self.design.inputs)}
         return "the nearest input" if len(places) > 1 else "the input"
 
     @property
     def scale(self) -> Scale:
-        """What the colours of all maps mean."""
+        """The colour scale of all maps."""
         return with_matched(scale_of_levels(self.levels_db, self.look), self.matched)
 
     @property
@@ -149,7 +149,7 @@ class WindowedContent:
         return self.windows.bounds_s(self.sample_rate_hz)
 
     def map_of(self, window: int) -> SmallMap:
-        """The map of one window."""
+        """Return the map of one window."""
         return replace(
             self.small,
             levels_db=self.levels_db[window],
@@ -158,7 +158,7 @@ class WindowedContent:
         )
 
     def window_at(self, time_s: float) -> int | None:
-        """The window in which an instant of the stimulus lies."""
+        """Return the window in which an instant of the stimulus lies."""
         for window, (begin_s, end_s) in enumerate(self.bounds_s):
             if begin_s <= time_s < end_s:
                 return window
@@ -166,13 +166,13 @@ class WindowedContent:
 
 
 def window_text(bounds_s: tuple[float, float], until_s: float) -> str:
-    """``"0–120 ms"``; in s where the last window ends a second and more after 0."""
-    begin, end = (time_number(one, until_s) for one in bounds_s)
+    """Return ``"0–120 ms"``, or seconds where the last window ends at 1 s or later."""
+    begin, end = (time_number(bound_s, until_s) for bound_s in bounds_s)
     return f"{begin}–{end} {axis_unit(until_s)[0]}"
 
 
 def time_number(time_s: float, until_s: float) -> str:
-    """A time to the millisecond, in the unit of times up to another one."""
+    """Return a time to the millisecond, in the unit of times up to ``until_s``."""
     return f"{time_s:.3f}".rstrip("0").rstrip(".") if _in_s(until_s) else f"{1e3 * time_s:.0f}"
 
 
@@ -181,14 +181,14 @@ def _in_s(until_s: float) -> bool:
 
 
 def window_length_text(length_s: float) -> str:
-    """How long a window is."""
+    """Return the length of a window with its unit."""
     if _in_s(length_s):
         return f"{length_s:.4g} s"
     length_ms = 1e3 * length_s
     return f"{length_ms:.0f} ms" if length_ms >= 100.0 else f"{length_ms:.3g} ms"
 
 
-def _extent_words(extent: Extent | None, origin: str) -> str:
+def _extent_text(extent: Extent | None, origin: str) -> str:
     if extent is None:
         return "Silent: nothing has an extent"
     return (
@@ -200,22 +200,19 @@ def _extent_words(extent: Extent | None, origin: str) -> str:
     )
 
 
-# What stands above the maps of windows: when each is, in as many words as there is room for.
-
-
 @dataclass(frozen=True, slots=True)
 class WindowTitles:
-    """Words above maps.
+    """Texts above the maps.
 
     Attributes
     ----------
-    words
-        For each window; empty where there is no room for them.
+    texts
+        A text for each window; empty where there is no room for it.
     by_begin
-        Whether they are only when windows begin: how long they are is said elsewhere.
+        Whether the texts are only the begins of the windows.
     """
 
-    words: tuple[str, ...]
+    texts: tuple[str, ...]
     by_begin: bool
 
 
@@ -224,7 +221,7 @@ def window_titles(
     cells: Sequence[QRectF],
     width_of: Callable[[str], float],
 ) -> WindowTitles:
-    """Begin and end of each window; or where that is too wide their begins, or every n-th begin.
+    """Return begin and end of each window; where these are too wide, every begin or every n-th.
 
     Parameters
     ----------
@@ -236,15 +233,15 @@ def window_titles(
         Width of words, px.
     """
     until_s = max((end for _, end in bounds_s), default=0.0)
-    whole = tuple(window_text(one, until_s) for one in bounds_s)
+    titles = tuple(window_text(bound_s, until_s) for bound_s in bounds_s)
     least = min((cell.width() for cell in cells), default=0.0)
-    if all(width_of(words) <= least for words in whole):
-        return WindowTitles(whole, by_begin=False)
+    if all(width_of(title) <= least for title in titles):
+        return WindowTitles(titles, by_begin=False)
     begins = tuple(time_number(begin, until_s) for begin, _ in bounds_s)
     widest = max(map(width_of, begins)) + width_of(" ")
-    every = next(n for n in range(1, len(cells) + 1) if widest <= n * least or n == len(cells))
+    step = next(n for n in range(1, len(cells) + 1) if widest <= n * least or n == len(cells))
     columns = sum(cell.top() == cells[0].top() for cell in cells)
-    named = (words if k % columns % every == 0 else "" for k, words in enumerate(begins))
+    named = (begin if k % columns % step == 0 else "" for k, begin in enumerate(begins))
     return WindowTitles(tuple(named), by_begin=True)
 
 
@@ -254,17 +251,14 @@ def windows_heading(
     width_of: Callable[[str], float],
     room: float,
 ) -> str:
-    """What the times above all maps are, in as many words as fit into ``room``; "" if none do."""
+    """Return the longest text on the times of the windows that fits into ``room``, or ""."""
     titles = window_titles(content.bounds_s, cells, width_of)
     phrases = content.begin_phrases if titles.by_begin else content.time_phrases
-    return next((one for one in phrases if width_of(one) <= room), "")
+    return next((phrase for phrase in phrases if width_of(phrase) <= room), "")
 
-
-# Where maps, scale and plot of the strip lie.
 
 _MOST_MAP_PX = 190.0
-# Of the plot with its words: as many lines as are liked, and those in which three numbers beside it
-# can be told apart.
+# Usual height of the plot, in lines of text, and the least at which its three numbers are legible.
 _PLOT_LINES, _LEAST_PLOT_LINES = 6.5, 4.6
 # Height of a map over its width: hand and arm.
 _HIGH = 2.3
@@ -278,13 +272,13 @@ class StripLayout:
     Attributes
     ----------
     head
-        Words above.
+        Text above.
     cells
-        Of the windows: a line of words, and the map below.
+        Of the windows: a line of text, and the map below.
     scale
-        The colours, with a line of numbers and one of words below.
+        The colours, with a line of numbers and one of text below.
     plot
-        The extent, with room for numbers on its left and words above.
+        The extent, with room for numbers on its left and text above.
     """
 
     head: QRectF
@@ -294,13 +288,13 @@ class StripLayout:
 
 
 def least_height(line: float) -> float:
-    """Height in which maps in one row, scale and plot can be read, with lines of that height."""
-    words = 1.4 * line + line + 3 * _edge(line)
-    return words + _LEAST_MAP_PX + scale_row_px(line) + _LEAST_PLOT_LINES * line
+    """Return the height in which one row of maps, scale and plot can be read."""
+    text_px = 1.4 * line + line + 3 * _edge(line)
+    return text_px + _LEAST_MAP_PX + scale_row_px(line) + _LEAST_PLOT_LINES * line
 
 
 def strip_layout(room: QRectF, n_windows: int, line: float) -> StripLayout:
-    """Lay ``n_windows`` maps out in ``room``, in as many rows as give the largest maps.
+    """Lay ``n_windows`` maps out in ``room``, in the number of rows that gives the largest maps.
 
     In less than `least_height` all of it is as high as that, and reaches below the room.
     """
@@ -336,16 +330,14 @@ def _cells(room: QRectF, n: int, line: float) -> tuple[QRectF, ...]:
 
 
 def _map_width(room: QRectF, n: int, rows: int, line: float) -> float:
-    """Width of a map, where there are so many rows; fewer rows where it makes no difference."""
+    """Return the width of a map in this number of rows; fewer rows win a draw."""
     columns = ceil(n / rows)
     width = min(room.width() / columns, (room.height() / rows - line) / _HIGH)
     return min(width, _MOST_MAP_PX) - 1e-6 * rows if width > 0.0 else -float(rows)
 
 
-# Draws the strip of windows: maps in one scale, the scale, and the extent over the windows.
-
 _DOT_PX = 2.5
-# Marks of inputs at fingertips stand beyond the map.
+# Marks of inputs at fingertips reach beyond the map.
 _RING_PX = 4.0
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -364,7 +356,7 @@ def paint_strip(
     theme: Theme,
     chosen: int | None = None,
 ) -> None:
-    """Draw ``content``; the painter's font is that of all words.
+    """Draw ``content`` in the painter's font.
 
     Parameters
     ----------
@@ -380,17 +372,17 @@ def paint_strip(
     scale = content.scale
     table = colour_table(scale.colours)
     width_of = painter.fontMetrics().horizontalAdvance
-    titles = window_titles(content.bounds_s, layout.cells, width_of).words
-    for window, (cell, words) in enumerate(zip(layout.cells, titles, strict=True)):
+    titles = window_titles(content.bounds_s, layout.cells, width_of).texts
+    for window, (cell, title) in enumerate(zip(layout.cells, titles, strict=True)):
         painter.setPen(QColor(theme.text))
-        # One that is named for some may be wider than its map.
+        # A begin that stands for several windows may be wider than its map.
         middle = QRectF(cell.left(), cell.top(), cell.width(), line)
-        painter.drawText(middle, _CENTRE | Qt.TextFlag.TextDontClip, words)
+        painter.drawText(middle, _CENTRE | Qt.TextFlag.TextDontClip, title)
         area = cell.adjusted(2.0, line + _RING_PX, -2.0, -2.0)
         paint_small_map(
             painter, area, content.map_of(window), content.design, theme, scale.range_db, table
         )
-        if window == len(titles) - 1:  # one for all: they are alike
+        if window == len(titles) - 1:  # all maps have the same scale
             limb = content.design.limb
             paint_small_bar(painter, area, content.map_of(window), limb, theme)
         if window == chosen:
@@ -402,9 +394,11 @@ def paint_strip(
 
 
 def _paint_extent(painter: QPainter, area: QRectF, content: WindowedContent, theme: Theme) -> None:
-    """Mean distance and the distance of 90 % of the energy, a dot for each window."""
-    known = [one for one in content.told_extents if one is not None]
-    top = _rounded_up(max((max(one.mean_distance_mm, one.d90_mm) for one in known), default=1.0))
+    """Paint mean distance and the distance of 90 % of the energy, a dot for each window."""
+    extents = [extent for extent in content.shown_extents if extent is not None]
+    top = _rounded_up(
+        max((max(extent.mean_distance_mm, extent.d90_mm) for extent in extents), default=1.0)
+    )
     line = painter.fontMetrics().height()
     _paint_axis(painter, area, top, content.origin, theme)
     n = max(len(content.extents), 1)
@@ -413,11 +407,11 @@ def _paint_extent(painter: QPainter, area: QRectF, content: WindowedContent, the
         painter.setPen(QPen(colour, 1.5))
         painter.setBrush(colour)
         before: QPointF | None = None
-        for window, one in enumerate(content.told_extents):
-            if one is None:
+        for window, extent in enumerate(content.shown_extents):
+            if extent is None:
                 before = None
                 continue
-            value = one.mean_distance_mm if rank == 0 else one.d90_mm
+            value = extent.mean_distance_mm if rank == 0 else extent.d90_mm
             x = area.left() + (window + 0.5) / n * area.width()
             at = QPointF(x, area.bottom() - value / top * area.height())
             if before is not None:
@@ -435,7 +429,7 @@ def _paint_extent(painter: QPainter, area: QRectF, content: WindowedContent, the
 def curve_names(
     room: float, width_of: Callable[[str], float], gap: float
 ) -> tuple[tuple[str, int], ...]:
-    """Names of the curves and their colours: the longest names that fit, or the shortest."""
+    """Return names of the curves and their colours: the longest names that fit, or the shortest."""
     for names in zip(*(names for names, _ in CURVES), strict=True):
         if sum(width_of(name) + gap for name in names) - gap <= room:
             break
@@ -454,24 +448,22 @@ def _paint_axis(painter: QPainter, area: QRectF, top: float, origin: str, theme:
     painter.setPen(QColor(theme.dim))
     below = QRectF(area.left(), area.bottom() + 0.15 * line, area.width(), line)
     width_of = painter.fontMetrics().horizontalAdvance
-    said = [words.format(origin) for words in _BELOW]
-    fitting = (words for words in said if width_of(words) <= below.width())
-    painter.drawText(below, _CENTRE, next(fitting, said[-1]))
+    phrases = [phrase.format(origin) for phrase in _BELOW]
+    fitting = (phrase for phrase in phrases if width_of(phrase) <= below.width())
+    painter.drawText(below, _CENTRE, next(fitting, phrases[-1]))
 
 
 def _rounded_up(value: float) -> float:
-    """The next 20 mm."""
+    """Return the next multiple of 20 mm."""
     return max(ceil(value / 20.0) * 20.0, 20.0)
 
-
-# The strip of windows as a widget: shown, pointed at, stepped through.
 
 _SYNTHETIC = "SYNTHETIC"
 _STEPS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
 
 
 class StripView(QWidget):
-    """Shows windows, and tells which one is wanted."""
+    """Shows windows, and tells which one is chosen."""
 
     #: Begin of a window that was chosen, s.
     time_chosen = Signal(float)
@@ -494,12 +486,12 @@ class StripView(QWidget):
 
     @property
     def places(self) -> StripLayout:
-        """Where everything is."""
+        """Where the parts of the strip lie."""
         n = 0 if self.content is None else self.content.windows.count
         return strip_layout(QRectF(self.rect()), n, self.fontMetrics().height())
 
     def show_content(self, content: WindowedContent | None, message: str = "") -> None:
-        """Show windows, or say why there are none."""
+        """Show windows, or a message instead of them."""
         self.content, self.message = content, message
         self.update()
 
@@ -511,18 +503,18 @@ class StripView(QWidget):
             self.update()
 
     def show_outdated(self, outdated: bool) -> None:
-        """Say whether what is shown belongs to an older design."""
+        """Show whether the content belongs to an older design."""
         self.outdated = outdated
         self.update()
 
     def window_under(self, point: QPointF) -> int | None:
-        """The window under a point."""
+        """Return the window under a point."""
         cells = enumerate(self.places.cells)
         return next((window for window, cell in cells if cell.contains(point)), None)
 
     @property
-    def head_words(self) -> str:
-        """What stands above on the left: what its times are, in as many words as fit, if any."""
+    def head_text(self) -> str:
+        """The text above the strip: what its times are, as long as fits."""
         if self.content is None or self.message:
             return ""
         if self.outdated:
@@ -545,11 +537,11 @@ class StripView(QWidget):
             return
         places = self.places
         painter.setPen(QColor(theme.warning if self.content.synthetic else theme.dim))
-        words = _SYNTHETIC if self.content.synthetic else ""
+        text = _SYNTHETIC if self.content.synthetic else ""
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        painter.drawText(places.head, right, words)
+        painter.drawText(places.head, right, text)
         painter.setPen(QColor(theme.dim))
-        painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, self.head_words)
+        painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, self.head_text)
         if self.outdated:
             painter.setOpacity(0.5)
         paint_strip(painter, self.content, places, theme, self.chosen)
@@ -560,19 +552,19 @@ class StripView(QWidget):
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            words = self.words_at(QPointF(event.pos()))
-            QToolTip.showText(event.globalPos(), words, self)
+            text = self.text_at(QPointF(event.pos()))
+            QToolTip.showText(event.globalPos(), text, self)
             return True
         return super().event(event)
 
-    def words_at(self, point: QPointF) -> str:
-        """Times and extent of the window under a point."""
+    def text_at(self, point: QPointF) -> str:
+        """Return times and extent of the window under a point."""
         window = self.window_under(point)
         if window is None or self.content is None or self.message:
             return ""
-        about = self.content.extent_words(window)
+        extent = self.content.extent_text(window)
         bounds_s = self.content.bounds_s
-        return f"{window_text(bounds_s[window], bounds_s[-1][1])}\n{about}"
+        return f"{window_text(bounds_s[window], bounds_s[-1][1])}\n{extent}"
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         window = self.window_under(event.position())

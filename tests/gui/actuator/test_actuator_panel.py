@@ -76,10 +76,10 @@ def test_a_drag_of_the_amplitude_is_followed_at_once(window, panel, qtbot):
 
 
 def test_a_velocity_beyond_what_was_measured_is_red(window, panel, qtbot):
-    assert not figures(panel)["Peak velocity"].passed
+    assert not figures(panel)["Peak velocity"].exceeded
     choose(panel, "strength_m_per_s2", 10.0)
     settle(window, qtbot)
-    assert figures(panel)["Peak velocity"].passed
+    assert figures(panel)["Peak velocity"].exceeded
     assert "beyond its limit" in panel.figures.table.accessibleDescription()
 
 

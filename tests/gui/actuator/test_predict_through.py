@@ -37,7 +37,7 @@ def test_the_switch_predicts_through_what_the_panel_shows_and_back(window, panel
     design = window.document.design
     assert design.actuated == actuation_of(panel._settings)
     assert panel.through.box.isChecked()
-    assert "1 m/s²" in panel.through.words.text()
+    assert "1 m/s²" in panel.through.text.text()
     after = ss.evaluate(design, "output_levels_db")["output_levels_db"]
     # A coil whose boost is limited moves less at 40 Hz than it is asked to.
     assert (after < before - 0.1).all()
@@ -76,7 +76,7 @@ def test_without_an_equaliser_amplitudes_are_volts(window, panel, qtbot):
     choose(panel, "volts", 3.0)
     panel.through.box.click()
     settle(window, qtbot)
-    assert "1 V" in panel.through.words.text()
+    assert "1 V" in panel.through.text.text()
     with pytest.raises(StopIteration):
         panel.choices.cell("volts")
     found = {one.label: one.value for one in panel.figures.table.figures}
@@ -91,7 +91,7 @@ def test_another_actuator_than_the_one_that_is_shown_is_named(window, panel, qtb
         ss.edits.predict_through(window.document.design, window.document.view, through)
     )
     settle(window, qtbot)
-    assert "Piezo of the lab, no equaliser" in panel.through.words.text()
+    assert "Piezo of the lab, no equaliser" in panel.through.text.text()
     choose(panel, "parameter resistance_ohm", 8.0)
     settle(window, qtbot)
     assert window.document.design.actuated == through
@@ -110,13 +110,13 @@ def test_a_shape_that_ends_predicting_through_says_why(window, panel, qtbot):
     settle(window, qtbot)
     assert window.document.design.actuated is None
     assert not panel.through.box.isChecked()
-    assert panel.through.words.isVisible()
+    assert panel.through.text.isVisible()
     title = ss.actuators.profile(ss.actuators.shape_names()[0]).title
-    assert f"Of {title} only the shape" in panel.through.words.text()
-    assert panel.through.box.toolTip() == panel.through.words.text()
+    assert f"Of {title} only the shape" in panel.through.text.text()
+    assert panel.through.box.toolTip() == panel.through.text.text()
     window.document.undo_stack.undo()
     settle(window, qtbot)
-    assert "1 m/s²" in panel.through.words.text()
+    assert "1 m/s²" in panel.through.text.text()
 
 
 def test_under_another_scaling_the_switch_stays_off_and_says_why(window, panel, qtbot):

@@ -49,7 +49,7 @@ def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
     assert found == ["place", "7"]
     path = tmp_path / "mine.csv"
     path.write_text("frequency_hz,threshold_m_per_s2\n25,0.1\n600,0.1\n")
-    panel.take_thresholds(path)
+    panel.import_thresholds(path)
     settle()
     held = settings_of(document.view, "perception", PerceptionSettings)
     assert held.thresholds == ((25.0, 0.1), (600.0, 0.1))
@@ -58,7 +58,7 @@ def test_the_panel_shows_levels_limits_and_the_contact_and_is_free_while_hidden(
     path.write_text("nonsense")
     said = []
     panel.failed.connect(said.append)
-    panel.take_thresholds(path)
+    panel.import_thresholds(path)
     assert "line 1" in said[0]
     panel.model.click()
     settle()
@@ -180,15 +180,15 @@ def test_why_a_table_was_refused_is_said_until_thresholds_are_taken(window, sett
     wrong, right = tmp_path / "wrong.csv", tmp_path / "right.csv"
     wrong.write_text("nonsense")
     right.write_text("frequency_hz,threshold_m_per_s2\n25,0.1\n600,0.1\n")
-    panel.take_thresholds(right)
-    panel.take_thresholds(wrong)
+    panel.import_thresholds(right)
+    panel.import_thresholds(wrong)
     assert "line 1" in window.notice.text
     settle()
     assert "line 1" in window.notice.text
     if mend == "the model":
         panel.model.click()
     else:
-        panel.take_thresholds(right)
+        panel.import_thresholds(right)
     assert window.notice.text == ""
     said = "the model" if mend == "the model" else "right.csv"
     assert window.statusBar().currentMessage() == f"Thresholds are those of {said}"

@@ -43,7 +43,7 @@ def test_rows_of_regions_are_as_high_as_their_names(qtbot):
     font = table.font()
     font.setPointSizeF(2 * font.pointSizeF())
     for size in (table.font(), font):
-        table.fit_words(size)
+        table.fit_font(size)
         rows = table.verticalHeader()
         for row in range(rows.count()):
             item = table.verticalHeaderItem(row)

@@ -154,7 +154,7 @@ def test_a_place_that_lies_nowhere_stands_beside_the_hand(with_places):
     stage = studio.diagram.stage
     outline = stage.layout.transform.map(stage.drawing.outline).boundingRect()
     for site in (1, 3):
-        marker = stage.marker_area(site)
+        marker = stage.layout.marker_area(site)
         assert marker.right() < outline.left() + 2.0
         assert QRectF(studio.diagram.rect()).contains(marker)
     QTest.mouseClick(studio.diagram, LEFT, NONE, studio.diagram.site_centre(3))

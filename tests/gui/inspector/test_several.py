@@ -97,7 +97,7 @@ def test_of_several_the_heading_says_which_one_is_silent(qtbot):
     one, other = design_of(Tone(), Tone()).inputs
     heading = InputHeading()
     qtbot.addWidget(heading)
-    heading.show_input(one, silent=True, together=(other, one), limb="synthetic-1")
+    heading.show_input(one, silent=True, batch=(other, one), limb="synthetic-1")
     assert heading._state.text() == "last silent"
-    heading.show_input(one, silent=True, together=(one,), limb="synthetic-1")
+    heading.show_input(one, silent=True, batch=(one,), limb="synthetic-1")
     assert heading._state.text() == "silent"

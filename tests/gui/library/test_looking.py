@@ -14,14 +14,14 @@ def test_every_shipped_preset_is_listed_and_drawn(window, panel):
     for row in range(panel.model.rowCount()):
         panel.rows.go_to(row)
         assert panel.preview.strip.words == ""
-        assert panel.preview.preset.name in panel.preview.words.text()
+        assert panel.preview.preset.name in panel.preview.text.text()
         assert panel.preview.preset.name == panel.model.index(row).data()
 
 
 def test_a_hidden_panel_reads_no_file(window):
     panel = window.panel("library")
     assert panel.model.rowCount() == 0
-    assert panel.shelves.entries == ()
+    assert panel.folders.entries == ()
 
 
 def test_words_and_tags_narrow_the_list(window, panel):

@@ -58,7 +58,7 @@ def test_what_changed_while_it_was_hidden_is_there_when_it_is_shown(window, pane
 
 def test_own_presets_are_renamed_in_place_and_shipped_ones_are_not(window, panel, qtbot):
     save()
-    panel.shelves.read()
+    panel.folders.read()
     index = panel.model.index(0)
     assert index.flags() & Qt.ItemFlag.ItemIsEditable
     panel.model.setData(index, "Ready", Qt.ItemDataRole.EditRole)
@@ -73,7 +73,7 @@ def test_own_presets_are_renamed_in_place_and_shipped_ones_are_not(window, panel
 
 def test_a_name_that_is_none_is_refused_in_a_sentence(window, panel, qtbot):
     save()
-    panel.shelves.read()
+    panel.folders.read()
     with qtbot.waitSignal(panel.failed) as told:
         panel.model.setData(panel.model.index(0), " ", Qt.ItemDataRole.EditRole)
     assert "name" in told.args[0]
@@ -85,7 +85,7 @@ def test_own_presets_are_deleted_after_a_question(window, panel, monkeypatch, ye
     answer = QMessageBox.StandardButton.Yes if yes else QMessageBox.StandardButton.No
     monkeypatch.setattr(QMessageBox, "question", lambda *_: answer)
     path = save()
-    panel.shelves.read()
+    panel.folders.read()
     go_to(panel, "My tap")
     panel.rows.setFocus()
     QTest.keyClick(panel.rows, KEY.Key_Delete)

@@ -76,7 +76,7 @@ def test_names_places_and_axes_are_those_of_the_limb(lab_window, lab):
     assert place.shown_text == "5 · site 5"
     hand = window.panel("hand").diagram
     assert hand.stage.layout.n_sites == N_INPUTS
-    assert "site 3" in hand.stage.words(3)
+    assert "site 3" in hand.stage.text(3)
     drawn = window.panel("skin").map.stage.layout
     assert drawn.unplaced == (5,)
     assert drawn.card_title == "No place"

@@ -87,7 +87,7 @@ def test_where_nothing_can_be_heard_no_tone_is_offered_and_the_button_says_why(
     assert button.toolTip() == words(panel, "playback_problem") != ""
     no_sound.outputs = {"New": 4}
     no_sound.default.device["output"] = 0
-    panel.fields.look.click()
+    panel.fields.rescan.click()
     qtbot.waitUntil(button.isEnabled, **WAIT)
     assert "on output 2 alone" in button.toolTip()
 
@@ -124,9 +124,9 @@ def test_the_bar_of_a_level_has_room_in_the_narrowest_panel_while_it_plays(
     qtbot.waitUntil(lambda: "dBFS" in words(panel, "level_of_7"), **WAIT)
     # Nothing is cut at its right side, and playing asks for no more room than silence.
     assert panel.minimumSizeHint().width() == narrowest_px
-    inside = panel.fields.look.parentWidget().parentWidget()
+    inside = panel.fields.rescan.parentWidget().parentWidget()
     qtbot.waitUntil(lambda: inside.width() <= panel.width(), **WAIT)
-    for part in (panel.fields.look, panel.fields.device, panel._rows[0].tone):
+    for part in (panel.fields.rescan, panel.fields.device, panel._rows[0].tone):
         assert part.width() >= part.minimumSizeHint().width()
         assert part.mapTo(panel, part.rect().topRight()).x() < panel.width()
     for row in panel._rows:
@@ -150,7 +150,7 @@ def test_what_is_missing_is_said_with_what_to_do(no_sound, panel):
 def test_a_device_that_is_connected_later_is_found_by_looking_again(no_sound, player, panel, qtbot):
     no_sound.outputs = {"New": 4}
     no_sound.default.device["output"] = 0
-    panel.fields.look.click()
+    panel.fields.rescan.click()
     qtbot.waitUntil(lambda: len(player.settings.devices) == 1, **WAIT)
     assert not panel.problem.isVisibleTo(panel)
     assert panel.fields.device.itemText(1) == "New (Made up, 4 outputs)"

@@ -37,15 +37,15 @@ def panel(sound, studio, qtbot):
 
 
 def test_without_a_rig_it_says_uncalibrated(panel):
-    assert "Uncalibrated" in panel.words.text()
+    assert "Uncalibrated" in panel.text.text()
     assert panel.fields.rig.currentText() == "None"
 
 
 def test_a_rig_wires_the_places_and_says_how_calibrated_it_is(panel, player, path):
     player.settings.choose_rig(path)
     assert panel.fields.rig.currentText() == "Bench 3"
-    assert "Calibrated, measured on 2026-03-04." in panel.words.text()
-    assert "Uncalibrated" not in panel.words.text()
+    assert "Calibrated, measured on 2026-03-04." in panel.text.text()
+    assert "Uncalibrated" not in panel.text.text()
     assert [(row.place, row.output.value_si) for row in panel._rows] == [(7, 2.0), (12, 1.0)]
     assert not panel._rows[0].output.isEnabled()
     panel.fields.rig.wanted.emit(None)

@@ -169,7 +169,7 @@ def test_the_picture_says_when_how_slowly_and_of_whom(small):
     settings = SkinSettings(quantity=Z)
     camera = animation._Camera(exported, settings)
     film = film_of(VIEW, settings, camera.end_s, 60, PERSON)
-    assert camera.words(film) == "Synthetic 1 (175 mm) · 1/20 of real time"
+    assert camera.text(film) == "Synthetic 1 (175 mm) · 1/20 of real time"
     first, later = (camera.frame(film, number).copy() for number in (0, 7))
     assert first.shape == (240, 180, 3)
     assert (first != later).any()

@@ -174,7 +174,7 @@ def test_scrubbing_moves_the_one_playhead(make_window, look):
     scrub = window.panel("skin").time.scrub
     scrub.slider.setValue(1234)
     assert window.document.view.playhead_s == pytest.approx(0.1234)
-    assert scrub.words.text() == "123.4 ms"
+    assert scrub.time.text() == "123.4 ms"
     assert window.panel("skin").map.content.quantity.time_s == pytest.approx(0.1234)
     QTest.keyClick(scrub.slider, Qt.Key.Key_Right)
     assert window.document.view.playhead_s == pytest.approx(0.1244)

@@ -69,13 +69,13 @@ def test_any_number_of_windows_fits(panel, studio, qtbot, count):
 
 def test_windows_that_are_noise_are_hatched_and_have_no_extent(panel, studio):
     content = panel.strip.content
-    assert content.told_extents == content.extents
+    assert content.shown_extents == content.extents
     assert content.map_of(0).noisy == ()
     noisy = replace(content, noisy=((4, 5), *[()] * 4), in_noise=(True, *[False] * 4))
-    assert noisy.told_extents == (None, *content.extents[1:])
+    assert noisy.shown_extents == (None, *content.extents[1:])
     assert noisy.map_of(0).noisy == (4, 5)
-    assert noisy.extent_words(0) == "Mostly noise of the measurement: its extent means nothing"
-    assert "Mean distance" in noisy.extent_words(1)
+    assert noisy.extent_text(0) == "Mostly noise of the measurement: its extent means nothing"
+    assert "Mean distance" in noisy.extent_text(1)
 
 
 def test_it_follows_a_drag(panel, studio, qtbot):
@@ -136,12 +136,12 @@ def test_a_click_on_a_window_and_arrow_keys_move_the_playhead_to_its_begin(panel
 
 def test_the_pointer_reads_times_and_extent(panel):
     cell = panel.strip.places.cells[1]
-    words = panel.strip.words_at(cell.center())
+    words = panel.strip.text_at(cell.center())
     extent = panel.strip.content.extents[1]
     assert words.startswith("120–240 ms\n")
     assert f"{extent.mean_distance_mm:.1f} mm" in words
     assert f"{extent.d90_mm:.1f} mm" in words
-    assert panel.strip.words_at(QPointF(1.0, 1.0)) == ""
+    assert panel.strip.text_at(QPointF(1.0, 1.0)) == ""
 
 
 @pytest.mark.parametrize(
@@ -156,7 +156,7 @@ def test_where_there_is_nothing_to_show_it_says_why(panel, studio, qtbot, design
     studio.document.look(replace(studio.document.view, **view))
     settle(studio, qtbot)
     assert words in panel.strip.message
-    assert panel.strip.words_at(panel.strip.rect().toRectF().center()) == ""
+    assert panel.strip.text_at(panel.strip.rect().toRectF().center()) == ""
     panel.strip.grab()
 
 
@@ -184,21 +184,21 @@ def test_a_picture_of_what_is_not_there_says_so(panel, studio, qtbot):
 def test_its_head_says_that_the_traces_show_it_later_unless_their_delay_is_taken_away(
     panel, studio, qtbot
 ):
-    assert "traces" in panel.strip.head_words.lower()
-    assert "52 ms" in panel.strip.head_words
+    assert "traces" in panel.strip.head_text.lower()
+    assert "52 ms" in panel.strip.head_text
     content = panel.strip.content
     studio.document.look(replace(studio.document.view, delay_removed=True))
     settle(studio, qtbot)
-    assert "52 ms" not in panel.strip.head_words
-    assert panel.strip.head_words
-    assert "traces" not in panel.strip.head_words
+    assert "52 ms" not in panel.strip.head_text
+    assert panel.strip.head_text
+    assert "traces" not in panel.strip.head_text
     assert panel.strip.content.levels_db is content.levels_db
     longest = panel.strip.content.time_phrases[0]
     panel.strip.resize(1400, 400)
-    assert panel.strip.head_words == longest
+    assert panel.strip.head_text == longest
     panel.strip.resize(220, 400)
     metrics = panel.strip.fontMetrics()
-    assert metrics.horizontalAdvance(panel.strip.head_words + "SYNTHETIC") < 220
+    assert metrics.horizontalAdvance(panel.strip.head_text + "SYNTHETIC") < 220
 
 
 def test_a_range_that_is_fixed_on_the_skin_map_holds_here_too(panel, studio, qtbot):

@@ -29,27 +29,27 @@ def cells(count, width, columns=None):
 
 def test_where_there_is_room_begin_and_end_stand_above_each_map():
     found = window_titles(bounds_s(3), cells(3, 100.0), width_of)
-    assert found.words == ("0–50 ms", "50–100 ms", "100–150 ms")
+    assert found.texts == ("0–50 ms", "50–100 ms", "100–150 ms")
     assert not found.by_begin
 
 
 def test_where_there_is_less_room_begins_stand_there():
     found = window_titles(bounds_s(3), cells(3, 40.0), width_of)
-    assert found.words == ("0", "50", "100")
+    assert found.texts == ("0", "50", "100")
     assert found.by_begin
 
 
 def test_where_begins_have_no_room_either_each_second_or_third_of_a_row_has_one():
-    assert window_titles(bounds_s(5), cells(5, 20.0), width_of).words == ("0", "", "100", "", "200")
+    assert window_titles(bounds_s(5), cells(5, 20.0), width_of).texts == ("0", "", "100", "", "200")
     rows = window_titles(bounds_s(8), cells(8, 12.0, columns=4), width_of)
-    assert rows.words == ("0", "", "", "150", "200", "", "", "350")
+    assert rows.texts == ("0", "", "", "150", "200", "", "", "350")
 
 
 @pytest.mark.parametrize("count", [1, 5, 11, 24, 60])
 @pytest.mark.parametrize("width", [180.0, 420.0, 1300.0])
 def test_no_two_times_lie_on_each_other(count, width):
     places = strip_layout(QRectF(0, 0, width, 400.0), count, 16.0).cells
-    words = window_titles(bounds_s(count, 0.6 / count), places, width_of).words
+    words = window_titles(bounds_s(count, 0.6 / count), places, width_of).texts
     assert words[0]
     ends = {}
     for cell, one in zip(places, words, strict=True):
@@ -78,8 +78,8 @@ def studio(make_window, qtbot):
 @pytest.mark.parametrize(("count", "length"), [(11, "53.8 ms"), (24, "24.6 ms"), (60, "10 ms")])
 def test_how_long_windows_are_is_said_where_only_their_begins_are(studio, tmp_path, count, length):
     panel = studio(count)
-    assert length in panel.strip.head_words
-    assert "traces" in panel.strip.head_words
+    assert length in panel.strip.head_text
+    assert "traces" in panel.strip.head_text
     save_drawing(tmp_path / "a.svg", panel.draw_picture, 1400, 900)
     printed = (tmp_path / "a.svg").read_text("utf-8")
     assert f"Windows of {length}; above each when it begins, in ms of the stimulus; " in printed
@@ -99,24 +99,24 @@ def test_with_begin_and_end_above_each_map_only_what_times_they_are_is_said(stud
 
 def test_times_of_a_second_and_more_are_said_in_s():
     long_s = [(0.0, 12.0), (12.0, 24.0), (24.0, 36.5)]
-    assert window_titles(long_s, cells(3, 100.0), width_of).words == (
+    assert window_titles(long_s, cells(3, 100.0), width_of).texts == (
         "0–12 s",
         "12–24 s",
         "24–36.5 s",
     )
-    assert window_titles(long_s, cells(3, 40.0), width_of).words == ("0", "12", "24")
+    assert window_titles(long_s, cells(3, 40.0), width_of).texts == ("0", "12", "24")
 
 
 def test_with_several_places_distances_are_from_the_nearest_input(studio, tmp_path):
     panel = studio(5)
     content = panel.strip.content
-    assert "Mean distance from the input" in content.extent_words(0)
+    assert "Mean distance from the input" in content.extent_text(0)
     design = replace(TRAIN, inputs=(*TRAIN.inputs, track(12, WaveletTrain())))
     several = replace(content, design=design)
-    assert "Mean distance from the nearest input" in several.extent_words(0)
+    assert "Mean distance from the nearest input" in several.extent_text(0)
     twice = tuple(replace(TRAIN.inputs[0], id=id, clips=()) for id in (1, 2))
     again = replace(content, design=replace(TRAIN, inputs=twice))
-    assert "Mean distance from the input" in again.extent_words(0)
+    assert "Mean distance from the input" in again.extent_text(0)
     panel.strip.content = several
     save_drawing(tmp_path / "a.svg", panel.draw_picture, 1400, 900)
     assert "mm from the nearest input" in (tmp_path / "a.svg").read_text("utf-8")
