@@ -96,15 +96,15 @@ class ExportedDesign:
 
     def error(self, outputs: tuple[int, ...], axes: Axes) -> TraceError | None:
         """Error of the vibration at some outputs; None where there is none."""
-        found: TraceError | None = self.value("trace_error", outputs=outputs, axes=axes)
-        return found
+        error: TraceError | None = self.value("trace_error", outputs=outputs, axes=axes)
+        return error
 
     def error_of(self, field: Floats, outputs: tuple[int, ...]) -> TraceError | None:
         """Error of ``field``, (n_outputs, n_axes, n_times), at some outputs."""
-        found: TraceError | None = self.value(
+        error: TraceError | None = self.value(
             "trace_error", outputs=outputs, axes=ALL_AXES, axis_traces=field
         )
-        return found
+        return error
 
     def field_blocks(self) -> Iterator[Floats]:
         """Yield the field piece by piece, (n_outputs, n_axes, n) in m/s², silence included."""
@@ -144,30 +144,31 @@ def describe_played(
         lines.append(f"amplitudes: {meaning}")
     if actuated is not None:
         lines.append(f"predicted through: {actuated.words}")
-        lines += [f"  {_named(one)}: {one.model}" for one in actuated.actuators]
-    for one in inputs:
-        muted = ", muted" if one.muted else ""
-        solo = ", solo" if one.solo else ""
-        curve = f", gain curve {one.gain_curve}" if one.gain_curve else ""
+        lines += [f"  {_named(actuator)}: {actuator.model}" for actuator in actuated.actuators]
+    for track in inputs:
+        muted = ", muted" if track.muted else ""
+        solo = ", solo" if track.solo else ""
+        curve = f", gain curve {track.gain_curve}" if track.gain_curve else ""
         lines.append(
-            f"input at place {one.location}: amplitude {one.amplitude!r}, "
-            f"{counted(len(one.clips), 'clip')}{curve}{muted}{solo}"
+            f"input at place {track.location}: amplitude {track.amplitude!r}, "
+            f"{counted(len(track.clips), 'clip')}{curve}{muted}{solo}"
         )
         lines += [
-            f"  clip of the input at place {one.location}: {clip_description(x)}" for x in one.clips
+            f"  clip of the input at place {track.location}: {clip_description(x)}"
+            for x in track.clips
         ]
     return lines
 
 
-def _named(one: ActuatorAt) -> str:
-    where = "all other places" if one.place is None else f"place {one.place}"
-    return f"{where}, {one.actuator}" if one.actuator else where
+def _named(actuator: ActuatorAt) -> str:
+    where = "all other places" if actuator.place is None else f"place {actuator.place}"
+    return f"{where}, {actuator.actuator}" if actuator.actuator else where
 
 
 def clip_description(clip: Clip) -> str:
     """A clip in words: what it plays, from when on, through what."""
     gain = "" if clip.gain == 1.0 else f", gain {clip.gain!r}"
-    through = "".join(f", {one}" for one in clip.effects if one.on)
+    through = "".join(f", {effect}" for effect in clip.effects if effect.on)
     muted = ", muted" if clip.muted else ""
     return f"{clip.waveform}, onset {clip.onset_s!r} s{gain}{through}{muted}"
 
@@ -224,7 +225,7 @@ def about_method(exported: ExportedDesign) -> list[str]:
         f"computed by: skinsource {__version__}, numpy {np.__version__}, scipy {scipy.__version__}",
         f"precision and method: float64, {how}",
         f"inputs heard: {len(audible)} of {len(exported.design.inputs)}",
-        *_about_data(exported, sorted({one.location for one in audible})),
+        *_about_data(exported, sorted({track.location for track in audible})),
     ]
 
 

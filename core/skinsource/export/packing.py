@@ -68,7 +68,7 @@ def data_of(design: Design) -> dict[str, str]:
     And a note where it is not known to be the published one.  Of a limb that a lab imported: the
     SHA-256 of its numbers.  What is not known here, or is computed, is empty.
     """
-    found = {
+    data = {
         "limb": design.limb,
         "dataset_doi": "",
         "source_name": "",
@@ -77,14 +77,14 @@ def data_of(design: Design) -> dict[str, str]:
         "limb_sha256": design.limb_digest or facts_of(design.limb).digest,
     }
     if not design.limb.startswith("measured"):
-        return found
-    found["dataset_doi"] = DATASET_DOI
+        return data
+    data["dataset_doi"] = DATASET_DOI
     try:
         store = describe()
     except SkinSourceError:
-        return found
+        return data
     return {
-        **found,
+        **data,
         "source_name": store.source_name,
         "source_note": f"not verified as published: {store.note}" if store.note else "",
         "source_sha256": store.source_sha256,
@@ -178,7 +178,7 @@ def pack(
 def _writers(
     design: Design, view: View, rig: Rig | None, stop: Stop
 ) -> dict[str, Callable[[Path], object]]:
-    found: dict[str, Callable[[Path], object]] = {
+    writers: dict[str, Callable[[Path], object]] = {
         "design.skinsource": lambda path: save_design(path, design, view),
         "levels.csv": lambda path: export_levels(path, design, view, stop=stop),
         "map.csv": lambda path: export_map(path, design, view, stop=stop),
@@ -187,13 +187,13 @@ def _writers(
         "README.txt": lambda path: path.write_text(_READ_ME, "utf-8"),
     }
     if view.outputs:
-        found["traces.csv"] = lambda path: export_traces(path, design, view, stop=stop)
+        writers["traces.csv"] = lambda path: export_traces(path, design, view, stop=stop)
     if _can_draw():
         for kind in _FIGURES:
-            found[f"figure.{kind}"] = partial(_write_figure, design=design, view=view, kind=kind)
+            writers[f"figure.{kind}"] = partial(_write_figure, design=design, view=view, kind=kind)
     if audible_inputs(design.inputs):
         # Full scale is the largest sample: nothing clips. What the rate loses is in the sidecar.
-        found["stimulus.wav"] = lambda path: _stimuli().export_stimulus(
+        writers["stimulus.wav"] = lambda path: _stimuli().export_stimulus(
             design,
             path,
             "wav",
@@ -202,8 +202,8 @@ def _writers(
             stop=stop,
         )
     if rig is not None:
-        found["rig.skinrig"] = lambda path: save_rig(path, rig)
-    return found
+        writers["rig.skinrig"] = lambda path: save_rig(path, rig)
+    return writers
 
 
 def _can_draw() -> bool:

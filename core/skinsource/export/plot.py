@@ -184,14 +184,16 @@ def levels_of(shown: Design | ArrayLike, limb: Limb | str | None, view: View | N
         Levels come without a limb, or do not fit it.
     """
     if isinstance(shown, Design):
-        found = evaluate(shown, "output_levels_db", "limb_data", "surface", "validity", view=view)
-        places = sorted({one.location for one in audible_inputs(shown.inputs)})
+        results = evaluate(shown, "output_levels_db", "limb_data", "surface", "validity", view=view)
+        places = sorted({track.location for track in audible_inputs(shown.inputs)})
         return Levels(
-            limb=found["limb_data"],
-            surface=found["surface"],
-            values=found["output_levels_db"],
+            limb=results["limb_data"],
+            surface=results["surface"],
+            values=results["output_levels_db"],
             places=tuple(places),
-            noisy=next(one.outputs for one in found["validity"] if one.name == "noise"),
+            noisy=next(
+                finding.outputs for finding in results["validity"] if finding.name == "noise"
+            ),
         )
     if limb is None:
         raise InvalidInputError(
@@ -481,7 +483,7 @@ class PlotRow:
 
 def common_size(rows: Sequence[Floats]) -> float:
     """What fills every row where they have one scale."""
-    return max((float(np.abs(one).max(initial=0.0)) for one in rows), default=0.0)
+    return max((float(np.abs(row).max(initial=0.0)) for row in rows), default=0.0)
 
 
 def draw_rows(
@@ -600,8 +602,8 @@ def traces(
         matplotlib is not installed.
     """
     designs, looked = _designs(shown, labels), _looked(view, outputs)
-    found = [evaluate(one, *_NEEDS, view=looked) for one in designs]
-    time_s, curves = _waves(found, looked.time_range_s)
+    results = [evaluate(design, *_NEEDS, view=looked) for design in designs]
+    time_s, curves = _waves(results, looked.time_range_s)
     rows = _rows(1e3 * time_s, curves, looked.outputs, normalised)
     on, alone = axes_of(ax, _WIDTH_MM, _ROW_MM * len(rows) + _AROUND_MM)
     with style():
@@ -644,16 +646,18 @@ def spectra(
         matplotlib is not installed.
     """
     designs, looked = _designs(shown, labels), _looked(view, outputs)
-    found = [evaluate(one, "selected_spectra", view=looked)["selected_spectra"] for one in designs]
-    if len({frequency.size for frequency, _ in found}) > 1:
+    results = [
+        evaluate(design, "selected_spectra", view=looked)["selected_spectra"] for design in designs
+    ]
+    if len({frequency.size for frequency, _ in results}) > 1:
         raise InvalidInputError(
             "the designs differ in length, so their spectra have other frequencies; draw each in "
             "axes of its own"
         )
-    frequency = found[0][0]
+    frequency = results[0][0]
     low_hz, high_hz = facts_of(designs[0].limb).band_hz or (0.0, np.inf)
     within = (frequency >= low_hz) & (frequency <= high_hz)
-    curves = [moving_mean(magnitude, mean_of_bins)[:, within] for _, magnitude in found]
+    curves = [moving_mean(magnitude, mean_of_bins)[:, within] for _, magnitude in results]
     rows = _rows(frequency[within], curves, looked.outputs, normalised)
     on, alone = axes_of(ax, _WIDTH_MM, _ROW_MM * len(rows) + _AROUND_MM)
     with style():
@@ -667,7 +671,7 @@ def spectra(
 
 def _designs(shown: Design | Sequence[Design], labels: Sequence[str]) -> list[Design]:
     designs = [shown] if isinstance(shown, Design) else list(shown)
-    if not designs or not all(isinstance(one, Design) for one in designs):
+    if not designs or not all(isinstance(design, Design) for design in designs):
         raise InvalidInputError(f"shown is {quoted(shown)}, expected a Design, or several")
     if labels and len(labels) != len(designs):
         raise InvalidInputError(f"{len(labels)} labels for {len(designs)} designs: one for each")
@@ -688,13 +692,13 @@ def _filled(traces: Floats, n_times: int) -> Floats:
 
 
 def _waves(
-    found: Sequence[Mapping[str, Any]], range_s: tuple[float, float] | None
+    results: Sequence[Mapping[str, Any]], range_s: tuple[float, float] | None
 ) -> tuple[Floats, list[Floats]]:
     """Instants in a range, all unless given, and projected signals of designs at them.
 
     The wave runs along the axes: a magnitude is its length.
     """
-    time_s = max(found, key=lambda one: one["response_time_s"].size)["response_time_s"]
+    time_s = max(results, key=lambda result: result["response_time_s"].size)["response_time_s"]
     low, high = range_s or (float(time_s[0]), float(time_s[-1]))
     within = np.flatnonzero((time_s >= low) & (time_s <= high))
     if not within.size:
@@ -704,20 +708,24 @@ def _waves(
         )
     first, end = int(within[0]), int(within[-1]) + 1
     drawn = _joined if end - first <= _MOST_JOINED else _reached
-    each = [drawn(one, time_s, first, end) for one in found]
+    each = [drawn(result, time_s, first, end) for result in results]
     return each[0][0], [curves for _, curves in each]
 
 
-def _joined(one: Mapping[str, Any], time_s: Floats, first: int, end: int) -> tuple[Floats, Floats]:
+def _joined(
+    result: Mapping[str, Any], time_s: Floats, first: int, end: int
+) -> tuple[Floats, Floats]:
     """Points of the waves between samples."""
-    axes = _filled(one["axis_traces"], time_s.size)
+    axes = _filled(result["axis_traces"], time_s.size)
     instants, axes = finer(time_s, axes, first, end)
-    return instants, one["selected_projection"].signals(axes)
+    return instants, result["selected_projection"].signals(axes)
 
 
-def _reached(one: Mapping[str, Any], time_s: Floats, first: int, end: int) -> tuple[Floats, Floats]:
+def _reached(
+    result: Mapping[str, Any], time_s: Floats, first: int, end: int
+) -> tuple[Floats, Floats]:
     """Lowest and highest value of the waves in columns, in turn."""
-    axes, projection = _filled(one["axis_traces"], time_s.size), one["selected_projection"]
+    axes, projection = _filled(result["axis_traces"], time_s.size), result["selected_projection"]
     # A magnitude is the length of the wave along the axes.
     waves = axes if projection.directions is None else projection.signals(axes)
     starts = np.arange(_N_COLUMNS) * (end - first) // _N_COLUMNS
@@ -734,7 +742,7 @@ def _rows(
         PlotRow(
             label=f"Output {number}",
             x=x,
-            curves=np.stack([one[rank] for one in curves]),
+            curves=np.stack([curve[rank] for curve in curves]),
             unit_size=size,
         )
         for rank, number in enumerate(outputs)
@@ -755,7 +763,7 @@ def _scale_words(rows: Sequence[PlotRow], normalised: bool, view: View) -> str:
 def _finish(ax: Any, designs: Sequence[Design], alone: bool) -> None:
     if not alone:
         return
-    if any(facts_of(one.limb).synthetic for one in designs):
+    if any(facts_of(design.limb).synthetic for design in designs):
         ax.figure.text(0.99, 0.01, SYNTHETIC, ha="right", color=DIM, fontsize=6)
     ax.figure.subplots_adjust(left=0.14, right=0.97, bottom=0.17, top=0.88)
 
@@ -827,17 +835,17 @@ def windowed_levels(
         looked = replace(looked, windows_cut="length", window_s=window_s)
     elif count is not None:
         looked = replace(looked, windows_cut="count", window_count=count)
-    found = evaluate(design, *_QUANTITIES, view=looked)
+    results = evaluate(design, *_QUANTITIES, view=looked)
     return WindowedLevels(
-        limb=found["limb_data"],
-        surface=found["surface"],
-        places=tuple(sorted({one.location for one in audible_inputs(design.inputs)})),
-        windows=found["windows"],
-        sample_rate_hz=found["sample_rate_hz"],
-        rms=found["rms_of_windows"],
-        extents=found["extents_of_windows"],
-        noisy=found["noisy_outputs_of_windows"],
-        in_noise=found["windows_in_noise"],
+        limb=results["limb_data"],
+        surface=results["surface"],
+        places=tuple(sorted({track.location for track in audible_inputs(design.inputs)})),
+        windows=results["windows"],
+        sample_rate_hz=results["sample_rate_hz"],
+        rms=results["rms_of_windows"],
+        extents=results["extents_of_windows"],
+        noisy=results["noisy_outputs_of_windows"],
+        in_noise=results["windows_in_noise"],
     )
 
 
@@ -888,16 +896,16 @@ def strip(
     """
     if count is None and window_s is None:
         count = _USUAL_COUNT
-    found = windowed_levels(design, view, count=count, window_s=window_s)
-    n = min(found.windows.count, MOST_MAPS)
+    windowed = windowed_levels(design, view, count=count, window_s=window_s)
+    n = min(windowed.windows.count, MOST_MAPS)
     if n == 0:
         raise InvalidInputError(
             "no whole window fits into the response; choose a shorter one, or a longer stimulus"
         )
-    return _drawn(found, n, range_db, title)
+    return _drawn(windowed, n, range_db, title)
 
 
-def _drawn(found: WindowedLevels, n: int, range_db: Range | None, title: str) -> Any:
+def _drawn(windowed: WindowedLevels, n: int, range_db: Range | None, title: str) -> Any:
     """A figure of the first ``n`` windows."""
     width_mm = _MAP_MM * n + _STRIPS_AROUND_MM
     figure = new_figure(width_mm, _HEIGHT_MM)
@@ -914,31 +922,33 @@ def _drawn(found: WindowedLevels, n: int, range_db: Range | None, title: str) ->
             wspace=0.05,
         )
         maps = [figure.add_subplot(grid[0, k]) for k in range(n)]
-        draw_strip(figure, maps, found, range_db)
-        draw_extent(figure.add_subplot(grid[1, :]), found, n)
+        draw_strip(figure, maps, windowed, range_db)
+        draw_extent(figure.add_subplot(grid[1, :]), windowed, n)
         if title:
             figure.suptitle(title, fontsize=9)
-        words = SYNTHETIC if found.limb.synthetic else HATCHED if any(found.noisy[:n]) else ""
+        words = SYNTHETIC if windowed.limb.synthetic else HATCHED if any(windowed.noisy[:n]) else ""
         if words:
             figure.text(0.99, 0.01, words, ha="right", color=DIM, fontsize=6)
     return figure
 
 
-def draw_strip(figure: Any, maps: list[Any], found: WindowedLevels, range_db: Range | None) -> None:
+def draw_strip(
+    figure: Any, maps: list[Any], windowed: WindowedLevels, range_db: Range | None
+) -> None:
     """Draw the first windows into ``maps``, and a colour bar beside the last one."""
-    levels_db = decibels(found.rms)
+    levels_db = decibels(windowed.rms)
     colours = common_range(levels_db) if range_db is None else range_db
-    bounds = found.windows.bounds_s(found.sample_rate_hz)
+    bounds = windowed.windows.bounds_s(windowed.sample_rate_hz)
     image = None
     for k, ax in enumerate(maps):
         levels = Levels(
-            limb=found.limb,
-            surface=found.surface,
+            limb=windowed.limb,
+            surface=windowed.surface,
             values=levels_db[k],
-            places=found.places,
-            noisy=found.noisy[k],
+            places=windowed.places,
+            noisy=windowed.noisy[k],
         )
-        begin, end = (1e3 * one for one in bounds[k])
+        begin, end = (1e3 * bound for bound in bounds[k])
         title = f"{begin:.0f} to {end:.0f} ms"
         image = draw_map(
             ax, levels, colours, title=title, bar="room" if k < len(maps) - 1 else "drawn"
@@ -949,7 +959,7 @@ def draw_strip(figure: Any, maps: list[Any], found: WindowedLevels, range_db: Ra
     bar.set_frame_on(False)
 
 
-def draw_extent(ax: Any, found: WindowedLevels, n: int) -> None:
+def draw_extent(ax: Any, windowed: WindowedLevels, n: int) -> None:
     """Draw mean distance and the distance of 90 % of the energy over the first ``n`` windows."""
     nothing = Extent(
         mean_distance_mm=np.nan,
@@ -959,12 +969,12 @@ def draw_extent(ax: Any, found: WindowedLevels, n: int) -> None:
         participation=np.nan,
     )
     # How noise is spread says nothing of what is played.
-    pairs = zip(found.extents[:n], found.in_noise, strict=False)
-    extents = [nothing if one is None or in_noise else one for one, in_noise in pairs]
+    pairs = zip(windowed.extents[:n], windowed.in_noise, strict=False)
+    extents = [nothing if extent is None or in_noise else extent for extent, in_noise in pairs]
     middles = np.arange(n) + 0.5
     curves = (
-        ("mean distance", [one.mean_distance_mm for one in extents]),
-        ("90 % of the energy within", [one.d90_mm for one in extents]),
+        ("mean distance", [extent.mean_distance_mm for extent in extents]),
+        ("90 % of the energy within", [extent.d90_mm for extent in extents]),
     )
     for (label, values), colour in zip(curves, COLOURS, strict=False):
         ax.plot(middles, values, "o-", ms=3, color=colour, label=label)

@@ -257,8 +257,8 @@ def export_windows(
     header += [f"output_{number}_rms_m_per_s2" for number in exported.all_outputs]
     bounds = windows.bounds_s(exported.sample_rate_hz)
     rows = [
-        [*span, *_measures(one), *values]
-        for span, one, values in zip(bounds, extents, rms.tolist(), strict=True)
+        [*span, *_measures(extent), *values]
+        for span, extent, values in zip(bounds, extents, rms.tolist(), strict=True)
     ]
     with output_file(path, stop) as file:
         table = CsvTable(file, about, header, stop)
@@ -267,7 +267,7 @@ def export_windows(
 
 
 def _about_noise(in_noise: Sequence[bool]) -> list[str]:
-    noisy = [number for number, one in enumerate(in_noise, start=1) if one]
+    noisy = [number for number, is_noisy in enumerate(in_noise, start=1) if is_noisy]
     if not noisy:
         return []
     words = f"{'window' if len(noisy) == 1 else 'windows'} {judging_listed(noisy)}"

@@ -127,7 +127,7 @@ def _writer(
     encoder = package_of_extra("imageio_ffmpeg", "video")
     pixels = () if kind.format == "gif" else ("-pix_fmt", "yuv420p")
     words = printable(about)[:500]
-    found: Generator[None, Any, None] = encoder.write_frames(
+    writer: Generator[None, Any, None] = encoder.write_frames(
         str(path),
         size,
         fps=kind.frames_per_s,
@@ -138,7 +138,7 @@ def _writer(
         ffmpeg_log_level="error",
         output_params=[*kind.options, *pixels, "-metadata", f"comment={words}", "-f", kind.format],
     )
-    return found
+    return writer
 
 
 def _kind_of(path: Path) -> _Kind:

@@ -116,7 +116,7 @@ def html_of(conditions: Sequence[Condition], limbs: Iterable[str]) -> str:
     titles = ", ".join(limb_word(limb).title for limb in sorted(set(limbs)))
     written = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC"
     about = f"skinsource {__version__}; limb: {titles}; written on {written}"
-    measured = [one for one in conditions if one.agreement is not None]
+    measured = [condition for condition in conditions if condition.agreement is not None]
     parts = [
         "<!doctype html><html lang='en'><head><meta charset='utf-8'>",
         f"<title>SkinSource: check</title><style>{_STYLE}</style></head><body>",
@@ -146,15 +146,17 @@ def write_report(path: Path, conditions: Sequence[Condition], limbs: Iterable[st
 def summary_lines(conditions: Sequence[Condition]) -> list[str]:
     """Return a line for each condition, for a terminal."""
     lines = []
-    for one in conditions:
-        said = f"{one.name}: {_hertz(one.frequency_hz)}; linear: adjusted R² {_text(one.linear)}; "
-        said += f"superposition: r {_text(one.superposed)}"
-        if one.agreement is not None:
-            error, amplitude, correlation = one.agreement.medians
-            counted = f"{int(one.agreement.counted.sum())} of {one.agreement.counted.size}"
+    for condition in conditions:
+        said = f"{condition.name}: {_hertz(condition.frequency_hz)}; linear: adjusted R² {_text(condition.linear)}; "
+        said += f"superposition: r {_text(condition.superposed)}"
+        if condition.agreement is not None:
+            error, amplitude, correlation = condition.agreement.medians
+            counted = (
+                f"{int(condition.agreement.counted.sum())} of {condition.agreement.counted.size}"
+            )
             said += (
                 f"; measured: {counted} channels above twice the noise, error {_text(error)}, "
-                f"amplitude {_text(amplitude)} %, r {_text(correlation)} ({one.noise_words})"
+                f"amplitude {_text(amplitude)} %, r {_text(correlation)} ({condition.noise_words})"
             )
         lines.append(said)
     return lines
@@ -162,7 +164,7 @@ def summary_lines(conditions: Sequence[Condition]) -> list[str]:
 
 def quartiles(values: Floats) -> tuple[float, float, float, float, float]:
     """Return whisker, quartile, median, quartile, whisker; these end at data within 1.5 boxes."""
-    low, middle, high = (float(one) for one in np.percentile(values, (25, 50, 75)))
+    low, middle, high = (float(quartile) for quartile in np.percentile(values, (25, 50, 75)))
     reach = 1.5 * (high - low)
     inside = values[(values >= low - reach) & (values <= high + reach)]
     return float(inside.min()), low, middle, high, float(inside.max())
@@ -194,33 +196,37 @@ def _table(conditions: Sequence[Condition]) -> str:
     head = "<tr><th>Design</th><th>Hz</th><th>Linear, adj. R²</th><th>Superposition, r</th>"
     head += "<th>Channels</th><th>Error</th><th>Amplitude %</th><th>r</th><th>Shift</th></tr>"
     rows = []
-    for one in conditions:
-        cells = [_hertz(one.frequency_hz).removesuffix(" Hz"), _text(one.linear)]
-        cells.append(_text(one.superposed))
-        if one.agreement is None:
+    for condition in conditions:
+        cells = [_hertz(condition.frequency_hz).removesuffix(" Hz"), _text(condition.linear)]
+        cells.append(_text(condition.superposed))
+        if condition.agreement is None:
             cells += ["–"] * 5
         else:
-            cells.append(f"{int(one.agreement.counted.sum())} of {one.agreement.counted.size}")
-            cells += [_text(value) for value in one.agreement.medians]
-            cells.append(str(one.shift_samples))
+            cells.append(
+                f"{int(condition.agreement.counted.sum())} of {condition.agreement.counted.size}"
+            )
+            cells += [_text(value) for value in condition.agreement.medians]
+            cells.append(str(condition.shift_samples))
         inner = "".join(f"<td>{cell}</td>" for cell in cells)
-        rows.append(f"<tr><td>{escape(one.name)}</td>{inner}</tr>")
+        rows.append(f"<tr><td>{escape(condition.name)}</td>{inner}</tr>")
     notes = ["Medians over the channels above twice the noise; shift in samples."]
-    measured = [one for one in conditions if one.agreement is not None]
-    for words in dict.fromkeys(one.noise_words for one in measured):
-        names = ", ".join(one.name for one in measured if one.noise_words == words)
+    measured = [condition for condition in conditions if condition.agreement is not None]
+    for words in dict.fromkeys(condition.noise_words for condition in measured):
+        names = ", ".join(
+            condition.name for condition in measured if condition.noise_words == words
+        )
         notes.append(f"{names}: {words}.")
-    said = "".join(f"<p class='note'>{escape(one)}</p>" for one in notes)
+    said = "".join(f"<p class='note'>{escape(note)}</p>" for note in notes)
     return f"<table>{head}{''.join(rows)}</table>{said}"
 
 
 def _details(conditions: Sequence[Condition]) -> list[str]:
     """What was checked, so that a report can be told from one on something else."""
     parts = []
-    for one in conditions:
-        if one.details:
-            lines = "<br>".join(escape(line) for line in one.details)
-            parts.append(f"<h2>{escape(one.name)}</h2><p class='note'>{lines}</p>")
+    for condition in conditions:
+        if condition.details:
+            lines = "<br>".join(escape(line) for line in condition.details)
+            parts.append(f"<h2>{escape(condition.name)}</h2><p class='note'>{lines}</p>")
     return parts
 
 
@@ -238,13 +244,13 @@ def by_frequency(conditions: Sequence[Condition], figure: int) -> list[tuple[str
     -------
     Frequency in Hz as text, and the values, (n,), for each frequency, ascending.
     """
-    measured = [one for one in conditions if one.agreement is not None]
+    measured = [condition for condition in conditions if condition.agreement is not None]
     groups = []
-    for frequency in sorted({round(one.frequency_hz, 1) for one in measured}):
+    for frequency in sorted({round(condition.frequency_hz, 1) for condition in measured}):
         values = [
-            _figure(one.agreement, figure)
-            for one in measured
-            if round(one.frequency_hz, 1) == frequency
+            _figure(condition.agreement, figure)
+            for condition in measured
+            if round(condition.frequency_hz, 1) == frequency
         ]
         together = np.concatenate(values)
         groups.append((f"{frequency:g}", together[np.isfinite(together)]))
@@ -261,11 +267,11 @@ def _plots(measured: Sequence[Condition]) -> list[str]:
     return parts
 
 
-def _figure(found: Agreement | None, k: int) -> Floats:
-    if found is None:
+def _figure(agreement: Agreement | None, k: int) -> Floats:
+    if agreement is None:
         return np.zeros(0)
-    chosen = (found.error, found.amplitude_percent, found.correlation)[k]
-    return chosen[found.counted]
+    chosen = (agreement.error, agreement.amplitude_percent, agreement.correlation)[k]
+    return chosen[agreement.counted]
 
 
 def _boxes(groups: Sequence[tuple[str, Floats]]) -> str:
@@ -294,7 +300,7 @@ def _boxes(groups: Sequence[tuple[str, Floats]]) -> str:
         if not values.size:
             continue
         ends = quartiles(values)
-        first, bottom, middle, top, last = (y(one) for one in ends)
+        first, bottom, middle, top, last = (y(value) for value in ends)
         shapes.append(
             f"<line x1='{x:.1f}' x2='{x:.1f}' y1='{first:.1f}' y2='{last:.1f}' stroke='#57606a'/>"
             f"<rect x='{x - wide / 2:.1f}' y='{top:.1f}' width='{wide:.1f}' "
@@ -409,18 +415,18 @@ def condition_of(
     linear, superposed = _checks(design, every, field, limb.sample_rate_hz, stop)
     main_hz = _main_frequency(field, limb.sample_rate_hz)
     details = _condition_details(design, limb, chosen, recorded, predicted["validity"])
-    found = Condition(
+    condition = Condition(
         name=name, frequency_hz=main_hz, linear=linear, superposed=superposed, details=details
     )
     if recorded is None:
-        return found
+        return condition
     _refuse_silence(name, field)
     measured = _read(recorded, limb, len(chosen), process, progress, stop)
     shifted, shift = aligned(measured, field, round(_MOST_SHIFT_S * limb.sample_rate_hz))
     quiet = _quiet(measured, shift, basis["stimulus_start_s"], limb)
     noise, noise_of = _noise(quiet, design, limb, chosen)
     agrees = agreement(field, shifted, noise)
-    return replace(found, agreement=agrees, shift_samples=shift, noise_of=noise_of)
+    return replace(condition, agreement=agrees, shift_samples=shift, noise_of=noise_of)
 
 
 def _refuse_silence(name: str, field: Floats) -> None:
@@ -479,12 +485,14 @@ def _noise(quiet: Floats, design: Design, limb: Limb, axes: str) -> tuple[Floats
     rms = quiet_rms(quiet)
     if rms is not None:
         return rms, "recording"
-    places = sorted({one.location for one in audible_inputs(design.inputs)})
-    found = [one for one in (place_noise(limb, place) for place in places) if one is not None]
-    if not found:
+    places = sorted({track.location for track in audible_inputs(design.inputs)})
+    noises = [
+        noise for noise in (place_noise(limb, place) for place in places) if noise is not None
+    ]
+    if not noises:
         return 0.0, "nothing"
     numbers = [limb.axes.index(axis) for axis in axes]
-    noise: Floats = np.sqrt(np.mean(np.square(found), axis=0))[:, numbers]
+    noise: Floats = np.sqrt(np.mean(np.square(noises), axis=0))[:, numbers]
     return noise, "limb"
 
 
@@ -512,8 +520,10 @@ def _checks(
     if len(heard) < 2:
         return _least(fit), math.nan
     parts = []
-    for one in heard:
-        alone = tuple(replace(each, muted=each.id != one.id, solo=False) for each in design.inputs)
+    for track in heard:
+        alone = tuple(
+            replace(each, muted=each.id != track.id, solo=False) for each in design.inputs
+        )
         trace = _values(replace(design, inputs=alone), view, stop, "axis_traces")["axis_traces"]
         whole = np.zeros(field.shape)
         whole[..., : trace.shape[-1]] = trace[..., : field.shape[-1]]
@@ -618,34 +628,36 @@ def strengths_of(designs: Sequence[Design]) -> tuple[float, ...]:
 
     Three different ones or more; words about them, markers and loops do not matter.
     """
-    plain = [_plain(one) for one in designs]
-    if not plain or not all(one.inputs and one.inputs[0].amplitude > 0.0 for one in plain):
+    plain = [_plain(design) for design in designs]
+    if not plain or not all(design.inputs and design.inputs[0].amplitude > 0.0 for design in plain):
         return ()
-    found = tuple(one.inputs[0].amplitude for one in plain)
+    strengths = tuple(design.inputs[0].amplitude for design in plain)
     try:
-        scaled = [louder(plain[0], one / found[0]) for one in found]
+        scaled = [louder(plain[0], strength / strengths[0]) for strength in strengths]
     except InvalidInputError:
         return ()
-    if not all(same_but_rounding(one, other) for one, other in zip(scaled, plain, strict=True)):
+    if not all(
+        same_but_rounding(design, other) for design, other in zip(scaled, plain, strict=True)
+    ):
         return ()
-    ordered = sorted(found)
+    ordered = sorted(strengths)
     different = 1 + sum(
         not math.isclose(low, high, rel_tol=1e-9) for low, high in pairwise(ordered)
     )
-    return found if different >= LEAST_STRENGTHS else ()
+    return strengths if different >= LEAST_STRENGTHS else ()
 
 
 def joint_of(designs: Sequence[Design]) -> int | None:
     """Which of the designs plays what all the others play, each once; None: none does."""
     if len(designs) < 3:
         return None
-    plain = [_plain(one) for one in designs]
+    plain = [_plain(design) for design in designs]
     # Ids that a design gave tell the same inputs apart.
-    played = [[_bare(one) for one in each.inputs] for each in plain]
-    if not all(played) or len({replace(one, inputs=()) for one in plain}) > 1:
+    played = [[_bare(track) for track in each.inputs] for each in plain]
+    if not all(played) or len({replace(design, inputs=()) for design in plain}) > 1:
         return None
     for k, whole in enumerate(played):
-        others = [one for n, each in enumerate(played) if n != k for one in each]
+        others = [track for n, each in enumerate(played) if n != k for track in each]
         if _are_the_same(others, whole):
             return k
     return None
@@ -692,22 +704,22 @@ def superposition(parts: Sequence[Floats], joint: Floats) -> Superposition:
 
     None is longer than that one.
     """
-    found = np.zeros((len(parts), *joint.shape))
-    for whole, part in zip(found, parts, strict=True):
+    responses = np.zeros((len(parts), *joint.shape))
+    for whole, part in zip(responses, parts, strict=True):
         # A part may end sooner: it is silent after that.
         whole[:, : part.shape[-1]] = part
-    separate = found.sum(axis=0)
+    separate = responses.sum(axis=0)
     return Superposition(
         separate=separate,
         joint=joint,
         apart=_apart(np.stack((separate, joint))),
-        correlation=superposition_correlation(found, joint),
+        correlation=superposition_correlation(responses, joint),
     )
 
 
 def _plain(design: Design) -> Design:
     """What is played and where, whatever it is called and however it looks."""
-    inputs = tuple(_bare(one) for one in audible_inputs(design.inputs))
+    inputs = tuple(_bare(track) for track in audible_inputs(design.inputs))
     return replace(
         design,
         title="",
@@ -720,18 +732,18 @@ def _plain(design: Design) -> Design:
     )
 
 
-def _bare(one: Input) -> Input:
-    clips = tuple(replace(each, id=0) for each in one.clips)
-    return replace(one, id=0, colour=0, solo=False, clips=clips)
+def _bare(track: Input) -> Input:
+    clips = tuple(replace(each, id=0) for each in track.clips)
+    return replace(track, id=0, colour=0, solo=False, clips=clips)
 
 
 def _are_the_same(some: Sequence[Input], others: Sequence[Input]) -> bool:
     """Whether both are the same inputs, in any order, each as often."""
     left = list(others)
-    for one in some:
-        if one not in left:
+    for track in some:
+        if track not in left:
             return False
-        left.remove(one)
+        left.remove(track)
     return not left
 
 

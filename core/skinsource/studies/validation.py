@@ -59,7 +59,7 @@ class Agreement:
         A channel of which silence is predicted counts, but has no correlation.
         """
         parts = (self.error, self.amplitude_percent, self.correlation)
-        error, amplitude, correlation = (_median(one[self.counted]) for one in parts)
+        error, amplitude, correlation = (_median(figure[self.counted]) for figure in parts)
         return error, amplitude, correlation
 
 
@@ -92,7 +92,7 @@ def agreement(predicted: ArrayLike, measured: ArrayLike, noise_rms: ArrayLike) -
     measured_rms = _rms(theirs)
     counted = (measured_rms >= LEAST_OVER_NOISE * noise) & (measured_rms > 0.0)
     ours, theirs = (
-        _divided(name, one) for name, one in (("predicted", ours), ("measured", theirs))
+        _divided(name, field) for name, field in (("predicted", ours), ("measured", theirs))
     )
     ours_rms, theirs_rms = _rms(ours), _rms(theirs)
     amplitude = np.full(counted.shape, np.nan)
@@ -111,13 +111,13 @@ def _median(values: Floats) -> float:
     return float(np.median(known)) if known.size else np.nan
 
 
-def pearson(one: Floats, other: Floats) -> Floats:
+def pearson(left: Floats, other: Floats) -> Floats:
     """Pearson's r over the last axis; NaN where a signal does not change."""
-    a, b = (x - x.mean(axis=-1, keepdims=True) for x in (one, other))
+    a, b = (x - x.mean(axis=-1, keepdims=True) for x in (left, other))
     size = np.sqrt(np.sum(a * a, axis=-1) * np.sum(b * b, axis=-1))
     whole = np.full(size.shape, np.nan)
-    found: Floats = np.divide(np.sum(a * b, axis=-1), size, out=whole, where=size > 0.0)
-    return found
+    r: Floats = np.divide(np.sum(a * b, axis=-1), size, out=whole, where=size > 0.0)
+    return r
 
 
 def aligned(measured: ArrayLike, predicted: ArrayLike, most: int) -> tuple[Floats, int]:
@@ -151,11 +151,11 @@ def aligned(measured: ArrayLike, predicted: ArrayLike, most: int) -> tuple[Float
     # At others the two do not meet: a short response, a long search.
     lags = np.arange(-min(most, theirs.shape[-1] - 1), min(most, n_times - 1) + 1)
     shift = int(lags[np.argmax(sums[lags])])
-    found = np.zeros(ours.shape)
+    shifted = np.zeros(ours.shape)
     first = max(-shift, 0)
     piece = theirs[..., first : first + n_times - max(shift, 0)]
-    found[..., max(shift, 0) : max(shift, 0) + piece.shape[-1]] = piece
-    return found, shift
+    shifted[..., max(shift, 0) : max(shift, 0) + piece.shape[-1]] = piece
+    return shifted, shift
 
 
 def _rms(field: Floats) -> Floats:
@@ -333,9 +333,9 @@ def _read(
             rate_hz = array["rate_hz"] or offered["rate_hz"]
             field = _from_array(reader, file, array, order, stop)
             return field, None if rate_hz is None else float(rate_hz)
-    shapes = ", ".join(" × ".join(map(str, one["shape"])) for one in offered["arrays"][:5])
+    shapes = ", ".join(" × ".join(map(str, array["shape"])) for array in offered["arrays"][:5])
     try:
-        found = reader.look(file, stop=stop)
+        contents = reader.look(file, stop=stop)
     except RecordingError:
         if not shapes:
             raise
@@ -344,7 +344,7 @@ def _read(
             f"its arrays are {shapes}, expected times × {counted(n_outputs, 'output')} × "
             f"{counted(n_axes, 'axis', 'axes')}",
         ) from None
-    return _from_columns(reader, file, found, (n_outputs, n_axes), stop)
+    return _from_columns(reader, file, contents, (n_outputs, n_axes), stop)
 
 
 def _order_of(shape: Sequence[int], n_outputs: int, n_axes: int) -> str:
@@ -372,14 +372,14 @@ def _from_array(
 
 
 def _from_columns(
-    reader: ReadingProcess, file: Path, found: Found, size: tuple[int, int], stop: Stop
+    reader: ReadingProcess, file: Path, contents: Found, size: tuple[int, int], stop: Stop
 ) -> tuple[Floats, float | None]:
     n_outputs, n_axes = size
-    signals = [one for one in found.series if not one.is_time]
+    signals = [series for series in contents.series if not series.is_time]
     expected = n_outputs * n_axes
     if _are_instants(signals, expected):
-        return _from_instants(reader, file, found, (signals, size), stop)
-    if len(signals) != expected or len({one.n_samples for one in signals}) != 1:
+        return _from_instants(reader, file, contents, (signals, size), stop)
+    if len(signals) != expected or len({signal.n_samples for signal in signals}) != 1:
         one_axis = f", or choose one axis (x, y or z), which takes {counted(n_outputs, 'signal')}"
         advice = one_axis if n_axes > 1 else ""
         raise _refusal(
@@ -388,10 +388,10 @@ def _from_columns(
             f"{counted(n_outputs, 'output')} along {counted(n_axes, 'axis', 'axes')}, output "
             f"by output. Save the responses as an array of times by outputs by axes{advice}",
         )
-    keys, n_times = [one.key for one in signals], signals[0].n_samples
+    keys, n_times = [signal.key for signal in signals], signals[0].n_samples
     values = reader.read(file, keys, 0, n_times, stop=stop).astype(np.float64)
-    rate_hz = found.rate_of(signals[0])
-    times = found.time_of(signals[0])
+    rate_hz = contents.rate_of(signals[0])
+    times = contents.time_of(signals[0])
     if rate_hz is None and times is not None:
         rate_hz = _rate_of_times(reader, file, times, stop)
     return values.reshape(n_outputs, n_axes, -1), rate_hz
@@ -399,7 +399,7 @@ def _from_columns(
 
 def _are_instants(signals: Sequence[Series], expected: int) -> bool:
     """Whether what was taken for signals are instants: there are fewer of them than channels."""
-    shapes = {one.shape for one in signals}
+    shapes = {signal.shape for signal in signals}
     return len(signals) != expected and shapes in (
         {(len(signals), expected)},
         {(expected, len(signals))},
@@ -409,15 +409,17 @@ def _are_instants(signals: Sequence[Series], expected: int) -> bool:
 def _from_instants(
     reader: ReadingProcess,
     file: Path,
-    found: Found,
+    contents: Found,
     what: tuple[Sequence[Series], tuple[int, int]],
     stop: Stop,
 ) -> tuple[Floats, float | None]:
     instants, (n_outputs, n_axes) = what
-    keys = [one.key for one in instants]
+    keys = [instant.key for instant in instants]
     rows = reader.read(file, keys, 0, n_outputs * n_axes, stop=stop).astype(np.float64)
-    rate_hz = found.rate_of(instants[0])
-    stamps = (one for one in found.series if one.is_time and one.n_samples == len(instants))
+    rate_hz = contents.rate_of(instants[0])
+    stamps = (
+        series for series in contents.series if series.is_time and series.n_samples == len(instants)
+    )
     times = next(stamps, None)
     if rate_hz is None and times is not None:
         rate_hz = _rate_of_times(reader, file, times, stop)

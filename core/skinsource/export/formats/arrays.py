@@ -36,7 +36,7 @@ def write_hdf5(outgoing: Outgoing, path: Path) -> Facts:
         drive.attrs["sample_rate_hz"] = stimulus.sample_rate_hz
         drive.attrs["unit"] = stimulus.unit
         drive.attrs["full_scale"] = outgoing.full_scale
-        drive.attrs["places"] = [one.place or 0 for one in stimulus.channels]
+        drive.attrs["places"] = [channel.place or 0 for channel in stimulus.channels]
         drive.attrs["channels"] = channel_names(stimulus)
         for name, value in about(outgoing).items():
             if isinstance(value, str | float | int):
@@ -53,19 +53,19 @@ def _add_response(outgoing: Outgoing, file: Any) -> str:
     n_bytes = math.prod(shape) * 8
     if n_bytes > _MOST_RESPONSE_BYTES:
         return f"left out: it would take {n_bytes / 1e9:.1f} GB"
-    found = file.create_dataset("response", shape, "f8", track_times=False)
+    response = file.create_dataset("response", shape, "f8", track_times=False)
     done = 0
     for block in exported.field_blocks():
         stop_if(outgoing.stop)
-        found[..., done : done + block.shape[-1]] = block
+        response[..., done : done + block.shape[-1]] = block
         done += block.shape[-1]
         outgoing.progress(done, shape[-1], "Writing")
-    found.attrs["sample_rate_hz"] = exported.sample_rate_hz
-    found.attrs["unit"] = "m/s²"
-    found.attrs["axes"] = exported.limb.axes
-    found.attrs["pre_trigger_delay_s"] = exported.limb.pre_trigger_delay_s
-    found.attrs["first_sample_s"] = float(exported.value("response_time_s")[0])
-    found.attrs["synthetic"] = exported.limb.synthetic
+    response.attrs["sample_rate_hz"] = exported.sample_rate_hz
+    response.attrs["unit"] = "m/s²"
+    response.attrs["axes"] = exported.limb.axes
+    response.attrs["pre_trigger_delay_s"] = exported.limb.pre_trigger_delay_s
+    response.attrs["first_sample_s"] = float(exported.value("response_time_s")[0])
+    response.attrs["synthetic"] = exported.limb.synthetic
     return "whole design from time 0 on, before fades and cuts"
 
 
@@ -112,7 +112,7 @@ def write_mat(outgoing: Outgoing, path: Path) -> Facts:
     # MATLAB has no null.
     words = {name: value for name, value in about(outgoing).items() if value is not None}
     words["channels"] = np.array(words["channels"], object)
-    places = np.array([[float(one.place or 0) for one in stimulus.channels]])
+    places = np.array([[float(channel.place or 0) for channel in stimulus.channels]])
     words["places"] = places
     scipy.io.savemat(
         cast(str, held),  # it takes open files too
@@ -160,7 +160,7 @@ def write_npz(outgoing: Outgoing, path: Path) -> Facts:
         archive.put("drive", np.ascontiguousarray(stimulus.samples.T))
         archive.put("sample_rate_hz", np.array(stimulus.sample_rate_hz))
         archive.put("full_scale", np.array(outgoing.full_scale))
-        archive.put("places", np.array([one.place or 0 for one in stimulus.channels]))
+        archive.put("places", np.array([channel.place or 0 for channel in stimulus.channels]))
         archive.put("about", np.array(json.dumps(about(outgoing), ensure_ascii=False)))
     return {"samples": "float64"}
 

@@ -42,8 +42,8 @@ def write_wav(outgoing: Outgoing, path: Path) -> Facts:
     facts: Facts = {"samples": "float32"}
     values: NDArray[np.generic] = stimulus.samples
     if whole:
-        found, facts = outgoing.whole_numbers(whole)
-        values = found.values
+        quantised, facts = outgoing.whole_numbers(whole)
+        values = quantised.values
     with steadily_written(path) as file:
         _write_head(file, outgoing, sample_bytes, n_times)
         for start in range(0, n_times, _BLOCK):
@@ -166,14 +166,14 @@ def write_flac(outgoing: Outgoing, path: Path) -> Facts:
             f"FLAC knows no rate of {rate_hz} Hz, expected at most {_MOST_RATE_HZ} Hz. Choose a "
             "lower one, or WAV."
         )
-    found, facts = outgoing.whole_numbers("int24")
-    n_channels, n_times = found.values.shape
+    quantised, facts = outgoing.whole_numbers("int24")
+    n_channels, n_times = quantised.values.shape
     # In memory: what a full disk says reaches nobody through the library's own files.
     held = io.BytesIO()
     with soundfile.SoundFile(held, "w", rate_hz, n_channels, "PCM_24", format="FLAC") as file:
         for start in range(0, n_times, _BLOCK):
             stop_if(outgoing.stop)
-            part = found.values[:, start : start + _BLOCK].T
+            part = quantised.values[:, start : start + _BLOCK].T
             file.write(np.ascontiguousarray(part.astype(np.int32) << 8))
             outgoing.progress(min(start + _BLOCK, n_times), n_times, "Writing")
     path.write_bytes(held.getbuffer())

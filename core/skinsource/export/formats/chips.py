@@ -95,11 +95,11 @@ def write_drv2605l(outgoing: Outgoing, path: Path) -> Facts:
     )
     # The last value holds until another comes.
     amplitudes[:, -1] = 0.0
-    found = quantised(np.clip(amplitudes, 0.0, 1.0), "int8")
+    amplitude_steps = quantised(np.clip(amplitudes, 0.0, 1.0), "int8")
     return _written(
         outgoing,
         path,
-        found.values,
+        amplitude_steps.values,
         kind="int8_t",
         words=(
             "DRV2605L, real-time playback: write 0x05 to register 0x01, clear bit 3 of 0x1D (data",
@@ -119,8 +119,8 @@ def write_drv2605l(outgoing: Outgoing, path: Path) -> Facts:
 
 def write_bos1901(outgoing: Outgoing, path: Path) -> Facts:
     """Write words for the FIFO: 12 bits, two's complement, in register 0."""
-    found, facts = outgoing.whole_numbers("int12")
-    words = _silent_ends(found.values.astype(np.int32)) & 0x0FFF
+    quantised_drives, facts = outgoing.whole_numbers("int12")
+    words = _silent_ends(quantised_drives.values.astype(np.int32)) & 0x0FFF
     return {
         **facts,
         **_written(
@@ -135,7 +135,7 @@ def write_bos1901(outgoing: Outgoing, path: Path) -> Facts:
             ),
             defines={
                 "STIM_FS_HZ": f"{_FIFO_HZ}UL",
-                "STIM_FULL_SCALE": f"{found.full_scale}",
+                "STIM_FULL_SCALE": f"{quantised_drives.full_scale}",
                 "STIM_ZERO": "0",
             },
         ),
@@ -144,13 +144,13 @@ def write_bos1901(outgoing: Outgoing, path: Path) -> Facts:
 
 def write_drv2665(outgoing: Outgoing, path: Path) -> Facts:
     """Write bytes for the FIFO: 8 bits, two's complement."""
-    found, facts = outgoing.whole_numbers("int8")
+    quantised_drives, facts = outgoing.whole_numbers("int8")
     return {
         **facts,
         **_written(
             outgoing,
             path,
-            _silent_ends(found.values),
+            _silent_ends(quantised_drives.values),
             kind="int8_t",
             words=(
                 "DRV2665: bytes for the FIFO of 100, which plays 8000 of them a second. First and",
@@ -158,7 +158,7 @@ def write_drv2665(outgoing: Outgoing, path: Path) -> Facts:
             ),
             defines={
                 "STIM_FS_HZ": f"{_FIFO_HZ}UL",
-                "STIM_FULL_SCALE": f"{found.full_scale}",
+                "STIM_FULL_SCALE": f"{quantised_drives.full_scale}",
                 "STIM_ZERO": "0",
             },
         ),

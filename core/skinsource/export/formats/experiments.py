@@ -36,10 +36,10 @@ def write_bids(outgoing: Outgoing, path: Path) -> Facts:
         "Columns": names,
         **{
             name: {
-                "Description": f"Drive at {one.title}" if one.place else one.title,
+                "Description": f"Drive at {channel.title}" if channel.place else channel.title,
                 "Units": "parts of full scale",
             }
-            for name, one in zip(names, stimulus.channels, strict=True)
+            for name, channel in zip(names, stimulus.channels, strict=True)
         },
     }
 

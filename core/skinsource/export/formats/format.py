@@ -90,13 +90,13 @@ class Outgoing:
 
     def whole_numbers(self, kind: str) -> tuple[Quantised, Facts]:
         """Samples as whole numbers, and what the sidecar says of them."""
-        found = quantised(self.stimulus.samples, kind, dither_seed=self.dither_seed)
-        return found, {
+        result = quantised(self.stimulus.samples, kind, dither_seed=self.dither_seed)
+        return result, {
             "samples": kind,
-            "integer_zero": found.kind.zero,
-            "integer_full_scale": found.full_scale,
-            "clipped_samples": [int(count) for count in found.clipped],
-            "largest_rounding_error": found.largest_error,
+            "integer_zero": result.kind.zero,
+            "integer_full_scale": result.full_scale,
+            "clipped_samples": [int(count) for count in result.clipped],
+            "largest_rounding_error": result.largest_error,
             "dither_seed": self.dither_seed,
         }
 
@@ -192,8 +192,8 @@ def about(outgoing: Outgoing) -> dict[str, Any]:
     stimulus = outgoing.stimulus
     return {
         "title": outgoing.design.title,
-        "channels": [one.title for one in stimulus.channels],
-        "places": [one.place for one in stimulus.channels],
+        "channels": [channel.title for channel in stimulus.channels],
+        "places": [channel.place for channel in stimulus.channels],
         "unit": stimulus.unit,
         "full_scale": outgoing.full_scale,
         "rate_hz": outgoing.rate_hz,
@@ -215,8 +215,8 @@ def channel_names(stimulus: Stimulus) -> list[str]:
     Where several channels have one place, the input is named too; what drives no actuator has
     the number of its channel.
     """
-    places = Counter(one.place for one in stimulus.channels)
-    return [_name(one, alone=places[one.place] == 1) for one in stimulus.channels]
+    places = Counter(channel.place for channel in stimulus.channels)
+    return [_name(channel, alone=places[channel.place] == 1) for channel in stimulus.channels]
 
 
 def _name(channel: Channel, *, alone: bool) -> str:

@@ -33,11 +33,11 @@ _ANDROID_STEP_S = 0.02
 
 def write_haptic(outgoing: Outgoing, path: Path) -> Facts:
     """Write the file of Meta."""
-    found = _envelope(outgoing, _STEP_S)
-    time_s = found.time_s.tolist()
-    amplitude = np.clip(found.amplitude, 0.0, 1.0).tolist()
-    frequency = _part_of(found.frequency_hz, _HAPTIC_HZ).tolist()
-    one = outgoing.stimulus.channels[0]
+    envelope = _envelope(outgoing, _STEP_S)
+    time_s = envelope.time_s.tolist()
+    amplitude = np.clip(envelope.amplitude, 0.0, 1.0).tolist()
+    frequency = _part_of(envelope.frequency_hz, _HAPTIC_HZ).tolist()
+    channel = outgoing.stimulus.channels[0]
     content = {
         "version": {"major": 1, "minor": 0, "patch": 0},
         "metadata": {
@@ -46,7 +46,7 @@ def write_haptic(outgoing: Outgoing, path: Path) -> Facts:
             "source": outgoing.name,
             "project": outgoing.design.title,
             "tags": [],
-            "description": f"{one.title}; frequency 0 is {_HAPTIC_HZ[0]:g} Hz, 1 is "
+            "description": f"{channel.title}; frequency 0 is {_HAPTIC_HZ[0]:g} Hz, 1 is "
             f"{_HAPTIC_HZ[1]:g} Hz; design SHA-256 {outgoing.digest}",
         },
         "signals": {
@@ -69,18 +69,18 @@ def write_haptic(outgoing: Outgoing, path: Path) -> Facts:
 
 def write_ahap(outgoing: Outgoing, path: Path) -> Facts:
     """Write the file of Apple: continuous events of at most 30 s, each with two curves."""
-    found = _envelope(outgoing, _STEP_S)
+    envelope = _envelope(outgoing, _STEP_S)
     # Felt intensity is quadratic there.
-    intensity = np.sqrt(np.clip(found.amplitude, 0.0, 1.0))
-    sharpness = _part_of(found.frequency_hz, _AHAP_HZ)
-    end_s = float(found.time_s[-1])
+    intensity = np.sqrt(np.clip(envelope.amplitude, 0.0, 1.0))
+    sharpness = _part_of(envelope.frequency_hz, _AHAP_HZ)
+    end_s = float(envelope.time_s[-1])
     pattern: list[dict[str, Any]] = []
     for number in range(max(int(np.ceil(end_s / _LONGEST_EVENT_S - 1e-9)), 1)):
         begin_s = number * _LONGEST_EVENT_S
         last_s = min(begin_s + _LONGEST_EVENT_S, end_s)
-        inside = (found.time_s >= begin_s - 1e-9) & (found.time_s <= last_s + 1e-9)
+        inside = (envelope.time_s >= begin_s - 1e-9) & (envelope.time_s <= last_s + 1e-9)
         # Times of control points count from that of their curve.
-        time_s = (found.time_s[inside] - begin_s).tolist()
+        time_s = (envelope.time_s[inside] - begin_s).tolist()
         pattern.append(_ahap_event(begin_s, last_s - begin_s))
         for name, values in (
             ("HapticIntensityControl", intensity),
@@ -130,16 +130,16 @@ def _ahap_curve(
 
 def write_pwle(outgoing: Outgoing, path: Path) -> Facts:
     """Write control points for Android, as its builder takes them one after the other."""
-    found = _envelope(outgoing, _ANDROID_STEP_S)
-    steps_ms = np.diff(np.round(found.time_s * 1000.0)).astype(int)
+    envelope = _envelope(outgoing, _ANDROID_STEP_S)
+    steps_ms = np.diff(np.round(envelope.time_s * 1000.0)).astype(int)
     content = {
         "format": "Android WaveformEnvelopeBuilder",
-        "initialFrequencyHz": float(found.frequency_hz[0]),
+        "initialFrequencyHz": float(envelope.frequency_hz[0]),
         "controlPoints": [
             {"amplitude": amplitude, "frequencyHz": frequency_hz, "durationMillis": duration_ms}
             for amplitude, frequency_hz, duration_ms in zip(
-                np.clip(found.amplitude, 0.0, 1.0)[1:].tolist(),
-                found.frequency_hz[1:].tolist(),
+                np.clip(envelope.amplitude, 0.0, 1.0)[1:].tolist(),
+                envelope.frequency_hz[1:].tolist(),
                 steps_ms.tolist(),
                 strict=True,
             )

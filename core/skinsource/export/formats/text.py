@@ -165,8 +165,8 @@ def write_header(
         f"#define STIM_N {n_times}UL",
         f"#define STIM_CH {len(arrays)}",
         *(
-            f"/* channel {one.number}: {ascii_of(one.title)} */"
-            for one in outgoing.stimulus.channels
+            f"/* channel {channel.number}: {ascii_of(channel.title)} */"
+            for channel in outgoing.stimulus.channels
         ),
     ]
     with steadily_written(path) as file:
@@ -199,7 +199,7 @@ def ascii_of(text: str) -> str:
 def write_c_header(outgoing: Outgoing, path: Path) -> Facts:
     """Write the file."""
     kind = outgoing.choices[SAMPLES]
-    found, facts = outgoing.whole_numbers(kind)
+    quantised, facts = outgoing.whole_numbers(kind)
     stimulus, rate_hz = outgoing.stimulus, outgoing.rate_hz
     names = [f"stim_{name}" for name in channel_names(stimulus)]
     n_bytes = write_header(
@@ -207,17 +207,17 @@ def write_c_header(outgoing: Outgoing, path: Path) -> Facts:
         outgoing,
         words=[
             sentence(
-                f"1.0 of full scale is {found.full_scale} above {found.kind.zero}; it stands for "
+                f"1.0 of full scale is {quantised.full_scale} above {quantised.kind.zero}; it stands for "
                 f"{outgoing.full_scale!r} {stimulus.unit}"
             )
         ],
         defines={
             "STIM_FS_HZ": f"{rate_hz}UL" if isinstance(rate_hz, int) else f"{rate_hz}",
-            "STIM_FULL_SCALE": f"{found.full_scale}",
-            "STIM_ZERO": f"{found.kind.zero}",
+            "STIM_FULL_SCALE": f"{quantised.full_scale}",
+            "STIM_ZERO": f"{quantised.kind.zero}",
         },
         kind=f"{kind}_t",
-        arrays=dict(zip(names, found.values, strict=True)),
+        arrays=dict(zip(names, quantised.values, strict=True)),
         stop=outgoing.stop,
     )
     return {**facts, "array_bytes": n_bytes, "arrays": names}

@@ -133,7 +133,7 @@ def export_stimulus(
         stop=stop,
     )
     if not options.accept_loss and (refused := refused_loss_of(ready)):
-        lost = lost_at_rate([one for _, one in ready.files])
+        lost = lost_at_rate([outgoing for _, outgoing in ready.files])
         raise NotConfirmedError(f"{lost} {refused[:-1]}, or accept the loss (--accept-loss).")
     return write_prepared(ready, confirmed=confirmed, limits=limits, progress=progress, stop=stop)
 
@@ -147,23 +147,25 @@ def write_prepared(
     stop: Stop = never,
 ) -> Exported:
     """Write what is ready; parameters and errors are those of `export_stimulus`."""
-    found = objections(ready, limits)
-    if found and not confirmed:
+    objected = objections(ready, limits)
+    if objected and not confirmed:
         raise NotConfirmedError(
-            f"{' '.join(found)} Nothing was written. Lower the amplitudes, choose a larger full "
+            f"{' '.join(objected)} Nothing was written. Lower the amplitudes, choose a larger full "
             "scale, or confirm that it shall be written all the same (--confirm)."
         )
     with ExitStack() as stack:
         # All are written before the first takes its place.
         for path, outgoing in ready.files:
-            one = replace(outgoing, progress=progress, stop=stop)
-            (_write_folder if ready.format.folder else _write_file)(ready, path, one, found, stack)
+            reporting = replace(outgoing, progress=progress, stop=stop)
+            (_write_folder if ready.format.folder else _write_file)(
+                ready, path, reporting, objected, stack
+            )
         stop_if(stop)
     return Exported(
         files=tuple(path for path, _ in ready.files),
         gain=ready.gain,
         clip_count=ready.clipped,
-        objections=found,
+        objections=objected,
         edges=edges_of(ready),
         loses=loses_of(ready),
         calibration=calibration_of(ready),
@@ -212,7 +214,7 @@ def _write_folder(
     temporary = stack.enter_context(replacing_folder(path, MARK, kept=LOGS))
     facts = ready.format.write(outgoing, temporary)
     stop_if(outgoing.stop)
-    n_bytes = sum(one.stat().st_size for one in temporary.rglob("*") if one.is_file())
+    n_bytes = sum(file.stat().st_size for file in temporary.rglob("*") if file.is_file())
     content = sidecar_of(ready, outgoing, facts, sha256=None, n_bytes=n_bytes, confirmed=confirmed)
     (temporary / MARK).write_bytes(content)
     stack.enter_context(replacing(sidecar_path(path))).write_bytes(content)

@@ -45,7 +45,7 @@ def written_files(
     ``marks`` are those of `skinsource.export.stimulus_export.preparing.Overview`.
     """
     files = (marked(path, format, mark) for mark in marks)
-    return tuple((one, sidecar_path(one), *_beside(one, format)) for one in files)
+    return tuple((file, sidecar_path(file), *_beside(file, format)) for file in files)
 
 
 def _beside(path: Path, format: StimulusFormat) -> tuple[Path, ...]:
@@ -138,8 +138,8 @@ def parts(
         apart = {"": drives}
     return {
         f"{mark}{own_mark}": own
-        for mark, one in apart.items()
-        for own_mark, own in _own_files(_finished(scaled(one, gain), options), format)
+        for mark, stimulus in apart.items()
+        for own_mark, own in _own_files(_finished(scaled(stimulus, gain), options), format)
     }
 
 
@@ -176,25 +176,25 @@ def passed_limits(stimulus: Stimulus, rig: Rig) -> tuple[str, ...]:
     places = [place for row in rows if (place := stimulus.channels[row].place) is not None]
     rate_hz = round(stimulus.sample_rate_hz)
     breaches = rig_breaches(rig, places, stimulus.samples[rows], rate_hz)
-    return tuple(f"{str(one)[:1].upper()}{str(one)[1:]}." for one in breaches)
+    return tuple(f"{str(breach)[:1].upper()}{str(breach)[1:]}." for breach in breaches)
 
 
 def about_rig(stimulus: Stimulus, rig: Rig | None) -> str:
     """Whether it is calibrated, in words."""
-    places = [one.place for one in stimulus.channels if one.place is not None]
+    places = [channel.place for channel in stimulus.channels if channel.place is not None]
     return calibration_words(rig, places)
 
 
 def about_channels(stimulus: Stimulus, rig: Rig) -> list[dict[str, Any]]:
     """What the rig says of each channel; nothing of those that drive no actuator."""
-    found: list[dict[str, Any]] = []
+    described: list[dict[str, Any]] = []
     added_s = added_delays_s(stimulus, rig)
     for row, one in enumerate(stimulus.channels):
         if one.place is None:
-            found.append({})
+            described.append({})
             continue
         channel = channel_of(stimulus, row, rig)
-        found.append(
+        described.append(
             {
                 "actuator": channel.actuator,
                 "device": channel.device,
@@ -207,7 +207,7 @@ def about_channels(stimulus: Stimulus, rig: Rig) -> list[dict[str, Any]]:
                 "measured_on": channel.measured_on,
             }
         )
-    return found
+    return described
 
 
 def about_equaliser(equaliser: Equaliser | None) -> dict[str, Any] | None:
@@ -247,8 +247,8 @@ def edges_text(stimuli: Sequence[Stimulus], cut: Sequence[Ends] = ()) -> str:
     """
     if not stimuli:
         return ""
-    found = []
-    resampled = any(one.sample_rate_hz != one.own_rate_hz for one in stimuli)
+    sentences = []
+    resampled = any(stimulus.sample_rate_hz != stimulus.own_rate_hz for stimulus in stimuli)
     if said := _said(stimuli, 0, "begin"):
         if "begin" in cut:
             said += ": what lies before that part is cut off. A fade-in softens it."
@@ -258,19 +258,19 @@ def edges_text(stimuli: Sequence[Stimulus], cut: Sequence[Ends] = ()) -> str:
             said += ": what rings before is cut off. A longer lead-in keeps it."
         else:
             said += ". A lead-in puts silence before it."
-        found.append(said)
+        sentences.append(said)
     if said := _said(stimuli, -1, "end"):
         what = "what follows is cut off. " if resampled or "end" in cut else ""
-        found.append(f"{said}{': ' if what else '. '}{what}A fade-out softens it.")
-    return " ".join(found)
+        sentences.append(f"{said}{': ' if what else '. '}{what}A fade-out softens it.")
+    return " ".join(sentences)
 
 
 def _said(stimuli: Sequence[Stimulus], sample: int, verb: Ends) -> str:
     """Which channels begin or end hard, and how much so, without a full stop; "": none."""
     hard = [
         (channel.number, part)
-        for one in stimuli
-        for channel, part in zip(one.channels, _parts(one, sample), strict=True)
+        for stimulus in stimuli
+        for channel, part in zip(stimulus.channels, _parts(stimulus, sample), strict=True)
         if channel.place is not None and part > LARGEST_EDGE
     ]
     if not hard:

@@ -59,20 +59,22 @@ def with_losses(drives: Stimulus, own: Stimulus, options: StimulusOptions, stop:
     drives, own
         As written; all of it at the rate of the design, from time 0 on.
     """
-    found: dict[tuple[int, ...], float] = {}
-    for row, one in enumerate(own.channels):
+    loss_db: dict[tuple[int, ...], float] = {}
+    for row, channel in enumerate(own.channels):
         stop_if(stop)
         samples = own.samples[row]
         left = passed(samples, own.sample_rate_hz, drives.sample_rate_hz)
         ring = (left.size - samples.size) // 2
         alone = own.with_samples(
             np.stack((np.pad(samples, ring), left)),
-            channels=(one, one),
+            channels=(channel, channel),
             start_s=-ring / own.sample_rate_hz,
         )
-        found[one.inputs] = _loss_db(_exported(alone, own.duration_s, options).samples)
+        loss_db[channel.inputs] = _loss_db(_exported(alone, own.duration_s, options).samples)
     # A stage may have added channels, or left some out.
-    channels = tuple(replace(one, loss_db=found.get(one.inputs, 0.0)) for one in drives.channels)
+    channels = tuple(
+        replace(channel, loss_db=loss_db.get(channel.inputs, 0.0)) for channel in drives.channels
+    )
     return replace(drives, channels=channels)
 
 
@@ -135,9 +137,11 @@ class PreparedStimulus:
     def n_bytes(self) -> int:
         """About how many bytes all files take together."""
         return sum(
-            self.format.bytes_of(len(one.stimulus.channels), one.stimulus.n_times, one.choices)
-            + self.format.response_bytes(one.design)
-            for _, one in self.files
+            self.format.bytes_of(
+                len(outgoing.stimulus.channels), outgoing.stimulus.n_times, outgoing.choices
+            )
+            + self.format.response_bytes(outgoing.design)
+            for _, outgoing in self.files
         )
 
     @property
@@ -145,7 +149,7 @@ class PreparedStimulus:
         """Samples beyond full scale, if that is all that a device can play."""
         if not self.format.to_device:
             return 0
-        return sum(int(clipped_samples(one.stimulus).sum()) for _, one in self.files)
+        return sum(int(clipped_samples(outgoing.stimulus).sum()) for _, outgoing in self.files)
 
 
 def clipped_samples(stimulus: Stimulus) -> np.ndarray:
@@ -320,13 +324,13 @@ def _outgoing(
 
 def _part_of(design: Design, stimulus: Stimulus, options: StimulusOptions) -> Design:
     """The design with those inputs and clips that are in ``stimulus``."""
-    there = {id for one in stimulus.channels for id in one.inputs}
-    inputs = [one for one in audible_inputs(design.inputs) if one.id in there]
+    there = {id for channel in stimulus.channels for id in channel.inputs}
+    inputs = [track for track in audible_inputs(design.inputs) if track.id in there]
     if options.clips is not None:
         chosen = set(options.clips)
         inputs = [
-            replace(one, clips=tuple(clip for clip in one.clips if clip.id in chosen))
-            for one in inputs
+            replace(track, clips=tuple(clip for clip in track.clips if clip.id in chosen))
+            for track in inputs
         ]
     return replace(design, inputs=tuple(inputs))
 
@@ -353,12 +357,12 @@ _RAW = {
 
 def edges_of(ready: PreparedStimulus) -> str:
     """Which channels begin or end hard, in words; "": none."""
-    return edges_text([one.stimulus for _, one in ready.files], ready.cut)
+    return edges_text([outgoing.stimulus for _, outgoing in ready.files], ready.cut)
 
 
 def loses_of(ready: PreparedStimulus, only: Outgoing | None = None) -> str:
     """What of the drive is not in the files, or not in one of them, in words; "": nothing."""
-    files = [one for _, one in ready.files] if only is None else [only]
+    files = [outgoing for _, outgoing in ready.files] if only is None else [only]
     return " ".join(filter(None, (ready.format.loses(files[0].choices), lost_at_rate(files))))
 
 
@@ -366,9 +370,9 @@ def lost_at_rate(files: Sequence[Outgoing]) -> str:
     """How much of which channels their rate does not hold, in words; "": nothing."""
     losing = [
         f"channel {channel.number} ({channel.title}) loses {channel.loss_db:.2g} dB of its energy"
-        + (f" in {one.name}" if len(files) > 1 else "")
-        for one in files
-        for channel in one.stimulus.channels
+        + (f" in {file.name}" if len(files) > 1 else "")
+        for file in files
+        for channel in file.stimulus.channels
         if channel.loss_db >= LEAST_LOSS_DB
     ]
     if not losing:
@@ -384,7 +388,7 @@ def lost_at_rate(files: Sequence[Outgoing]) -> str:
 
 def refused_loss_of(ready: PreparedStimulus) -> str:
     """What to do where a channel loses more to the rate than it may unasked; "": none does."""
-    if max(one.loss_db for one in ready.drives.channels) <= MOST_LOSS_DB:
+    if max(channel.loss_db for channel in ready.drives.channels) <= MOST_LOSS_DB:
         return ""
     own_hz = ready.drives.own_rate_hz
     rate = "" if ready.format.fixed_rate else f"choose {own_hz:g} Hz, the rate of the design, or "
@@ -414,26 +418,26 @@ Limit = Callable[[Stimulus], Sequence[str]]
 
 def objections(ready: PreparedStimulus, limits: Sequence[Limit] = ()) -> tuple[str, ...]:
     """Sentences on what clips and on which limits are passed; none: it can be written."""
-    found = []
+    sentences = []
     if ready.clipped:
-        for path, one in ready.files:
-            counts = clipped_samples(one.stimulus)
+        for path, outgoing in ready.files:
+            counts = clipped_samples(outgoing.stimulus)
             words = [
                 f"channel {channel.number} ({channel.title}) {count}"
-                for channel, count in zip(one.stimulus.channels, counts.tolist(), strict=True)
+                for channel, count in zip(outgoing.stimulus.channels, counts.tolist(), strict=True)
                 if count
             ]
             if words:
-                found.append(
+                sentences.append(
                     f"{path.name}: samples lie beyond full scale, where a device cuts them off: "
                     f"{', '.join(words)}."
                 )
     if ready.rig is not None:
         sent = scaled(ready.drives, ready.gain)
-        found.extend(passed_limits(sent, ready.rig))
+        sentences.extend(passed_limits(sent, ready.rig))
     for limit in limits:
-        found.extend(limit(ready.drives))
-    return tuple(found)
+        sentences.extend(limit(ready.drives))
+    return tuple(sentences)
 
 
 # A stimulus as it will be, before it is written.
@@ -532,16 +536,18 @@ def overview_of(
             if ready.format.to_device
             else np.zeros(len(stimulus.channels))
         )
-        for one, samples, count in zip(stimulus.channels, stimulus.samples, counts, strict=True):
+        for channel, samples, count in zip(
+            stimulus.channels, stimulus.samples, counts, strict=True
+        ):
             stop_if(stop)
             progress(len(channels), n_channels, "Computing")
             channels.append(
                 ChannelOverview(
                     file=path.name,
-                    number=one.number,
-                    title=one.title,
-                    place=one.place,
-                    inputs=one.inputs,
+                    number=channel.number,
+                    title=channel.title,
+                    place=channel.place,
+                    inputs=channel.inputs,
                     extremes=extremes_of(samples),
                     peak=float(np.abs(samples).max(initial=0.0)),
                     rms=float(np.sqrt(np.mean(samples**2))),

@@ -122,17 +122,17 @@ def stored_cases() -> tuple[Case, ...]:
     FileFormatError
         The file of references is missing or damaged.
     """
-    path, found = data_folder() / FILE_NAME, []
+    path, cases = data_folder() / FILE_NAME, []
     for case in cases_without_reference():
         try:
             with path.open("rb") as file, np.load(file, allow_pickle=False) as stored:
-                found.append(replace(case, reference=np.asarray(stored[case.name], np.float64)))
+                cases.append(replace(case, reference=np.asarray(stored[case.name], np.float64)))
         except _DAMAGE as error:
             raise FileFormatError(
                 f"{path}: the reference of {quoted(case.name)} cannot be read "
                 f"({printable(error)}). Install SkinSource studio again."
             ) from error
-    return tuple(found)
+    return tuple(cases)
 
 
 def cases_without_reference() -> tuple[Case, ...]:
@@ -298,13 +298,13 @@ def cases_of(
     ]
     if limb is None:
         return tuple(chosen)
-    found = []
+    cases = []
     for k, case in enumerate(chosen):
         stop_if(stop)
         progress(k, len(chosen), f"exact values of {case.name}")
         problem = cast(Convolution, case.problem)
-        found.append(replace(case, reference=exact_samples(problem, case.samples)))
-    return tuple(found)
+        cases.append(replace(case, reference=exact_samples(problem, case.samples)))
+    return tuple(cases)
 
 
 def exact_samples(problem: Convolution, samples: Integers) -> Floats:

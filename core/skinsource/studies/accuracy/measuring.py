@@ -78,7 +78,7 @@ def _studio(problem: Convolution, *, edited: bool) -> Run:
         Recording(Samples(values=drive, sample_rate_hz=limb.sample_rate_hz))
         for drive in problem.drives
     ]
-    inputs = [track(*one) for one in zip(problem.locations, recordings, strict=True)]
+    inputs = [track(*placed) for placed in zip(problem.locations, recordings, strict=True)]
     view = View(outputs=problem.outputs, axes="xyz", selected_inputs=(1,))
 
     def show(graph: Graph) -> Floats:

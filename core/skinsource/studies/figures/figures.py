@@ -68,13 +68,13 @@ _CYCLES_SHOWN = 4.0
 def strengths(opened: OpenedScene) -> Drawn:
     """Each tone at five strengths, divided by them, over each other."""
     view = opened.view
-    found = [
-        evaluate(one.design, "response_time_s", "selected_traces", view=view)
-        for one in opened.conditions
+    results = [
+        evaluate(condition.design, "response_time_s", "selected_traces", view=view)
+        for condition in opened.conditions
     ]
-    time_s = found[0]["response_time_s"]
-    factors = np.array([one.design.inputs[0].amplitude for one in opened.conditions])
-    alike = np.stack([one["selected_traces"] for one in found]) / factors[:, None, None]
+    time_s = results[0]["response_time_s"]
+    factors = np.array([condition.design.inputs[0].amplitude for condition in opened.conditions])
+    alike = np.stack([result["selected_traces"] for result in results]) / factors[:, None, None]
     drawn_s, drawn = finer(time_s, alike)
     clips = opened.design.inputs[0].clips
     delay_s = facts_of(opened.design.limb).pre_trigger_delay_s
@@ -92,7 +92,7 @@ def strengths(opened: OpenedScene) -> Drawn:
                 ax.set_xlabel("" if row + 1 < len(view.outputs) else "Time (ms)")
             columns += list(alike[:, row])
             per = f"output_{number} per {amplitude_unit(opened.design)}"
-            header += [f"{per} at {one.label}" for one in opened.conditions]
+            header += [f"{per} at {condition.label}" for condition in opened.conditions]
         handles = ax.get_legend_handles_labels()
         sheet.figure.legend(*handles, loc="upper right", ncols=5, fontsize=6)
     return Drawn(sheet=sheet, tables={"": Table(header=header, rows=np.vstack(columns).T)})
@@ -160,16 +160,16 @@ def lines_of(opened: OpenedScene) -> Fits:
     """Fit a line for each output and band, by least squares over the levels of the scene."""
     swept = swept_hz(opened)
     played, felt, frequency_hz = [], [], np.zeros(0)
-    for one in opened.conditions:
-        found = evaluate(one.design, "input_waveforms", "sample_rate_hz")
-        (waveform,) = found["input_waveforms"]
-        _, field = field_of(one.design)
-        drive = waveform * one.design.inputs[0].amplitude
+    for condition in opened.conditions:
+        results = evaluate(condition.design, "input_waveforms", "sample_rate_hz")
+        (waveform,) = results["input_waveforms"]
+        _, field = field_of(condition.design)
+        drive = waveform * condition.design.inputs[0].amplitude
         n_times = field.shape[-1]
-        how = n_times, found["sample_rate_hz"], swept
+        how = n_times, results["sample_rate_hz"], swept
         frequency_hz, of_drive = band_rms(scipy.fft.rfft(drive, n_times), *how)
         played.append(of_drive)
-        felt.append(band_rms(scipy.fft.rfft(normal_of(one.design, field)), *how)[1])
+        felt.append(band_rms(scipy.fft.rfft(normal_of(condition.design, field)), *how)[1])
     x, y = np.stack(played), np.stack(felt)
     slope, offset, adjusted_r2 = straight_lines(x[:, None], y)
     return Fits(
@@ -186,7 +186,7 @@ def output_over_input(opened: OpenedScene) -> Drawn:
     """Output over input of some bands, with their lines."""
     fits, outputs, unit = lines_of(opened), opened.view.outputs, amplitude_unit(opened.design)
     sheet = Sheet(opened, 70.0)
-    bands = [int(np.argmin(np.abs(fits.frequency_hz - one))) for one in _SHOWN_BANDS_HZ]
+    bands = [int(np.argmin(np.abs(fits.frequency_hz - band_hz))) for band_hz in _SHOWN_BANDS_HZ]
     with style():
         for k, number in enumerate(outputs):
             ax = sheet.axes(22.0 + 84.0 * k, 12.0, 66.0, 50.0)
@@ -200,7 +200,7 @@ def output_over_input(opened: OpenedScene) -> Drawn:
                 ax.loglog(x, felt, marker, ms=4, mfc="none", color=colour, label=label)
             ax.set_title(f"Output {number}, z")
             ticks = fits.played[:, bands[0]]
-            ax.set_xticks(ticks, [f"{one:.2g}" for one in ticks])
+            ax.set_xticks(ticks, [f"{tick:.2g}" for tick in ticks])
             ax.minorticks_off()
             ax.set_xlabel(f"Input in the band ({unit})")
             ax.set_ylabel("Output in the band (m/s²)")
@@ -208,9 +208,9 @@ def output_over_input(opened: OpenedScene) -> Drawn:
             low, high = ax.get_ylim()
             ax.set_ylim(low, high * 12.0)
     header, columns = ["frequency_hz"], [fits.frequency_hz]
-    for level, one in enumerate(opened.conditions):
-        header += [f"input at {one.label} ({unit})"]
-        header += [f"output_{number} at {one.label} (m/s²)" for number in outputs]
+    for level, condition in enumerate(opened.conditions):
+        header += [f"input at {condition.label} ({unit})"]
+        header += [f"output_{number} at {condition.label} (m/s²)" for number in outputs]
         columns += [fits.played[level], *(fits.felt[level, number - 1] for number in outputs)]
     return Drawn(sheet=sheet, tables={"": Table(header=header, rows=np.vstack(columns).T)})
 
@@ -242,7 +242,7 @@ def straightness(opened: OpenedScene) -> Drawn:
 
 def superposition(opened: OpenedScene) -> Drawn:
     """The sum of what each input causes beside what both cause, and their correlation."""
-    fields = [field_of(one.design) for one in opened.conditions]
+    fields = [field_of(condition.design) for condition in opened.conditions]
     time_s, joint = fields[-1]
     separate = fields[0][1] + fields[1][1]
     worst = pearson(separate, joint).min(axis=1)
@@ -263,7 +263,7 @@ def superposition(opened: OpenedScene) -> Drawn:
         ax.set_title("0 is drawn at the foot", fontsize=6)
     for number in outputs:
         header += [f"output_{number}_z_separate_m_per_s2", f"output_{number}_z_joint_m_per_s2"]
-        columns += [one[number - 1] for one in normal]
+        columns += [signals[number - 1] for signals in normal]
     numbers_and_r = np.column_stack((numbers.astype(float), worst))
     return Drawn(
         sheet=sheet,
@@ -306,14 +306,14 @@ _RELATIVE = (-MAP_RANGE_DB, 0.0)
 
 def maps_in_one_scale(opened: OpenedScene) -> Drawn:
     """A map for each design, all in one scale of levels."""
-    levels = [levels_of(one.design, None, opened.view) for one in opened.conditions]
-    colours = common_range(*(one.values for one in levels))
+    levels = [levels_of(condition.design, None, opened.view) for condition in opened.conditions]
+    colours = common_range(*(level.values for level in levels))
     return maps_figure(opened, levels, _labels(opened), colours, _UNIT)
 
 
 def maps_each_relative(opened: OpenedScene) -> Drawn:
     """A map for each design, each re its loudest output."""
-    levels = [levels_of(one.design, None, opened.view) for one in opened.conditions]
+    levels = [levels_of(condition.design, None, opened.view) for condition in opened.conditions]
     words, tops = "dB re the loudest output of each", loudest_of(levels, together=False)
     return maps_figure(opened, levels, _labels(opened), _RELATIVE, words, tops)
 
@@ -340,19 +340,19 @@ def maps_figure(
     ``tops_db``: what the levels of each map are told re; 0 dB unless given.
     """
     tops_db = tops_db or [0.0] * len(levels)
-    noisy = any(one.noisy for one in levels)
+    noisy = any(level.noisy for level in levels)
     sheet = Sheet(opened, _HEIGHT_MM, f"{HATCHED}." if noisy else "", maps=True)
     room_mm = min(WIDTH_MM - _BAR_ROOM_MM - 6.0, 50.0 * len(levels))
     left_mm = (WIDTH_MM - _BAR_ROOM_MM - room_mm) / 2.0
     with style():
         places = sheet.row_of_axes(len(levels), left_mm, 2.0, room_mm, _HEIGHT_MM - 8.0)
         image = None
-        for k, (ax, one, title) in enumerate(zip(places, levels, titles, strict=True)):
+        for k, (ax, level, title) in enumerate(zip(places, levels, titles, strict=True)):
             bar: Bar = "drawn" if k == len(levels) - 1 else "room"
-            shown = replace(one, values=one.values - tops_db[k])
+            shown = replace(level, values=level.values - tops_db[k])
             image = draw_map(ax, shown, colours, title=title, bar=bar)
         sheet.colour_bar(image, left_mm + room_mm + 2.0, 24.0, 50.0, words)
-    values = [in_tables(one.values) - top for one, top in zip(levels, tops_db, strict=True)]
+    values = [in_tables(level.values) - top for level, top in zip(levels, tops_db, strict=True)]
     return Drawn(sheet=sheet, tables={"": levels_table(titles, values, words)})
 
 
@@ -364,7 +364,7 @@ def levels_table(titles: Sequence[str], values: Sequence[Floats], words: str) ->
 
 
 def _labels(opened: OpenedScene) -> list[str]:
-    return [one.label for one in opened.conditions]
+    return [condition.label for condition in opened.conditions]
 
 
 # Figures of a vibration as it goes on: frames of a tone, windows of a train.
@@ -406,22 +406,24 @@ def tone_frames(opened: OpenedScene) -> Drawn:
 def train_windows(opened: OpenedScene) -> Drawn:
     """The train, a map for each of its windows in one scale, and how far each reaches."""
     window_s = opened.view.window_s
-    found = windowed_levels(opened.design, opened.view, count=None, window_s=window_s)
-    n = found.windows.count
-    sheet = Sheet(opened, 132.0, f"{HATCHED}." if any(found.noisy) else "", maps=True)
+    windowed = windowed_levels(opened.design, opened.view, count=None, window_s=window_s)
+    n = windowed.windows.count
+    sheet = Sheet(opened, 132.0, f"{HATCHED}." if any(windowed.noisy) else "", maps=True)
     left_mm, width_mm = 22.0, WIDTH_MM - 44.0
     with style():
         train = sheet.axes(left_mm, 113.0, width_mm, 16.0)
         _draw_stimulus(train, opened, n * window_s)
-        draw_strip(sheet.figure, sheet.row_of_axes(n, left_mm, 30.0, width_mm, 74.0), found, None)
-        draw_extent(sheet.axes(left_mm, 6.0, width_mm, 20.0), found, n)
-    return Drawn(sheet=sheet, tables={"": _table(found)})
+        draw_strip(
+            sheet.figure, sheet.row_of_axes(n, left_mm, 30.0, width_mm, 74.0), windowed, None
+        )
+        draw_extent(sheet.axes(left_mm, 6.0, width_mm, 20.0), windowed, n)
+    return Drawn(sheet=sheet, tables={"": _table(windowed)})
 
 
 def _draw_stimulus(ax: Any, opened: OpenedScene, until_s: float) -> None:
-    found = evaluate(opened.design, "input_waveforms", "sample_rate_hz")
-    (waveform,) = found["input_waveforms"]
-    ax.plot(np.arange(waveform.size) / found["sample_rate_hz"], waveform, color=INK, lw=0.7)
+    results = evaluate(opened.design, "input_waveforms", "sample_rate_hz")
+    (waveform,) = results["input_waveforms"]
+    ax.plot(np.arange(waveform.size) / results["sample_rate_hz"], waveform, color=INK, lw=0.7)
     ax.set_xlim(0.0, until_s)
     ax.set_axis_off()
     ax.annotate(
@@ -435,23 +437,23 @@ def _draw_stimulus(ax: Any, opened: OpenedScene, until_s: float) -> None:
     )
 
 
-def _table(found: WindowedLevels) -> Table:
-    bounds = found.windows.bounds_s(found.sample_rate_hz)
-    extents = [one for one in found.extents if one is not None]
+def _table(windowed: WindowedLevels) -> Table:
+    bounds = windowed.windows.bounds_s(windowed.sample_rate_hz)
+    extents = [extent for extent in windowed.extents if extent is not None]
     header = ["from_s", "to_s", "mean_distance_mm", "d90_mm", "share_above_12_db"]
     header += ["share_above_20_db", "participation"]
-    header += [f"output_{k}_rms_m_per_s2" for k in range(1, found.rms.shape[1] + 1)]
+    header += [f"output_{k}_rms_m_per_s2" for k in range(1, windowed.rms.shape[1] + 1)]
     rows = [
         [
             *span,
-            one.mean_distance_mm,
-            one.d90_mm,
-            one.share_above_12_db,
-            one.share_above_20_db,
-            one.participation,
+            extent.mean_distance_mm,
+            extent.d90_mm,
+            extent.share_above_12_db,
+            extent.share_above_20_db,
+            extent.participation,
             *rms,
         ]
-        for span, one, rms in zip(bounds, extents, found.rms, strict=True)
+        for span, extent, rms in zip(bounds, extents, windowed.rms, strict=True)
     ]
     return Table(header=header, rows=np.array(rows))
 
@@ -474,31 +476,31 @@ def pulse_traces(opened: OpenedScene) -> Drawn:
     drawn_s, drawn = finer(time_s, field[np.array(outputs) - 1])
     seen = _within(opened, drawn_s)
     rows = [
-        _own_row(number, 1e3 * drawn_s[seen], one[:, seen])
-        for number, one in zip(outputs, drawn, strict=True)
+        _own_row(number, 1e3 * drawn_s[seen], curves[:, seen])
+        for number, curves in zip(outputs, drawn, strict=True)
     ]
     height_mm = 9.0 * len(rows)
     sheet = Sheet(opened, height_mm + _FRAMES_MM + 20.0, maps=True)
     instants = _instants(opened)
     magnitudes = frames(opened.design, instants)
-    levels = [with_values(opened.design, decibels(one)) for one in magnitudes]
+    levels = [with_values(opened.design, decibels(magnitude)) for magnitude in magnitudes]
     with style():
         width_mm = WIDTH_MM - _LEFT_MM - _RIGHT_MM
         ax = sheet.axes(_LEFT_MM, _FRAMES_MM + 14.0, width_mm, height_mm)
         draw_rows(ax, rows, labels=axes)
         ax.set_xlabel("Time (ms)")
         say_scale(ax, "each row relative to its peak")
-        colours = common_range(*(one.values for one in levels))
+        colours = common_range(*(level.values for level in levels))
         image = None
         places = sheet.row_of_axes(len(instants), 12.0, 1.0, 146.0, _FRAMES_MM - 6.0)
-        for place, one, instant in zip(places, levels, instants, strict=True):
+        for place, level, instant in zip(places, levels, instants, strict=True):
             bar: Bar = "drawn" if instant == instants[-1] else "room"
             title = f"{1e3 * time_s[instant]:.1f} ms"
-            image = draw_map(place, one, colours, title=title, bar=bar, part="hand")
+            image = draw_map(place, level, colours, title=title, bar=bar, part="hand")
         sheet.colour_bar(image, 160.0, 4.0, _FRAMES_MM - 14.0, "magnitude, dB re 1 m/s²")
     header = ["time_s", *(f"output_{n}_{axis}_m_per_s2" for n in outputs for axis in axes)]
     shown = np.concatenate([field[number - 1] for number in outputs])[:, within]
-    shown_at = [f"{1e3 * time_s[one]:.3f}_ms_magnitude_m_per_s2" for one in instants]
+    shown_at = [f"{1e3 * time_s[instant]:.3f}_ms_magnitude_m_per_s2" for instant in instants]
     numbers = np.arange(1.0, magnitudes.shape[1] + 1.0)
     return Drawn(
         sheet=sheet,
@@ -513,7 +515,7 @@ def _instants(opened: OpenedScene) -> list[int]:
     """Samples at which the pulse is shown, as late as the responses of the limb are."""
     facts = facts_of(opened.design.limb)
     rate_hz, delay_s = facts.sample_rate_hz, facts.pre_trigger_delay_s
-    return [floor((delay_s + one) * rate_hz + NEAR) for one in _INSTANTS_S]
+    return [floor((delay_s + later_s) * rate_hz + NEAR) for later_s in _INSTANTS_S]
 
 
 def axis_spectra(opened: OpenedScene) -> Drawn:
@@ -538,26 +540,29 @@ def overlaid_traces(opened: OpenedScene) -> Drawn:
 
 def _traces(opened: OpenedScene, colours: Sequence[str], *, own_scale: bool) -> Drawn:
     view, several = opened.view, len(opened.conditions) > 1
-    found = [
-        evaluate(one.design, "response_time_s", "selected_traces", view=view)
-        for one in opened.conditions
+    results = [
+        evaluate(condition.design, "response_time_s", "selected_traces", view=view)
+        for condition in opened.conditions
     ]
-    time_s = found[0]["response_time_s"]
+    time_s = results[0]["response_time_s"]
     within = _within(opened, time_s)
-    curves = [one["selected_traces"][:, within] for one in found]
-    drawn_s, drawn = finer(time_s, np.stack([one["selected_traces"] for one in found]))
+    curves = [result["selected_traces"][:, within] for result in results]
+    drawn_s, drawn = finer(time_s, np.stack([result["selected_traces"] for result in results]))
     drawn_s, drawn = drawn_s[_within(opened, drawn_s)], drawn[..., _within(opened, drawn_s)]
     size = None if own_scale else common_size(list(drawn))
     rows = [
         _labelled(number, 1e3 * drawn_s, drawn[:, k], size) for k, number in enumerate(view.outputs)
     ]
-    labels = [one.label for one in opened.conditions] if several else []
+    labels = [condition.label for condition in opened.conditions] if several else []
     sheet, ax = _rows_sheet(opened, rows, labels, colours)
     with style():
         ax.set_xlabel("Time (ms)")
         words = "each row relative to its peak" if own_scale else f"a row is {size:.3g} m/s² high"
         say_scale(ax, f"{signal_label(view.axes, view.method)}; {words}")
-    names = [f"_{one.label.replace(' ', '_')}" if several else "" for one in opened.conditions]
+    names = [
+        f"_{condition.label.replace(' ', '_')}" if several else ""
+        for condition in opened.conditions
+    ]
     header = ["time_s"]
     header += [f"output_{n}{name}_m_per_s2" for name in names for n in view.outputs]
     table = Table(header=header, rows=np.vstack((time_s[within], *curves)).T)
@@ -576,8 +581,8 @@ def _spectra(opened: OpenedScene, n_bins: int) -> Drawn:
     within = (frequency_hz >= low_hz) & (frequency_hz <= high_hz)
     of_outputs = np.stack(by_axis, axis=1)[..., within]
     rows = [
-        _own_row(number, frequency_hz[within], one)
-        for number, one in zip(outputs, of_outputs, strict=True)
+        _own_row(number, frequency_hz[within], magnitudes)
+        for number, magnitudes in zip(outputs, of_outputs, strict=True)
     ]
     sheet, ax = _rows_sheet(opened, rows, axes, COLOURS, from_zero=True)
     with style():

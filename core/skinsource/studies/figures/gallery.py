@@ -43,7 +43,7 @@ def synthetic_scene(name: str) -> OpenedScene:
 
 def mark_of(opened: OpenedScene) -> str:
     """What is drawn, in a few digits: other designs, views or synthetic limbs have others."""
-    said = [_said(one) for one in (opened.design, opened.view, *opened.conditions)]
+    said = [_said(part) for part in (opened.design, opened.view, *opened.conditions)]
     limbs = (data_folder() / "synthetic-limbs.json").read_bytes()
     return hashlib.sha256(repr(said).encode() + limbs).hexdigest()[:16]
 
@@ -51,18 +51,18 @@ def mark_of(opened: OpenedScene) -> str:
 def _said(value: Any) -> Any:
     """What a value says beside the defaults: a field that is added to all changes nothing."""
     if isinstance(value, tuple):
-        return tuple(_said(one) for one in value)
+        return tuple(_said(item) for item in value)
     if not is_dataclass(value):
         return value
-    held = ((one, getattr(value, one.name)) for one in fields(value))
+    held = ((field, getattr(value, field.name)) for field in fields(value))
     return (
         type(value).__name__,
-        *((one.name, _said(held)) for one, held in held if held != _default_of(one)),
+        *((field.name, _said(held)) for field, held in held if held != _default_of(field)),
     )
 
 
-def _default_of(one: Field[Any]) -> Any:
-    return one.default if one.default_factory is MISSING else one.default_factory()
+def _default_of(field: Field[Any]) -> Any:
+    return field.default if field.default_factory is MISSING else field.default_factory()
 
 
 def picture_of(opened: OpenedScene) -> bytes:
@@ -80,19 +80,23 @@ def picture_of(opened: OpenedScene) -> bytes:
 def page_of(scenes: tuple[Scene, ...], pictures: str) -> str:
     """The page of the documents; ``pictures`` is the folder of the pictures as seen from it."""
     parts = [_HEADING]
-    for one in scenes:
-        words = [f"## {one.heading}", f"![{one.title}]({pictures}/{one.name}.png)", one.sentence]
-        words.append(f"Source: {one.source}.")
-        if one.inferred:
-            words.append(f"Inferred: {'; '.join(one.inferred)}.")
+    for scene in scenes:
+        words = [
+            f"## {scene.heading}",
+            f"![{scene.title}]({pictures}/{scene.name}.png)",
+            scene.sentence,
+        ]
+        words.append(f"Source: {scene.source}.")
+        if scene.inferred:
+            words.append(f"Inferred: {'; '.join(scene.inferred)}.")
         parts.append("\n\n".join(words) + "\n")
     return "\n".join(parts)
 
 
 def write_gallery(folder: Path, page: Path) -> None:
     """Write all pictures to a folder, and the page that shows them."""
-    for one in all_scenes():
-        write_bytes(folder / f"{one.name}.png", picture_of(synthetic_scene(one.name)))
+    for scene in all_scenes():
+        write_bytes(folder / f"{scene.name}.png", picture_of(synthetic_scene(scene.name)))
     pictures = Path(os.path.relpath(folder, page.parent)).as_posix()
     write_bytes(page, page_of(all_scenes(), pictures).encode())
 

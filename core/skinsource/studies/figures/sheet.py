@@ -35,9 +35,7 @@ from skinsource.studies.scenes.scene import OpenedScene
 def setup_text(opened: OpenedScene) -> str:
     """Limbs and scaling, as a sentence or two."""
     scaling = word_of(SCALINGS, opened.design.scaling).title
-    return (
-        f"Limb: {', '.join(limb_word(one).title for one in limbs_of(opened))}. Scaling: {scaling}."
-    )
+    return f"Limb: {', '.join(limb_word(limb).title for limb in limbs_of(opened))}. Scaling: {scaling}."
 
 
 def broken_conditions_text(opened: OpenedScene, *, maps: bool) -> str:
@@ -45,9 +43,13 @@ def broken_conditions_text(opened: OpenedScene, *, maps: bool) -> str:
 
     ``maps``: whether the figure shows some.  What lies between outputs matters to nothing else.
     """
-    found = [one for judged in _judged(opened, maps=maps) for one in judged.findings or ()]
+    findings = [
+        finding for judged in _judged(opened, maps=maps) for finding in judged.findings or ()
+    ]
     # That a limb is synthetic is said by itself, and larger.
-    left = dict.fromkeys(one.name for one in found if one.state == "left" and one.name != "limb")
+    left = dict.fromkeys(
+        finding.name for finding in findings if finding.state == "left" and finding.name != "limb"
+    )
     words = "Conditions of the measurement that are not kept (see the table)"
     return f"{words}: {', '.join(left)}." if left else ""
 
@@ -59,18 +61,18 @@ def condition_lines(opened: OpenedScene, *, maps: bool) -> tuple[str, ...]:
 
 def limbs_of(opened: OpenedScene) -> tuple[str, ...]:
     """Names of the limbs of a scene, each once."""
-    return tuple(dict.fromkeys(one.design.limb for one in opened.conditions))
+    return tuple(dict.fromkeys(condition.design.limb for condition in opened.conditions))
 
 
 def _judged(opened: OpenedScene, *, maps: bool) -> list[Judged]:
-    found = [
+    judged = [
         Judged(
-            label=one.label,
-            findings=evaluate(one.design, "validity", view=opened.view)["validity"],
+            label=condition.label,
+            findings=evaluate(condition.design, "validity", view=opened.view)["validity"],
         )
-        for one in opened.conditions
+        for condition in opened.conditions
     ]
-    return found if maps else [one.without_maps() for one in found]
+    return judged if maps else [each.without_maps() for each in judged]
 
 
 # What figures show of a design.
@@ -80,8 +82,8 @@ def field_of(design: Design) -> tuple[Floats, Floats]:
     """Times, (n_times,), in s, and acceleration, (n_outputs, n_axes, n_times), in m/s²."""
     limb = evaluate(design, "limb_data")["limb_data"]
     view = View(axes="xyz", outputs=tuple(range(1, limb.n_outputs + 1)))
-    found = evaluate(design, "response_time_s", "axis_traces", view=view)
-    return found["response_time_s"], found["axis_traces"]
+    results = evaluate(design, "response_time_s", "axis_traces", view=view)
+    return results["response_time_s"], results["axis_traces"]
 
 
 def axes_of_sensors(design: Design) -> tuple[Axes, ...]:
@@ -111,7 +113,7 @@ def frames(design: Design, instants: list[int]) -> Floats:
 
 def loudest_of(levels: Sequence[Levels], *, together: bool) -> list[float]:
     """Level of the loudest output of each, or of all of them together, in dB."""
-    loudest = [float(one.values.max()) for one in levels]
+    loudest = [float(level.values.max()) for level in levels]
     return [max(loudest)] * len(levels) if together else loudest
 
 

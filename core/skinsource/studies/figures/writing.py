@@ -96,7 +96,7 @@ def about(opened: OpenedScene, *, maps: bool) -> list[str]:
         lines.append(SYNTHETIC)
     if opened.note:
         lines.append(opened.note)
-    limbs = (f"{limb_word(one).title} ({one})" for one in limbs_of(opened))
+    limbs = (f"{limb_word(limb_name).title} ({limb_name})" for limb_name in limbs_of(opened))
     lines.append(f"limb: {', '.join(limbs)}")
     lines.append(f"scaling: {word_of(SCALINGS, opened.design.scaling).both}")
     lines += condition_lines(opened, maps=maps)

@@ -35,12 +35,12 @@ def scenes_folder() -> Path:
 
 def all_scenes() -> tuple[Scene, ...]:
     """Every scene, in the order of the figures."""
-    return tuple(one.scene for one in SHIPPED)
+    return tuple(made.scene for made in SHIPPED)
 
 
 def names() -> tuple[str, ...]:
     """Names of the scenes, as `scene` and `open_scene` take them."""
-    return tuple(one.name for one in all_scenes())
+    return tuple(each.name for each in all_scenes())
 
 
 def scene(name: str) -> Scene:
@@ -52,9 +52,9 @@ def scene(name: str) -> Scene:
         There is no such scene.
     """
     wanted = name.casefold() if isinstance(name, str) else None
-    for one in all_scenes():
-        if one.name.casefold() == wanted:
-            return one
+    for known in all_scenes():
+        if known.name.casefold() == wanted:
+            return known
     raise InvalidInputError(
         f"the scene {quoted(name)} does not exist; there are {', '.join(names())}"
     )
@@ -110,8 +110,8 @@ def open_scene(
         return opened_on(known, compared(content), content.design, content.view, limb)
     limbs = frozenset(available_limbs() if available is None else available)
     snapshots = tuple(
-        Snapshot(number=one.number, design=_on_limbs(one.design, limbs))
-        for one in content.view.snapshots
+        Snapshot(number=snapshot.number, design=_on_limbs(snapshot.design, limbs))
+        for snapshot in content.view.snapshots
     )
     design = _on_limbs(content.design, limbs)
     view = replace(content.view, snapshots=snapshots)
@@ -122,8 +122,8 @@ def open_scene(
         design=design,
         view=view,
         conditions=tuple(
-            Condition(label=label, design=one)
-            for label, one in zip(known.labels, designs, strict=True)
+            Condition(label=label, design=design)
+            for label, design in zip(known.labels, designs, strict=True)
         ),
         synthetic=any(a.limb != b.limb for a, b in zip(designs, was, strict=True)),
     )
@@ -131,8 +131,8 @@ def open_scene(
 
 def compared(content: DesignFile) -> tuple[Design, ...]:
     """The designs of a file, by the numbers of their snapshots; one that is none comes last."""
-    snapshots = sorted(content.view.snapshots, key=lambda one: one.number)
-    designs = tuple(one.design for one in snapshots)
+    snapshots = sorted(content.view.snapshots, key=lambda snapshot: snapshot.number)
+    designs = tuple(snapshot.design for snapshot in snapshots)
     return designs if content.design in designs else (*designs, content.design)
 
 
@@ -162,11 +162,11 @@ def title_of(design: Design) -> str:
     >>> ss.scenes.title_of(tone.with_input(0, amplitude=2.0))
     'Fig. 2B: Low frequencies reach farther · edited'
     """
-    found = _OF_SCENE.match(design.title)
-    if found is None:
+    match = _OF_SCENE.match(design.title)
+    if match is None:
         return design.title
     try:
-        known = scene(found[1])
+        known = scene(match[1])
         designs = _designs_of(path_of(known.name))
     except SkinSourceError:
         return design.title
@@ -180,22 +180,29 @@ def title_of(design: Design) -> str:
 
 def _beginning(figure: str, titles: Sequence[str], said: str) -> str:
     """With which of its titles the scene begins what is said; empty: with none."""
-    begun = (figure + one for one in titles)
-    return next((one for one in begun if said == one or said.startswith(f"{one} · ")), "")
+    begun = (figure + title for title in titles)
+    return next(
+        (
+            beginning
+            for beginning in begun
+            if said == beginning or said.startswith(f"{beginning} · ")
+        ),
+        "",
+    )
 
 
 def _is_as_made(known: Scene, designs: tuple[Design, ...], design: Design) -> bool:
     """Whether it plays what the scene plays under this title, where the title says so."""
     if _is_of_other_drives(design):
         return False
-    people = len({one.limb for one in designs}) > 1
+    people = len({design.limb for design in designs}) > 1
     named = [one for one in designs if one.title == design.title]
     if named and (people or _LIMB.search(known.title)) and not _is_on(named[0], design):
         return False
     # On a limb of a lab a scene plays at other places, which its title tells.
     moved = design.limb not in PUBLISHED
     played = _played(design, moved=moved)
-    return any(_played(one, moved=moved) == played for one in named or designs)
+    return any(_played(candidate, moved=moved) == played for candidate in named or designs)
 
 
 def _is_of_other_drives(design: Design) -> bool:
@@ -215,7 +222,7 @@ def _is_on(known: Design, design: Design) -> bool:
 def _played(design: Design, *, moved: bool) -> Design:
     """What is heard of a design; ``moved``: wherever on the limb."""
     inputs = tuple(
-        replace(one, colour=0, location=1 if moved else one.location) for one in design.inputs
+        replace(track, colour=0, location=1 if moved else track.location) for track in design.inputs
     )
     return Design(
         limb="synthetic-1", inputs=inputs, scaling=design.scaling, actuation=design.actuation

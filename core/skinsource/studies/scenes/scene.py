@@ -136,7 +136,7 @@ def reason_against(known: Scene, designs: tuple[Design, ...], view: View, limb: 
     facts = facts_of(limb)
     if not facts.known:
         return f"The limb {quoted(limb)} is not here."
-    people = len({one.limb for one in designs})
+    people = len({design.limb for design in designs})
     if people > 1:
         return f"It compares {people} people, and this is one limb."
     if view.axes == "z" and "z" not in facts.axes:
@@ -181,32 +181,34 @@ def opened_on(
     title = known.title.removesuffix(f", limb {number}")
     unit = amplitude_unit(replace(design, limb=limb, limb_digest=facts.digest))
     labels = tuple(
-        _label(label, one, places, unit) for label, one in zip(known.labels, designs, strict=True)
+        _label(label, design, places, unit)
+        for label, design in zip(known.labels, designs, strict=True)
     )
     inferred = tuple(words.replace("m/s²", unit) for words in known.inferred)
     scene = replace(known, title=title, labels=labels, inferred=inferred)
     note = _note(facts, places, unit)
 
-    def put(one: Design) -> Design:
-        changed = change_limb(one, view, limb)
+    def put(design_of_file: Design) -> Design:
+        changed = change_limb(design_of_file, view, limb)
         if isinstance(changed, Refusal):
             raise InvalidInputError(changed.sentence)
         inputs = tuple(
-            replace(each, location=places.get(each.location, each.location)) for each in one.inputs
+            replace(each, location=places.get(each.location, each.location))
+            for each in design_of_file.inputs
         )
-        label = labels[designs.index(one)]
+        label = labels[designs.index(design_of_file)]
         words = f"Fig. {known.name}: {title}{' · ' if label else ''}{label}"
         return replace(changed.design, inputs=inputs, title=words, notes=f"{scene.notes}\n{note}")
 
     seen = _seen(view, design, facts, places)
-    snapshots = tuple(replace(one, design=put(one.design)) for one in view.snapshots)
+    snapshots = tuple(replace(snapshot, design=put(snapshot.design)) for snapshot in view.snapshots)
     return OpenedScene(
         scene=scene,
         design=put(design),
         view=replace(seen, snapshots=snapshots),
         conditions=tuple(
-            Condition(label=label, design=put(one))
-            for label, one in zip(labels, designs, strict=True)
+            Condition(label=label, design=put(design))
+            for label, design in zip(labels, designs, strict=True)
         ),
         synthetic=facts.synthetic,
         chosen=note,
@@ -214,7 +216,7 @@ def opened_on(
 
 
 def _places_of(designs: tuple[Design, ...]) -> tuple[int, ...]:
-    return tuple(dict.fromkeys(one.location for each in designs for one in each.inputs))
+    return tuple(dict.fromkeys(track.location for each in designs for track in each.inputs))
 
 
 def _candidates(facts: LimbFacts) -> tuple[int, ...]:
@@ -228,14 +230,14 @@ def _candidates(facts: LimbFacts) -> tuple[int, ...]:
 
 def _moved(places: tuple[int, ...], candidates: tuple[int, ...]) -> dict[int, int]:
     """Where each place goes: where it is, if there is such a place, else to the first free one."""
-    kept = [one for one in places if one in candidates]
-    free = iter(one for one in candidates if one not in kept)
-    return {one: one if one in kept else next(free) for one in places}
+    kept = [place for place in places if place in candidates]
+    free = iter(place for place in candidates if place not in kept)
+    return {place: place if place in kept else next(free) for place in places}
 
 
 def _unplayable(designs: tuple[Design, ...], facts: LimbFacts) -> str:
     """Why the limb is too slow for what is played; empty if it is not."""
-    tried = dict.fromkeys(clip.waveform for one in designs for clip in one.clips)
+    tried = dict.fromkeys(clip.waveform for design in designs for clip in design.clips)
     for waveform in tried:
         try:
             waveform.samples(facts.sample_rate_hz)
@@ -274,7 +276,7 @@ def _from_near_to_far(facts: LimbFacts, place: int, count: int) -> tuple[int, ..
         there = np.isfinite(away)
         numbers = numbers[there][np.argsort(away[there], kind="stable")] if there.any() else numbers
     rows = np.unique(np.linspace(0, numbers.size - 1, min(count, numbers.size)).round().astype(int))
-    return tuple(int(one) for one in numbers[rows])
+    return tuple(int(number) for number in numbers[rows])
 
 
 def _label(label: str, design: Design, places: Mapping[int, int], unit: str) -> str:

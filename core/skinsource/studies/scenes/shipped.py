@@ -97,7 +97,7 @@ def made(
         raise ValueError(f"{scene.name}: {len(designs)} designs, {len(scene.labels)} labels")
     if len(designs) > len(NUMBERS) and shown != len(designs) - 1 == len(NUMBERS):
         raise ValueError(f"{scene.name}: of {len(designs)} designs the last one must be shown")
-    titled = tuple(_titled(scene, one, k) for k, one in enumerate(designs))
+    titled = tuple(_titled(scene, design, k) for k, design in enumerate(designs))
     snapshots: tuple[Snapshot, ...] = ()
     if len(titled) > 1:
         # The one that was shown last stands last.
@@ -106,7 +106,7 @@ def made(
             Snapshot(number=NUMBERS[k], design=titled[k]) for k in ordered if k < len(NUMBERS)
         )
     settings = {**(panels or {}), CONTROLS: {"control": turned}}
-    held = tuple((name, tuple(one.items())) for name, one in settings.items())
+    held = tuple((name, tuple(setting.items())) for name, setting in settings.items())
     looked = View(snapshots=snapshots, panels=held, **view)
     return MadeScene(scene=scene, content=DesignFile(design=titled[shown], view=looked))
 

@@ -83,8 +83,8 @@ class Cluster:
                 done = self._some(client, running)
                 running -= done
                 running |= {submitted(chunk) for chunk in islice(waiting, len(done))}
-                for one in done:
-                    yield from _rows(one)
+                for future in done:
+                    yield from _rows(future)
         finally:
             client.cancel(list(running), force=True)
 
@@ -92,12 +92,12 @@ class Cluster:
         """Those that are done; after a while, none."""
         try:
             with client.as_current():
-                found = self._distributed.wait(
+                result = self._distributed.wait(
                     list(running), timeout=_LOOK_S, return_when="FIRST_COMPLETED"
                 )
         except TimeoutError:
             return set()
-        return set(found.done)
+        return set(result.done)
 
 
 _known = local()

@@ -97,14 +97,14 @@ def windows_of(traces: Floats, rate_hz: float) -> list[tuple[float, float]]:
 
 
 def evaluate_stimulus(
-    plan: Plan, field: Field, one: PreparedStimulus, extents: Extents, stop: Stop
+    plan: Plan, field: Field, stimulus: PreparedStimulus, extents: Extents, stop: Stop
 ) -> StimulusResult:
     """What is seen of one stimulus."""
-    limb, n_times = one.limb, one.response_samples
+    limb, n_times = stimulus.limb, stimulus.response_samples
     axes = axis_numbers(plan.axes, limb.axes)
     projection = Projection(axes, directions_of(field.moments, axes, plan.method, n_times))
     spectrum = field.spectrum
-    rms = record_rms(field.moments, projection, spectrum, one.record_samples)
+    rms = record_rms(field.moments, projection, spectrum, stimulus.record_samples)
     outputs = outputs_of_interest(rms, plan)
     rows = np.array(outputs) - 1
     spectra = spectrum.rows(rows, projection.axis_numbers)
@@ -112,8 +112,8 @@ def evaluate_stimulus(
     windows = windows_of(signals[..., :n_times], limb.sample_rate_hz)
     level = None
     if plan.level_db is not None:
-        level = _level(plan, one, spectrum.rows, projection, rms, spectrum.n_fft, stop)
-    (extent,) = extents.of([rms], [one])
+        level = _level(plan, stimulus, spectrum.rows, projection, rms, spectrum.n_fft, stop)
+    (extent,) = extents.of([rms], [stimulus])
     return StimulusResult(rms, dict(zip(outputs, windows, strict=True)), level, extent)
 
 
@@ -125,32 +125,32 @@ def evaluate_batch(
     stop: Stop,
 ) -> list[StimulusResult]:
     """What is seen of each of several stimuli; of one that cannot be, nothing that counts."""
-    limb = next(one.limb for one in stimuli if one is not None)
+    limb = next(stimulus.limb for stimulus in stimuli if stimulus is not None)
     # Of one that cannot be any length will do.
-    n_times = [1 if one is None else one.response_samples for one in stimuli]
+    n_times = [1 if stimulus is None else stimulus.response_samples for stimulus in stimuli]
     n_stimuli, n_outputs = len(stimuli), limb.n_outputs
     lengths = np.repeat(np.array(n_times, np.float64), n_outputs)
     projection, energy = _projected(plan, vibrations, limb, lengths)
-    records = [1 if one is None else one.record_samples for one in stimuli]
+    records = [1 if stimulus is None else stimulus.record_samples for stimulus in stimuli]
     over = np.repeat(np.array(records, np.float64), n_outputs)
     rms = np.sqrt(energy / over).reshape(n_stimuli, n_outputs)
     looked = [_looked_at(loudest, plan) for loudest in np.argmax(rms, axis=1).tolist()]
-    rows = np.repeat(np.arange(n_stimuli), [len(one) for one in looked])
-    outputs = np.array([number - 1 for one in looked for number in one])
+    rows = np.repeat(np.arange(n_stimuli), [len(numbers) for numbers in looked])
+    outputs = np.array([number - 1 for numbers in looked for number in numbers])
     spectra = vibrations.rows(rows, outputs, projection.axis_numbers)
     signals = _signals(projection.at(rows * n_outputs + outputs), spectra, vibrations.n_fft)
     windows = iter(windows_of(signals[..., : max(n_times)], limb.sample_rate_hz))
     reach = extents.of(list(rms), stimuli)
-    found = []
-    for which, (one, numbers) in enumerate(zip(stimuli, looked, strict=True)):
+    results = []
+    for which, (stimulus, numbers) in enumerate(zip(stimuli, looked, strict=True)):
         level = None
-        if plan.level_db is not None and one is not None:
+        if plan.level_db is not None and stimulus is not None:
             here = projection.at(slice(which * n_outputs, (which + 1) * n_outputs))
             rows_of_one = _rows_of(vibrations, which)
-            level = _level(plan, one, rows_of_one, here, rms[which], vibrations.n_fft, stop)
+            level = _level(plan, stimulus, rows_of_one, here, rms[which], vibrations.n_fft, stop)
         of_outputs = {number: next(windows) for number in numbers}
-        found.append(StimulusResult(rms[which], of_outputs, level, reach[which]))
-    return found
+        results.append(StimulusResult(rms[which], of_outputs, level, reach[which]))
+    return results
 
 
 def _signals(projection: Projection, spectra: Complexes, n_fft: int) -> Floats:
@@ -190,7 +190,7 @@ def _rows_of(vibrations: Vibrations, which: int) -> _Rows:
 
 def _level(
     plan: Plan,
-    one: PreparedStimulus,
+    stimulus: PreparedStimulus,
     rows: _Rows,
     projection: Projection,
     rms: Floats,
@@ -198,12 +198,12 @@ def _level(
     stop: Stop,
 ) -> float:
     """What is brought to the level of the plan: a ratio, or m/s²."""
-    limb, n_times = one.limb, one.response_samples
+    limb, n_times = stimulus.limb, stimulus.response_samples
     if plan.level == "above_threshold":
         spectra = rows(np.arange(limb.n_outputs), tuple(range(limb.n_axes)))
         acceleration = inverse_here(spectra, n_fft)[..., :n_times]
-        return above_threshold(acceleration, limb.sample_rate_hz, one.design.scaling)
-    energy = np.square(rms) * one.record_samples
+        return above_threshold(acceleration, limb.sample_rate_hz, stimulus.design.scaling)
+    energy = np.square(rms) * stimulus.record_samples
     return _loudest_window(rows, projection, energy, n_fft, limb, stop)
 
 
@@ -259,7 +259,7 @@ def columns_of(plan: Plan) -> tuple[str, ...]:
     """Names of the metrics of a plan."""
     return (
         *METRICS,
-        *(f"output_{one}_{name}" for one in plan.outputs for name in _OF_OUTPUTS),
+        *(f"output_{output}_{name}" for output in plan.outputs for name in _OF_OUTPUTS),
         *(ACTUATOR_METRICS if plan.drives_actuators else ()),
     )
 
@@ -331,8 +331,10 @@ class Measurer:
             **_levels_db(self.plan.level, seen.level, factor),
             **seen.extent,
         }
-        for one in self.plan.outputs:
-            metrics |= _of_output(f"output_{one}_", rms[one - 1], seen.windows[one], factor)
+        for output in self.plan.outputs:
+            metrics |= _of_output(
+                f"output_{output}_", rms[output - 1], seen.windows[output], factor
+            )
         if self.plan.drives_actuators:
             metrics |= actuator_metrics(prepared, factor, self.plan.limits)
         return {name: float(value) for name, value in metrics.items()}
@@ -355,49 +357,51 @@ class Measurer:
 
     def _seen_together(self, neighbours: range, stop: Stop) -> dict[int, StimulusResult] | None:
         """What the skin does by each of the neighbours; None where they have little in common."""
-        found: list[PreparedStimulus | None] = []
+        stimuli: list[PreparedStimulus | None] = []
         for number in neighbours:
             try:
-                one = self._prepared[number] = self._prepare(number, stop)
+                stimulus = self._prepared[number] = self._prepare(number, stop)
             except Stopped:
                 raise
             except (SkinSourceError, MemoryError):
                 # It is said when it is that one's turn.
-                found.append(None)
+                stimuli.append(None)
                 continue
-            if one.n_fft() is None:
+            if stimulus.n_fft() is None:
                 return None
-            found.append(one)
-        vibrations = self._together.of(found, stop, products=self._products(found))
+            stimuli.append(stimulus)
+        vibrations = self._together.of(stimuli, stop, products=self._products(stimuli))
         if vibrations is None:
             return None
-        seen = evaluate_batch(self.plan, vibrations, found, self._extents, stop)
+        seen = evaluate_batch(self.plan, vibrations, stimuli, self._extents, stop)
         return dict(zip(neighbours, seen, strict=True))
 
     def _products(self, stimuli: Iterable[PreparedStimulus | None]) -> bool:
         """Whether products of different axes are needed of any."""
         plan = self.plan
         return any(
-            needs_products(axis_numbers(plan.axes, one.limb.axes), plan.method)
-            for one in stimuli
-            if one is not None
+            needs_products(axis_numbers(plan.axes, stimulus.limb.axes), plan.method)
+            for stimulus in stimuli
+            if stimulus is not None
         )
 
-    def _seen_alone(self, one: PreparedStimulus, stop: Stop) -> StimulusResult:
-        responses = self._preparing.responses(one, one.n_fft())
-        field = self._fields.of(responses, one.placed, stop, products=self._products([one]))
+    def _seen_alone(self, stimulus: PreparedStimulus, stop: Stop) -> StimulusResult:
+        responses = self._preparing.responses(stimulus, stimulus.n_fft())
+        field = self._fields.of(
+            responses, stimulus.placed, stop, products=self._products([stimulus])
+        )
         if field is None:
-            return self._seen_in_blocks(one, stop)
-        return evaluate_stimulus(self.plan, field, one, self._extents, stop)
+            return self._seen_in_blocks(stimulus, stop)
+        return evaluate_stimulus(self.plan, field, stimulus, self._extents, stop)
 
-    def _seen_in_blocks(self, one: PreparedStimulus, stop: Stop) -> StimulusResult:
+    def _seen_in_blocks(self, stimulus: PreparedStimulus, stop: Stop) -> StimulusResult:
         """The same of a long design, by the rules that stream it."""
-        design, plan = one.design, self.plan
+        design, plan = stimulus.design, self.plan
         rms = self._evaluate(design, self._view, "output_rms", stop)
         level = None
         if plan.level == "above_threshold":
             raise InvalidInputError(
-                f"the response lasts {one.response_samples / one.limb.sample_rate_hz:.4g} s, which "
+                f"the response lasts {stimulus.response_samples / stimulus.limb.sample_rate_hz:.4g} s, which "
                 "is too long to be brought to a level above threshold. Shorten the stimulus, or "
                 "choose the level loudest_100ms."
             )
@@ -407,20 +411,20 @@ class Measurer:
         outputs = outputs_of_interest(rms, plan)
         view = replace(self._view, outputs=outputs)
         traces = self._evaluate(design, view, "selected_traces", stop)
-        windows = windows_of(traces, one.limb.sample_rate_hz)
-        (extent,) = self._extents.of([rms], [one])
+        windows = windows_of(traces, stimulus.limb.sample_rate_hz)
+        (extent,) = self._extents.of([rms], [stimulus])
         return StimulusResult(rms, dict(zip(outputs, windows, strict=True)), level, extent)
 
     def _evaluate(self, design: Design, view: View, name: str, stop: Stop) -> Floats:
-        found: Floats = self._graph.evaluate((name,), sources(design, view), stop)[name]
-        return found
+        value: Floats = self._graph.evaluate((name,), sources(design, view), stop)[name]
+        return value
 
 
 def _levels_db(kind: str | None, level: float | None, factor: float) -> Metrics:
-    found = float(decibels(level * factor)) if level else np.nan
+    level_db = float(decibels(level * factor)) if level else np.nan
     return {
-        "level_100ms_db": found if kind == "loudest_100ms" else np.nan,
-        "level_above_threshold_db": found if kind == "above_threshold" else np.nan,
+        "level_100ms_db": level_db if kind == "loudest_100ms" else np.nan,
+        "level_above_threshold_db": level_db if kind == "above_threshold" else np.nan,
     }
 
 

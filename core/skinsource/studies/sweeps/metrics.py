@@ -61,11 +61,11 @@ class PreparedStimulus:
     @property
     def moving(self) -> tuple[Placed, ...]:
         """Inputs that move the skin at all."""
-        return tuple(one for one in self.placed if one.moves)
+        return tuple(placed for placed in self.placed if placed.moves)
 
     def n_fft(self, response_samples: int | None = None) -> int | None:
         """Length of transforms of its response, or of a longer one; None: too long at once."""
-        places = {one.voice.location for one in self.placed}
+        places = {placed.voice.location for placed in self.placed}
         return length_at_once(
             response_samples or self.response_samples,
             len(places),
@@ -84,11 +84,11 @@ class _Known:
     placed: Placed
 
     def holds_for(
-        self, one: Input, rate_hz: float, band_hz: Band | None, actuation: Actuation | None
+        self, track: Input, rate_hz: float, band_hz: Band | None, actuation: Actuation | None
     ) -> bool:
         """Whether it is what ``one`` plays."""
         followed = self.rate_hz, self.band_hz, self.actuation
-        return self.input is one and followed == (rate_hz, band_hz, actuation)
+        return self.input is track and followed == (rate_hz, band_hz, actuation)
 
 
 class Preparing:
@@ -126,30 +126,30 @@ class Preparing:
         limb = self._latest = self._shared.driven_limb(limb, design.actuated, design.scaling)
         known = {}
         for index in audible_indices(design.inputs):
-            one = design.inputs[index]
-            before = self._known.get(one.id)
-            if before is None or not before.holds_for(one, rate_hz, band_hz, design.actuated):
+            track = design.inputs[index]
+            before = self._known.get(track.id)
+            if before is None or not before.holds_for(track, rate_hz, band_hz, design.actuated):
                 stop_if(stop)
-                placed = self._placed(one, rate_hz, band_hz, design.actuated)
-                before = _Known(one, rate_hz, band_hz, design.actuated, placed)
-            known[one.id] = before
+                placed = self._placed(track, rate_hz, band_hz, design.actuated)
+                before = _Known(track, rate_hz, band_hz, design.actuated, placed)
+            known[track.id] = before
         self._known = known
-        found = tuple(one.placed for one in known.values())
-        end = max([1, *(one.end for one in found)])
+        found = tuple(drawn.placed for drawn in known.values())
+        end = max([1, *(each.end for each in found)])
         return PreparedStimulus(design, limb, found, n_taps, end)
 
     def _placed(
-        self, one: Input, rate_hz: float, band_hz: Band | None, actuation: Actuation | None
+        self, track: Input, rate_hz: float, band_hz: Band | None, actuation: Actuation | None
     ) -> Placed:
         """An input that is heard, with what it plays."""
-        (voice,) = voices(self._remembered, (one,), rate_hz)
+        (voice,) = voices(self._remembered, (track,), rate_hz)
         drive = self._remembered.drives.drawn(voice.unit, rate_hz)
         check_drive(actuation, drive, rate_hz, band_hz, voice.location)
         return Placed(voice, drive, voice.start)
 
-    def responses(self, one: PreparedStimulus, n_fft: int | None) -> Responses:
+    def responses(self, stimulus: PreparedStimulus, n_fft: int | None) -> Responses:
         """Responses of its limb at the length ``n_fft``."""
-        return Responses(self._remembered, one.limb, one.design.scaling, n_fft)
+        return Responses(self._remembered, stimulus.limb, stimulus.design.scaling, n_fft)
 
 
 # Main axes of many outputs at once.
@@ -181,8 +181,8 @@ def main_axes(covariance: Floats) -> Floats:
         if _are_diagonal(rows):
             break
     values = np.stack([rows[0][0], rows[1][1], rows[2][2]])
-    found: Floats = np.choose(values.argmax(axis=0), vectors).T
-    return found
+    axes: Floats = np.choose(values.argmax(axis=0), vectors).T
+    return axes
 
 
 def _are_diagonal(rows: list[list[Floats]]) -> bool:
@@ -236,7 +236,7 @@ ACTUATOR_METRICS = (
 _RINGS_S = 0.1
 
 
-def actuator_metrics(one: PreparedStimulus, factor: float, limits: Limits) -> dict[str, float]:
+def actuator_metrics(stimulus: PreparedStimulus, factor: float, limits: Limits) -> dict[str, float]:
     """Metrics of the voltages at the actuators that a design is predicted through.
 
     ``limits_passed`` counts the limits that any channel passes, of ``limits`` and those that the
@@ -254,23 +254,23 @@ def actuator_metrics(one: PreparedStimulus, factor: float, limits: Limits) -> di
         A place has no actuator, or drives at one place leave a velocity, so that nothing can follow
         them.
     """
-    actuation = one.design.actuated
+    actuation = stimulus.design.actuated
     if actuation is None:
         return dict.fromkeys(ACTUATOR_METRICS, np.nan)
-    found = dict.fromkeys(ACTUATOR_METRICS, 0.0)
+    metrics = dict.fromkeys(ACTUATOR_METRICS, 0.0)
     passed: set[str] = set()
     known = False
-    for place, drive in _drives_of(one, factor).items():
+    for place, drive in _drives_of(stimulus, factor).items():
         at = actuation.at(place)
         own, thermal = _known_of(at)
         allowed = strictest(limits, own)
         known = known or allowed != Limits()
-        told = _told(drive, one.limb, at, actuation, thermal)
+        told = _told(drive, stimulus.limb, at, actuation, thermal)
         passed |= {breach.name for breach in breaches(told, allowed)}
         for name in ACTUATOR_METRICS[:-1]:
-            found[name] = float(np.maximum(found[name], getattr(told, name)))
-    found["limits_passed"] = float(len(passed)) if known else np.nan
-    return found
+            metrics[name] = float(np.maximum(metrics[name], getattr(told, name)))
+    metrics["limits_passed"] = float(len(passed)) if known else np.nan
+    return metrics
 
 
 def _told(
@@ -299,11 +299,11 @@ def _known_of(at: ActuatorAt) -> tuple[Limits, Thermal | None]:
     return about.limits, about.thermal
 
 
-def _drives_of(one: PreparedStimulus, factor: float) -> dict[int, Floats]:
+def _drives_of(stimulus: PreparedStimulus, factor: float) -> dict[int, Floats]:
     """The drive of each place where anything moves, (n_times,), m/s² or V."""
-    n_times = one.stimulus_samples
+    n_times = stimulus.stimulus_samples
     channels: dict[int, Floats] = {}
-    for each in one.moving:
+    for each in stimulus.moving:
         drive = channels.setdefault(each.voice.location, np.zeros(n_times))
         weight = each.voice.amplitude * each.drive.factor * factor
         drive[each.start : each.end] += weight * each.drive.samples
@@ -329,7 +329,7 @@ class DriveMetrics:
     def __init__(self) -> None:
         self._known: dict[int, _drive_metrics_Known] = {}
 
-    def of(self, one: PreparedStimulus, factor: float) -> dict[str, float]:
+    def of(self, stimulus: PreparedStimulus, factor: float) -> dict[str, float]:
         """Peak and RMS of all channels, and the share of energy outside the band.
 
         Parameters
@@ -337,12 +337,12 @@ class DriveMetrics:
         factor
             What all amplitudes are multiplied with.
         """
-        rate_hz, n_times = one.limb.sample_rate_hz, one.stimulus_samples
+        rate_hz, n_times = stimulus.limb.sample_rate_hz, stimulus.stimulus_samples
         channels: dict[int, list[tuple[float, Placed, _drive_metrics_Known]]] = {}
         energy = outside = 0.0
-        for each in one.placed:
+        for each in stimulus.placed:
             weight = each.voice.amplitude * each.drive.factor * factor
-            known = self._of_drive(each, rate_hz, one.limb.band_hz)
+            known = self._of_drive(each, rate_hz, stimulus.limb.band_hz)
             channels.setdefault(each.voice.location, []).append((weight, each, known))
             energy += weight**2 * known.energy
             outside += weight**2 * known.energy * known.outside
@@ -362,12 +362,14 @@ class DriveMetrics:
             "share_outside_band": outside / energy if energy > 0.0 else np.nan,
         }
 
-    def _of_drive(self, one: Placed, rate_hz: float, band_hz: Band | None) -> _drive_metrics_Known:
-        known = self._known.get(one.voice.id)
-        if known is None or known.drive is not one.drive:
-            samples = one.drive.samples
-            known = self._known[one.voice.id] = _drive_metrics_Known(
-                one.drive,
+    def _of_drive(
+        self, placed: Placed, rate_hz: float, band_hz: Band | None
+    ) -> _drive_metrics_Known:
+        known = self._known.get(placed.voice.id)
+        if known is None or known.drive is not placed.drive:
+            samples = placed.drive.samples
+            known = self._known[placed.voice.id] = _drive_metrics_Known(
+                placed.drive,
                 float(np.abs(samples).max(initial=0.0)),
                 float(np.vecdot(samples, samples)),
                 share_outside_band(samples, rate_hz, band_hz) if band_hz else np.nan,
@@ -378,8 +380,8 @@ class DriveMetrics:
 def _sum(inputs: list[tuple[float, Placed, _drive_metrics_Known]], n_times: int) -> Floats:
     """What inputs at one place play together, (n_times,)."""
     total = np.zeros(n_times)
-    for weight, one, _ in inputs:
-        total[one.start : one.end] += weight * one.drive.samples
+    for weight, placed, _ in inputs:
+        total[placed.start : placed.end] += weight * placed.drive.samples
     return total
 
 
@@ -413,20 +415,23 @@ class Extents:
         rms : (n_outputs,) each
             Of the outputs.
         """
-        found = [dict.fromkeys(OF_EXTENT, np.nan) for _ in stimuli]
+        extents = [dict.fromkeys(OF_EXTENT, np.nan) for _ in stimuli]
         alike: dict[_Key, list[int]] = {}
-        for which, one in enumerate(stimuli):
-            if one is None:
+        for which, stimulus in enumerate(stimuli):
+            if stimulus is None:
                 continue
-            key = one.limb.name, tuple(dict.fromkeys(each.voice.location for each in one.moving))
-            distance_mm = self._distances_mm(one.limb, key)
+            key = (
+                stimulus.limb.name,
+                tuple(dict.fromkeys(each.voice.location for each in stimulus.moving)),
+            )
+            distance_mm = self._distances_mm(stimulus.limb, key)
             if rms[which][np.isfinite(distance_mm)].any():
                 alike.setdefault(key, []).append(which)
         for key, numbers in alike.items():
             made = spread(np.array([rms[which] for which in numbers]), self._known[key])
             for row, which in enumerate(numbers):
-                found[which] = {name: float(made[name][row]) for name in OF_EXTENT}
-        return found
+                extents[which] = {name: float(made[name][row]) for name in OF_EXTENT}
+        return extents
 
     def _distances_mm(self, limb: Limb, key: _Key) -> Floats:
         """Distance of each output from the nearest place, mm; NaN where nothing plays."""

@@ -56,7 +56,7 @@ class Common:
             if values:
                 spectrum = np.empty(values[0].shape, np.complex128)
                 for part in _parts_of(len(spectrum)):
-                    add_up([one[part] for one in values], drives, spectrum[part])
+                    add_up([response[part] for response in values], drives, spectrum[part])
             known = self._known = responses, moving, spectrum
         return known[2]
 
@@ -93,9 +93,13 @@ class Fields:
         """
         if responses.n_fft is None:
             return None
-        moving = tuple(one for one in placed if one.moves)
-        alone = tuple(one for one in moving if one.voice.id in self._varying)
-        rest = tuple(one for one in moving if one.voice.id not in self._varying)
+        moving = tuple(placed_voice for placed_voice in placed if placed_voice.moves)
+        alone = tuple(
+            placed_voice for placed_voice in moving if placed_voice.voice.id in self._varying
+        )
+        rest = tuple(
+            placed_voice for placed_voice in moving if placed_voice.voice.id not in self._varying
+        )
         common = self._common.spectrum(responses, rest, stop)
         values, drives = terms(responses, alone, stop)
         limb = responses.limb
@@ -106,15 +110,15 @@ class Fields:
         for part in _parts_of(limb.n_outputs):
             total = self._room[part]
             if values:
-                add_up([one[part] for one in values], drives, total)
+                add_up([response[part] for response in values], drives, total)
                 if common is not None:
                     total += common[part]
             else:
                 total[...] = 0.0 if common is None else common[part]
             parts.append(moments_of(total, responses.n_fft, products=products))
         moments = Moments(
-            np.concatenate([one.second for one in parts]),
-            np.concatenate([one.first for one in parts]),
+            np.concatenate([part.second for part in parts]),
+            np.concatenate([part.first for part in parts]),
         )
         spectrum = TotalSpectrum(
             shape=shape,
@@ -145,13 +149,19 @@ def terms(
     """Spectra of the responses, and of the drives with onset and weight, of some voices."""
     if responses.n_fft is None or not moving:
         return [], []
-    to_places = responses.to(one.voice.location for one in moving)
-    sounding = [one.sounding(to) for one, to in zip(moving, to_places, strict=True)]
+    to_places = responses.to(placed_voice.voice.location for placed_voice in moving)
+    sounding = [
+        placed_voice.sounding(to) for placed_voice, to in zip(moving, to_places, strict=True)
+    ]
     gains = responses.gains(sounding, stop)
     drives = [
-        delayed(responses.drive_spectrum(one.voice.unit, one.drive), one.start, responses.n_fft)
-        * (one.voice.amplitude * gain)
-        for one, gain in zip(moving, gains, strict=True)
+        delayed(
+            responses.drive_spectrum(placed_voice.voice.unit, placed_voice.drive),
+            placed_voice.start,
+            responses.n_fft,
+        )
+        * (placed_voice.voice.amplitude * gain)
+        for placed_voice, gain in zip(moving, gains, strict=True)
     ]
     return [to.values for to in to_places], drives
 
@@ -240,7 +250,7 @@ class Products:
     def forget_all_but(self, keys: Iterable[Hashable]) -> None:
         """Keep only these matrices."""
         wanted = set(keys)
-        self._known = {key: one for key, one in self._known.items() if key in wanted}
+        self._known = {key: matrix for key, matrix in self._known.items() if key in wanted}
 
 
 def multiplied(matrix: Floats, columns: Floats) -> Floats:
@@ -254,14 +264,14 @@ def multiplied(matrix: Floats, columns: Floats) -> Floats:
     """
     n_columns, n = columns.shape
     rows = matrix.reshape(-1, n)
-    found = np.zeros((n_columns, len(rows)))
+    sums = np.zeros((n_columns, len(rows)))
     step = min(max(_NUMBERS_AT_ONCE // (n_columns * _ROWS), 1), n)
     at_once = _ROWS * max(_NUMBERS_AT_ONCE // (n_columns * _ROWS * step), 1)
     for low in range(0, n, step):
         part = columns[:, low : low + step]
         for row in range(0, len(rows), at_once):
-            found[:, row : row + at_once] += part @ rows[row : row + at_once, low : low + step].T
-    return found.reshape(n_columns, *matrix.shape[:2])
+            sums[:, row : row + at_once] += part @ rows[row : row + at_once, low : low + step].T
+    return sums.reshape(n_columns, *matrix.shape[:2])
 
 
 # Vibrations of many stimuli which differ in what some inputs play, and in nothing else.
@@ -302,8 +312,8 @@ class Vibrations:
         total = np.zeros((len(outputs), len(axes), self.n_fft // 2 + 1), np.complex128)
         chosen = np.ix_(outputs, np.array(axes))
         for values, drives in self.sources:
-            found = values[chosen]
-            total += found if drives is None else found * drives[stimuli][:, None]
+            responses = values[chosen]
+            total += responses if drives is None else responses * drives[stimuli][:, None]
         return total
 
 
@@ -332,11 +342,11 @@ class Batch:
         products
             Whether moments of different axes are wanted.
         """
-        there = [one for one in stimuli if one is not None]
-        if len(there) < _FEWEST or not all(_moves_as(one, there[0]) for one in there):
+        there = [stimulus for stimulus in stimuli if stimulus is not None]
+        if len(there) < _FEWEST or not all(_moves_as(stimulus, there[0]) for stimulus in there):
             return None
         split = _split(there)
-        n_fft = there[0].n_fft(max(one.response_samples for one in there))
+        n_fft = there[0].n_fft(max(stimulus.response_samples for stimulus in there))
         if split is None or n_fft is None:
             return None
         fixed, places = split
@@ -349,8 +359,10 @@ class Batch:
         drives = {
             id: np.zeros((len(stimuli), n_fft // 2 + 1), np.complex128) for id in sorted(places)
         }
-        for row, one in enumerate(stimuli):
-            varying = [each for each in one.moving if each.voice.id in places] if one else []
+        for row, stimulus in enumerate(stimuli):
+            varying = (
+                [each for each in stimulus.moving if each.voice.id in places] if stimulus else []
+            )
             _, spectra = terms(responses, tuple(varying), stop)
             for each, spectrum in zip(varying, spectra, strict=True):
                 drives[each.voice.id][row] = spectrum
@@ -379,38 +391,40 @@ class Batch:
         if made is None or made.n_bytes(len(sources), n_pairs, values) > _MOST_BYTES:
             return None
         self._forget(made, sources)
-        found = np.zeros((n_stimuli, len(made.pairs), len(values)))
+        totals = np.zeros((n_stimuli, len(made.pairs), len(values)))
         n_axes = made.n_axes
         size = np.zeros((n_stimuli, n_axes, len(values)))
         first = np.zeros((n_stimuli, len(values), n_axes))
-        for one in sources:
-            if one.drives is None:
+        for source in sources:
+            if source.drives is None:
                 alone = self._common_moments
                 if alone is None:
-                    alone = moments_of(one.values, n_fft, products=len(made.pairs) > n_axes)
+                    alone = moments_of(source.values, n_fft, products=len(made.pairs) > n_axes)
                     self._common_moments = alone
                 second = np.stack([alone.second[:, a, b] for a, b in made.pairs])[None]
                 first += alone.first
             else:
-                power = np.square(one.drives.real) + np.square(one.drives.imag)
-                second = multiplied(made.own(one.key, one.values), power)
-                first += one.drives[:, 0].real[:, None, None] * one.values[:, :, 0].real
-            found += second
+                power = np.square(source.drives.real) + np.square(source.drives.imag)
+                second = multiplied(made.own(source.key, source.values), power)
+                first += source.drives[:, 0].real[:, None, None] * source.values[:, :, 0].real
+            totals += second
             size += np.sqrt(np.maximum(second[:, :n_axes], 0.0))
         for left, right in combinations(sources, 2):
             matrix = made.between((left.key, right.key), left.values, right.values)
-            found += multiplied(matrix, left.with_conjugate_of(right).view(np.float64))
-        second = _filled(found, made.pairs, n_axes)
+            totals += multiplied(matrix, left.with_conjugate_of(right).view(np.float64))
+        second = _filled(totals, made.pairs, n_axes)
         moments = Moments(second.reshape(-1, n_axes, n_axes), first.reshape(-1, n_axes))
-        vibrations = Vibrations(moments, n_fft, tuple((one.values, one.drives) for one in sources))
-        lost: Booleans = np.any(found[:, :n_axes] < _CANCELLED * np.square(size), axis=1)
+        vibrations = Vibrations(
+            moments, n_fft, tuple((source.values, source.drives) for source in sources)
+        )
+        lost: Booleans = np.any(totals[:, :n_axes] < _CANCELLED * np.square(size), axis=1)
         _mend(vibrations, lost, products=len(made.pairs) > n_axes)
         return vibrations
 
     def _forget(self, made: Products, sources: "list[_Source]") -> None:
         """Leave no more matrices than are in use."""
         common = sources[0].values if sources[0].drives is None else None
-        keys: list[Hashable] = [one.key for one in sources]
+        keys: list[Hashable] = [source.key for source in sources]
         keys += [(a.key, b.key) for a, b in combinations(sources, 2)]
         if common is not self._common_now:
             keys = [key for key in keys if not isinstance(key, tuple) or key[0] != _ALL_COMMON]
@@ -434,31 +448,33 @@ class _Source:
         return conjugates if self.drives is None else self.drives * conjugates
 
 
-def _moves_as(one: PreparedStimulus, other: PreparedStimulus) -> bool:
+def _moves_as(stimulus: PreparedStimulus, other: PreparedStimulus) -> bool:
     """Whether responses are the same; a limb behind other actuators is another one."""
-    return one.limb is other.limb and one.design.scaling == other.design.scaling
+    return stimulus.limb is other.limb and stimulus.design.scaling == other.design.scaling
 
 
 def _split(stimuli: list[PreparedStimulus]) -> tuple[tuple[Placed, ...], dict[int, int]] | None:
     """Inputs that all stimuli have alike, and the places of the others by id; None: they move."""
-    by_id = [{each.voice.id: each for each in one.moving} for one in stimuli]
+    by_id = [{each.voice.id: each for each in stimulus.moving} for stimulus in stimuli]
     fixed, places = [], {}
-    for id in dict.fromkeys(id for one in by_id for id in one):
-        found = [one[id] for one in by_id if id in one]
-        if len(found) == len(stimuli) and all(same((found[0],), (one,)) for one in found[1:]):
-            fixed.append(found[0])
-        elif len({one.voice.location for one in found}) > 1:
+    for id in dict.fromkeys(id for by_number in by_id for id in by_number):
+        variants = [placed_by_id[id] for placed_by_id in by_id if id in placed_by_id]
+        if len(variants) == len(stimuli) and all(
+            same((variants[0],), (variant,)) for variant in variants[1:]
+        ):
+            fixed.append(variants[0])
+        elif len({variant.voice.location for variant in variants}) > 1:
             return None
         else:
-            places[id] = found[0].voice.location
+            places[id] = variants[0].voice.location
     return tuple(fixed), places
 
 
-def _filled(found: Floats, pairs: tuple[tuple[int, int], ...], n_axes: int) -> Floats:
+def _filled(totals: Floats, pairs: tuple[tuple[int, int], ...], n_axes: int) -> Floats:
     """Matrices of second moments, (n_stimuli, n_outputs, n_axes, n_axes)."""
-    second = np.zeros((len(found), found.shape[-1], n_axes, n_axes))
+    second = np.zeros((len(totals), totals.shape[-1], n_axes, n_axes))
     for k, (a, b) in enumerate(pairs):
-        second[:, :, a, b] = second[:, :, b, a] = found[:, k]
+        second[:, :, a, b] = second[:, :, b, a] = totals[:, k]
     return second
 
 

@@ -50,8 +50,8 @@ def equally_strong(design: Design, strengths: Strengths) -> Design:
         An input plays no single frequency, or its frequency or place was not matched.
     """
     inputs = (
-        one if one.muted else _equally_strong(number, one, strengths)
-        for number, one in enumerate(design.inputs, start=1)
+        track if track.muted else _equally_strong(number, track, strengths)
+        for number, track in enumerate(design.inputs, start=1)
     )
     return replace(design, inputs=tuple(inputs))
 
@@ -77,22 +77,24 @@ def above_threshold(acceleration: Floats, sample_rate_hz: float, scaling: str) -
             "scaling Probe acceleration."
         )
     levels_db = sensation_levels_db(acceleration, sample_rate_hz)
-    highest_db = max(float(one.max()) for one in levels_db.values())
+    highest_db = max(float(channel_db.max()) for channel_db in levels_db.values())
     return float(10.0 ** (highest_db / 20.0)) if highest_db > _SILENCE_DB else 0.0
 
 
-def _equally_strong(number: int, one: Input, strengths: Strengths) -> Input:
-    found = {getattr(clip.waveform, "frequency_hz", None) for clip in one.clips if not clip.muted}
-    frequencies_hz = [each for each in found if isinstance(each, float)]
-    if not found:
-        return one
-    if len(found) != 1 or len(frequencies_hz) != 1:
+def _equally_strong(number: int, track: Input, strengths: Strengths) -> Input:
+    played_hz = {
+        getattr(clip.waveform, "frequency_hz", None) for clip in track.clips if not clip.muted
+    }
+    frequencies_hz = [each for each in played_hz if isinstance(each, float)]
+    if not played_hz:
+        return track
+    if len(played_hz) != 1 or len(frequencies_hz) != 1:
         raise InvalidInputError(
             f"input {number} does not play one frequency, expected waveforms of one frequency_hz: "
             "only such vibrations were matched"
         )
-    level_db = strengths.level_db(frequencies_hz[0], one.location)
-    return replace(one, amplitude=one.amplitude * float(np.power(10.0, level_db / 20.0)))
+    level_db = strengths.level_db(frequencies_hz[0], track.location)
+    return replace(track, amplitude=track.amplitude * float(np.power(10.0, level_db / 20.0)))
 
 
 # What a sweep can vary: a name and a value make one design of another.
@@ -139,12 +141,12 @@ def varied(design: Design, name: str, value: Value) -> Design:
         return _placed(design, number, value)
     chosen = range(len(design.inputs)) if number is None else (number,)
     inputs = list(design.inputs)
-    found = False
+    has_field = False
     for index in chosen:
         changed = _input_with(inputs[index], field, value)
-        found = found or changed is not None
+        has_field = has_field or changed is not None
         inputs[index] = changed or inputs[index]
-    if not found:
+    if not has_field:
         raise InvalidInputError(
             f"nothing in the design has {quoted(name)}; a sweep can vary "
             f"{', '.join(names_in(design))}"
@@ -195,17 +197,17 @@ def _placed(design: Design, number: int | None, places: tuple[int, ...]) -> Desi
             f"{len(design.inputs)} inputs"
         )
     inputs = (
-        replace(one, location=place) for one, place in zip(design.inputs, places, strict=True)
+        replace(track, location=place) for track, place in zip(design.inputs, places, strict=True)
     )
     return replace(design, inputs=tuple(inputs))
 
 
-def _input_with(one: Input, field: str, value: Value) -> Input | None:
+def _input_with(track: Input, field: str, value: Value) -> Input | None:
     """The input with ``field`` set; None where it has none."""
     if field in OF_INPUT:
-        return replace(one, **{field: value})  # type: ignore[arg-type]
-    clips = _each(one.clips, lambda clip: _clip_with(clip, field, value))
-    return None if clips is None else replace(one, clips=clips)
+        return replace(track, **{field: value})  # type: ignore[arg-type]
+    clips = _each(track.clips, lambda clip: _clip_with(clip, field, value))
+    return None if clips is None else replace(track, clips=clips)
 
 
 def _clip_with(clip: Clip, field: str, value: Value) -> Clip | None:
@@ -293,7 +295,7 @@ def trials(order: Order, stimuli: Sequence[int]) -> tuple[Trial, ...]:
     rng = np.random.default_rng(order.seed)
     # Which stimulus is which letter: the square itself is the same for all seeds.
     letters = rng.permutation(n_stimuli)
-    found = []
+    presented = []
     for block in range(n_blocks):
         if order.kind == "random":
             sequence = rng.permutation(n_stimuli)
@@ -302,11 +304,11 @@ def trials(order: Order, stimuli: Sequence[int]) -> tuple[Trial, ...]:
         else:
             sequence = np.arange(n_stimuli)
         participant, of_participant = divmod(block, order.blocks)
-        found += [
+        presented += [
             Trial(participant + 1, of_participant + 1, k + 1, stimuli[stimulus])
             for k, stimulus in enumerate(sequence)
         ]
-    return tuple(found)
+    return tuple(presented)
 
 
 def latin_row(row: int, n: int) -> np.ndarray:
@@ -318,8 +320,8 @@ def latin_row(row: int, n: int) -> np.ndarray:
     # 0, 1, n-1, 2, n-2, …: the steps between neighbours are all different.
     first = np.where(steps % 2 == 1, (steps + 1) // 2, (n - steps // 2) % n)
     which, mirrored = row % n, n % 2 == 1 and (row // n) % 2 == 1
-    found: np.ndarray = (first + which) % n
-    return found[::-1] if mirrored else found
+    letters: np.ndarray = (first + which) % n
+    return letters[::-1] if mirrored else letters
 
 
 # Which stimuli a sweep consists of.
@@ -463,12 +465,12 @@ class Plan:
         if len(self) == 1:
             return everything
         try:
-            one, other = self.design_of(1), self.design_of(2)
+            first, other = self.design_of(1), self.design_of(2)
         except InvalidInputError:
             return everything
-        if one.limb != other.limb or one.scaling != other.scaling or one.ids != other.ids:
+        if first.limb != other.limb or first.scaling != other.scaling or first.ids != other.ids:
             return everything
-        pairs = zip(one.inputs, other.inputs, strict=True)
+        pairs = zip(first.inputs, other.inputs, strict=True)
         return frozenset(after.id for before, after in pairs if before != after)
 
     @property
@@ -550,5 +552,5 @@ def _strengths(tree: Tree) -> Strengths | None:
     return Strengths(points, (place, hertz))
 
 
-def _value(found: Tree) -> Value:
-    return tuple(found) if isinstance(found, list) else found
+def _value(tree: Tree) -> Value:
+    return tuple(tree) if isinstance(tree, list) else tree

@@ -156,16 +156,16 @@ def run(
     if wanted.order is not None:
         trials(wanted.order, range(1, len(plan) + 1))
     with nullcontext() if out is None else Folder(Path(out), plan.digest) as folder:
-        found: dict[int, Metrics | str] = {} if folder is None else dict(folder.journal.rows)
-        left = [number for number in range(1, len(plan) + 1) if number not in found]
+        outcomes: dict[int, Metrics | str] = {} if folder is None else dict(folder.journal.rows)
+        left = [number for number in range(1, len(plan) + 1) if number not in outcomes]
         measure = measuring or _measuring(len(left), processes)
-        progress(len(found), len(plan), "Measuring")
+        progress(len(outcomes), len(plan), "Measuring")
         for number, row in measure(plan, left, stop):
-            found[number] = row
+            outcomes[number] = row
             if folder is not None:
                 folder.journal.add(number, row)
-            progress(len(found), len(plan), f"Measured stimulus {number} of {len(plan)}")
-        table = table_of(plan, found)
+            progress(len(outcomes), len(plan), f"Measured stimulus {number} of {len(plan)}")
+        table = table_of(plan, outcomes)
         if folder is not None:
             folder.finish(wanted.plan, table, wanted.order, parquet=wanted.parquet)
             if wanted.files is not None:
@@ -191,20 +191,20 @@ def named_designs(
 ) -> tuple[tuple[str, Design], ...]:
     """Return each design with a name of its own: of its file, its title, or a number."""
     several = [designs] if isinstance(designs, Design | str | os.PathLike) else list(designs)
-    found: list[tuple[str, Design]] = []
+    named: list[tuple[str, Design]] = []
     for number, one in enumerate(several, start=1):
         if isinstance(one, Design):
-            found.append((one.title or f"design {number}", one))
+            named.append((one.title or f"design {number}", one))
         elif isinstance(one, str | os.PathLike):
-            found.append((Path(one).stem, open_design(one).design))
+            named.append((Path(one).stem, open_design(one).design))
         else:
             raise InvalidInputError(
                 f"designs holds {quoted(one)}, expected designs or paths of design files"
             )
-    names = [name for name, _ in found]
+    names = [name for name, _ in named]
     return tuple(
         (name if names.count(name) == 1 else f"{name} ({number})", design)
-        for number, (name, design) in enumerate(found, start=1)
+        for number, (name, design) in enumerate(named, start=1)
     )
 
 
@@ -239,7 +239,7 @@ def values_of(name: str, values: Iterable[Any]) -> tuple[Value, ...]:
     """Return the values of a variable as plain ones."""
     if isinstance(values, str | bytes) or not isinstance(values, Iterable):
         raise InvalidInputError(f"{quoted(name)} is {quoted(values)}, expected a list of values")
-    return tuple(_value(name, one) for one in values)
+    return tuple(_value(name, value) for value in values)
 
 
 def _value(name: str, value: Any) -> Value:
@@ -247,7 +247,7 @@ def _value(name: str, value: Any) -> Value:
     if hasattr(value, "item") and not isinstance(value, str | bytes):
         value = value.tolist()
     if isinstance(value, list | tuple):
-        return tuple(integer(f"{name}[{k}]", one, 1, 2**31) for k, one in enumerate(value))
+        return tuple(integer(f"{name}[{k}]", number, 1, 2**31) for k, number in enumerate(value))
     # What a report cannot hold is no value, and would be found out at the end.
     if isinstance(value, bool | int | str) or (isinstance(value, float) and isfinite(value)):
         return value
@@ -291,65 +291,67 @@ def read_sweep(path: Path) -> Sweep:
         It, or a design, cannot be read.
     """
     try:
-        found = tomllib.loads(read_bytes(path, most=_MOST_BYTES).decode())
+        content = tomllib.loads(read_bytes(path, most=_MOST_BYTES).decode())
     except (ValueError, RecursionError) as error:
         raise FileFormatError(
             f"{named(path)}: is no TOML text ({printable(error)}). Correct that place, and try "
             "again."
         ) from error
     try:
-        return _sweep(found, path.parent)
+        return _sweep(content, path.parent)
     except InvalidInputError as error:
         raise FileFormatError(f"{named(path)}: {sentence(str(error))}") from error
 
 
-def _sweep(found: dict[str, Any], folder: Path) -> Sweep:
-    _refuse_unknown("", found)
-    names = found.get("designs")
-    if not isinstance(names, list) or not names or not all(isinstance(one, str) for one in names):
+def _sweep(content: dict[str, Any], folder: Path) -> Sweep:
+    _refuse_unknown("", content)
+    names = content.get("designs")
+    if not isinstance(names, list) or not names or not all(isinstance(name, str) for name in names):
         raise InvalidInputError(
             f"designs is {quoted(names)}, expected a list of names of design files"
         )
-    files = [folder / one for one in names]
-    for one in files:
-        open_design(one)
-    level_db = found.get("level_db")
-    parquet = found.get("parquet", False)
+    files = [folder / name for name in names]
+    for file in files:
+        open_design(file)
+    level_db = content.get("level_db")
+    parquet = content.get("parquet", False)
     if not isinstance(parquet, bool):
         raise InvalidInputError(f"parquet is {quoted(parquet)}, expected true or false")
     plan = Plan(
         designs=named_designs(files),
-        variables=variables_of(_table(found, "vary")),
-        outputs=tuple(integer("an output", one, 1, _MOST) for one in _list(found, "outputs")),
-        axes=one_of("axes", found.get("axes", "xyz"), AXES),
-        method=one_of("method", found.get("method", "pca"), METHODS),
-        **level_of(_level(found, folder)),
-        limits=_limits(found),
+        variables=variables_of(_table(content, "vary")),
+        outputs=tuple(
+            integer("an output", output, 1, _MOST) for output in _list(content, "outputs")
+        ),
+        axes=one_of("axes", content.get("axes", "xyz"), AXES),
+        method=one_of("method", content.get("method", "pca"), METHODS),
+        **level_of(_level(content, folder)),
+        limits=_limits(content),
         level_db=None
         if level_db is None
         else real_number("level_db", level_db, least=LOWEST_DB, most=HIGHEST_DB),
     )
-    return Sweep(plan=plan, order=_order(found), files=_files(found), parquet=parquet)
+    return Sweep(plan=plan, order=_order(content), files=_files(content), parquet=parquet)
 
 
-def _level(found: dict[str, Any], folder: Path) -> str | Path | None:
+def _level(content: dict[str, Any], folder: Path) -> str | Path | None:
     """Name of a level, or where its table is: beside the sweep."""
-    level = found.get("level")
+    level = content.get("level")
     if level is not None and not isinstance(level, str):
         raise InvalidInputError(f"level is {quoted(level)}, expected a text")
     return folder / level if level is not None and level.lower().endswith(".csv") else level
 
 
-def _limits(found: dict[str, Any]) -> Limits:
-    table = _table(found, "limits")
+def _limits(content: dict[str, Any]) -> Limits:
+    table = _table(content, "limits")
     _refuse_unknown("limits", table)
     return Limits(**table)
 
 
-def _order(found: dict[str, Any]) -> Order | None:
-    if "trials" not in found:
+def _order(content: dict[str, Any]) -> Order | None:
+    if "trials" not in content:
         return None
-    table = _table(found, "trials")
+    table = _table(content, "trials")
     _refuse_unknown("trials", table)
     return Order(
         kind=one_of("order", table.get("order", "random"), KINDS),
@@ -359,10 +361,10 @@ def _order(found: dict[str, Any]) -> Order | None:
     )
 
 
-def _files(found: dict[str, Any]) -> StimulusFiles | None:
-    if "stimuli" not in found:
+def _files(content: dict[str, Any]) -> StimulusFiles | None:
+    if "stimuli" not in content:
         return None
-    table = _table(found, "stimuli")
+    table = _table(content, "stimuli")
     _refuse_unknown("stimuli", table)
     rate_hz = table.get("rate_hz")
     return StimulusFiles(
@@ -371,8 +373,8 @@ def _files(found: dict[str, Any]) -> StimulusFiles | None:
     )
 
 
-def _table(found: dict[str, Any], name: str) -> dict[str, Any]:
-    table = found.get(name, {})
+def _table(content: dict[str, Any], name: str) -> dict[str, Any]:
+    table = content.get(name, {})
     if not isinstance(table, dict):
         raise InvalidInputError(f"{name} is {quoted(table)}, expected a table, [{name}]")
     return _flat(table)
@@ -383,14 +385,14 @@ def _flat(table: dict[str, Any]) -> dict[str, Any]:
     flat: dict[str, Any] = {}
     for name, value in table.items():
         if isinstance(value, dict):
-            flat |= {f"{name}.{inner}": one for inner, one in value.items()}
+            flat |= {f"{name}.{inner}": inner_value for inner, inner_value in value.items()}
         else:
             flat[name] = value
     return flat
 
 
-def _list(found: dict[str, Any], name: str) -> list[Any]:
-    values = found.get(name, [])
+def _list(content: dict[str, Any], name: str) -> list[Any]:
+    values = content.get(name, [])
     if not isinstance(values, list):
         raise InvalidInputError(f"{name} is {quoted(values)}, expected a list")
     return values

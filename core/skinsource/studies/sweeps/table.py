@@ -86,16 +86,16 @@ class SweepTable:
         return {int(row[0]): str(row[-1]) for row in self.rows if row[-1]}
 
 
-def table_of(plan: Plan, found: dict[int, Metrics | str]) -> SweepTable:
+def table_of(plan: Plan, outcomes: dict[int, Metrics | str]) -> SweepTable:
     """The table of the stimuli of ``plan`` that were ``found`` so far."""
     metrics = columns_of(plan)
     rows = [
         (
             number,
             *(_cell(value) for value in plan.values_of(number).values()),
-            *_measured(found[number], metrics),
+            *_measured(outcomes[number], metrics),
         )
-        for number in sorted(found)
+        for number in sorted(outcomes)
     ]
     return SweepTable(("stimulus", *plan.names, *metrics, ERROR), tuple(rows))
 
@@ -124,12 +124,12 @@ def write_parquet(table: SweepTable, path: Path) -> None:
         parquet.write_table(arrow.table(columns), temporary)
 
 
-def _measured(found: Metrics | str, names: tuple[str, ...]) -> Iterator[Cell]:
-    if isinstance(found, str):
+def _measured(outcome: Metrics | str, names: tuple[str, ...]) -> Iterator[Cell]:
+    if isinstance(outcome, str):
         yield from (math.nan for _ in names)
-        yield found
+        yield outcome
         return
-    yield from (found[name] for name in names)
+    yield from (outcome[name] for name in names)
     yield ""
 
 
@@ -145,8 +145,8 @@ def _as_text(value: Cell) -> str:
 
 
 def _uniform(values: np.ndarray) -> list[Any]:
-    found: list[Any] = values.tolist()
-    return found
+    plain: list[Any] = values.tolist()
+    return plain
 
 
 # What a sweep has measured so far, on disk: a kill loses nothing, and doubles nothing.
@@ -213,15 +213,15 @@ class Journal:
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    def add(self, number: int, found: Metrics | str) -> None:
+    def add(self, number: int, outcome: Metrics | str) -> None:
         """Keep what was found of a stimulus, from 1, on disk; a second time changes nothing."""
         if number in self.rows:
             return
-        self.rows[number] = found
-        if isinstance(found, str):
-            self._write(_line({"stimulus": number, "error": found}))
+        self.rows[number] = outcome
+        if isinstance(outcome, str):
+            self._write(_line({"stimulus": number, "error": outcome}))
         else:
-            self._write(_line({"stimulus": number, "metrics": _finite(found)}))
+            self._write(_line({"stimulus": number, "metrics": _finite(outcome)}))
 
     def close(self) -> None:
         """Close the file; it stays."""
@@ -377,7 +377,8 @@ def _trials_csv(order: Order, table: SweepTable) -> bytes:
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(("participant", "block", "trial", "stimulus"))
     writer.writerows(
-        (one.participant, one.block, one.trial, one.stimulus) for one in trials(order, stimuli)
+        (trial.participant, trial.block, trial.trial, trial.stimulus)
+        for trial in trials(order, stimuli)
     )
     return text.getvalue().encode()
 
@@ -472,8 +473,10 @@ class StimulusFiles:
         for done, (path, design) in enumerate(self._files(plan, table, out / FOLDER)):
             stop_if(stop)
             progress(done, len(table), "Looking for the largest drive")
-            found = prepare_stimulus(design, path, kind, self.rate_hz, StimulusOptions(), stop=stop)
-            largest = max(largest, float(np.abs(found.drives.samples).max(initial=0.0)))
+            prepared = prepare_stimulus(
+                design, path, kind, self.rate_hz, StimulusOptions(), stop=stop
+            )
+            largest = max(largest, float(np.abs(prepared.drives.samples).max(initial=0.0)))
         # A little more, so that rounding takes no sample beyond it.
         return largest * (1.0 + 2.0**-50) or 1.0
 
@@ -482,5 +485,5 @@ def louder(design: Design, factor: float) -> Design:
     """The design with all amplitudes times ``factor``."""
     if factor == 1.0 or math.isnan(factor):
         return design
-    inputs = (replace(one, amplitude=one.amplitude * factor) for one in design.inputs)
+    inputs = (replace(track, amplitude=track.amplitude * factor) for track in design.inputs)
     return replace(design, inputs=tuple(inputs))

@@ -29,9 +29,9 @@ def main() -> None:
             measurer = Measurer(plan_of(request["plan"]))
         elif measurer is not None:
             for number in request["measure"]:
-                found = metrics_or_reason(measurer, number)
-                kind = "error" if isinstance(found, str) else "metrics"
-                text = json.dumps({"stimulus": number, kind: found})
+                outcome = metrics_or_reason(measurer, number)
+                kind = "error" if isinstance(outcome, str) else "metrics"
+                text = json.dumps({"stimulus": number, kind: outcome})
                 answers.write(text.encode() + b"\n")
                 answers.flush()
 

@@ -45,8 +45,8 @@ def measured(
     rows: SimpleQueue[Row | BaseException | None] = SimpleQueue()
     servers = [_Server(plan, tasks, rows) for _ in range(max(1, processes))]
     try:
-        for one in servers:
-            one.start()
+        for server in servers:
+            server.start()
         running = len(servers)
         while running:
             stop_if(stop)
@@ -61,8 +61,8 @@ def measured(
             else:
                 yield row
     finally:
-        for one in servers:
-            one.end()
+        for server in servers:
+            server.end()
 
 
 class _Tasks:
@@ -128,8 +128,8 @@ class _Server(Thread):
             pipe.write(json.dumps({"measure": chunk}).encode() + b"\n")
             pipe.flush()
             while left:
-                left_number, found = self._answer()
-                self._rows.put((left_number, found))
+                left_number, outcome = self._answer()
+                self._rows.put((left_number, outcome))
                 left.remove(left_number)
         except (_Lost, OSError):
             self._close()
