@@ -144,7 +144,9 @@ def describe_played(
         lines.append(f"amplitudes: {meaning}")
     if actuated is not None:
         lines.append(f"predicted through: {actuated.words}")
-        lines += [f"  {_named(actuator)}: {actuator.model}" for actuator in actuated.actuators]
+        lines += [
+            f"  {_actuator_label(actuator)}: {actuator.model}" for actuator in actuated.actuators
+        ]
     for track in inputs:
         muted = ", muted" if track.muted else ""
         solo = ", solo" if track.solo else ""
@@ -160,7 +162,7 @@ def describe_played(
     return lines
 
 
-def _named(actuator: ActuatorAt) -> str:
+def _actuator_label(actuator: ActuatorAt) -> str:
     where = "all other places" if actuator.place is None else f"place {actuator.place}"
     return f"{where}, {actuator.actuator}" if actuator.actuator else where
 

@@ -69,9 +69,9 @@ def _write_chunk(file: BinaryIO, kind: bytes, content: bytes) -> None:
 _ANCHORS = np.array(
     [[13, 8, 35], [72, 20, 92], [142, 38, 88], [208, 73, 58], [243, 139, 44], [252, 236, 160]]
 )
-_NOWHERE = 255
+_OUTSIDE_VALUE = 255
 # Pixels of the picture for each of the map, so that it can be looked at as it is.
-_MAGNIFIED = 3
+_MAGNIFICATION = 3
 
 
 def export_map(
@@ -89,7 +89,7 @@ def export_map(
     Parameters and errors are those of
     `export_traces`.
     """
-    surface, levels_db, about = _map_of(design, view, progress, stop, largest_error)
+    surface, levels_db, about = _map_content(design, view, progress, stop, largest_error)
     header = ["y_mm", *(f"x_{x:g}_mm" for x in surface.x_mm)]
     with output_file(path, stop) as file:
         table = CsvTable(file, about, header, stop)
@@ -111,7 +111,7 @@ def export_map_picture(
     Colours go from the loudest output to `MAP_RANGE_DB` below it.  Parameters and errors are those
     of `export_traces`.
     """
-    _, levels_db, about = _map_of(design, view, progress, stop, largest_error)
+    _, levels_db, about = _map_content(design, view, progress, stop, largest_error)
     top_db = float(np.nanmax(levels_db))
     colours = (
         f"colours: {top_db - MAP_RANGE_DB:.1f} (darkest) to {top_db:.1f} (lightest) dB re 1 m/s²"
@@ -136,11 +136,11 @@ def picture_of(levels_db: Floats, top_db: float) -> NDArray[np.uint8]:
     share = np.clip((np.where(inside, levels_db, top_db) - top_db) / MAP_RANGE_DB + 1.0, 0.0, 1.0)
     at = np.linspace(0.0, 1.0, len(_ANCHORS))
     colours = np.stack([np.interp(share, at, channel) for channel in _ANCHORS.T], axis=-1)
-    pixels = np.where(inside[..., None], np.rint(colours), _NOWHERE).astype(np.uint8)
-    return pixels[::-1].repeat(_MAGNIFIED, axis=0).repeat(_MAGNIFIED, axis=1)
+    pixels = np.where(inside[..., None], np.rint(colours), _OUTSIDE_VALUE).astype(np.uint8)
+    return pixels[::-1].repeat(_MAGNIFICATION, axis=0).repeat(_MAGNIFICATION, axis=1)
 
 
-def _map_of(
+def _map_content(
     design: Design, view: View, progress: Progress, stop: Stop, largest_error: float
 ) -> tuple[SurfaceOperator, Floats, list[str]]:
     """Return the map's pixels, its levels, and what a file says of them."""

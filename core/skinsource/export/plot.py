@@ -233,7 +233,7 @@ _NOISE_REACH = 0.08
 _STROKES, _STROKE_COLOUR = "//////", "#B0B0B0"
 #: What strokes over a map mean.
 HATCHED = f"Hatched: less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise of the measurement"
-_ALONE_MM = (75.0, 115.0)
+_MAP_FIGURE_MM = (75.0, 115.0)
 
 
 def map(
@@ -284,7 +284,7 @@ def map(
     """
     levels = levels_of(shown, limb, view)
     colours = common_range(levels.values) if range_db is None else range_db
-    on, alone = axes_of(ax, *_ALONE_MM)
+    on, alone = axes_of(ax, *_MAP_FIGURE_MM)
     with style():
         image = draw_map(on, levels, colours, outputs=outputs, title=title)
         if alone:
@@ -355,7 +355,7 @@ def _draw_field(ax: Any, levels: Levels, colours: Range, colour_map: str) -> tup
     half = (surface.x_mm[1] - surface.x_mm[0]) / 2.0
     x, y = surface.x_mm, surface.y_mm
     image = ax.imshow(
-        _beyond(surface, levels.values),
+        _extended_map(surface, levels.values),
         origin="lower",
         extent=(x[0] - half, x[-1] + half, y[0] - half, y[-1] + half),
         cmap=colour_map,
@@ -409,7 +409,7 @@ def colour_bar(figure: Any, image: Any, axes: list[Any], label: str) -> Any:
     return bar
 
 
-def _beyond(surface: SurfaceOperator, values: Floats) -> Floats:
+def _extended_map(surface: SurfaceOperator, values: Floats) -> Floats:
     """The map, (rows, columns), carried on beyond the outline, which cuts it."""
     inside = surface.interpolate(values)
     outside = np.isnan(inside)
@@ -448,9 +448,9 @@ def _millimetre_bar(ax: Any, right_mm: float, bottom_mm: float, long_mm: float) 
 # Curves in rows under each other.
 
 # A row is so high that curves of neighbours do not touch.
-_ROOM = 2.3
+_ROW_HEIGHT = 2.3
 # Height of a legend, as a part of a row.
-_LEGEND = 0.3
+_LEGEND_SHARE = 0.3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -515,7 +515,7 @@ def draw_rows(
     legend_apart
         Whether there is room for the legend above the first row, so that it lies on no curve.
     """
-    room = 1.15 if from_zero else _ROOM
+    room = 1.15 if from_zero else _ROW_HEIGHT
     for rank, row in enumerate(rows):
         base = -room * rank
         ax.axhline(base, color="#DDDDDD", lw=0.5, zorder=0)
@@ -526,7 +526,7 @@ def draw_rows(
     ax.set_yticks([-room * rank for rank in range(len(rows))], [row.label for row in rows])
     ax.tick_params(axis="y", length=0)
     ax.spines["left"].set_visible(False)
-    top = 1.15 + (_LEGEND * room if labels and legend_apart else 0.0)
+    top = 1.15 + (_LEGEND_SHARE * room if labels and legend_apart else 0.0)
     ax.set_ylim(-room * (len(rows) - 1) - (0.1 if from_zero else 1.15), top)
     if rows:
         ax.set_xlim(float(rows[0].x[0]), float(rows[0].x[-1]))
@@ -536,7 +536,7 @@ def draw_rows(
         ax.set_title(title)
 
 
-def say_scale(ax: Any, words: str) -> None:
+def annotate_scale(ax: Any, words: str) -> None:
     """Say above ``ax`` what the height of a row means."""
     ax.annotate(
         words,
@@ -552,7 +552,7 @@ def say_scale(ax: Any, words: str) -> None:
 # Traces and spectra of outputs.
 
 _WIDTH_MM, _ROW_MM, _AROUND_MM = 130.0, 13.0, 26.0
-_NEEDS = "response_time_s", "axis_traces", "selected_projection"
+_TRACE_QUANTITIES = "response_time_s", "axis_traces", "selected_projection"
 # Of more samples a page shows no single wave, but how far waves reach: in more columns than a page
 # of two columns has dots of 600 in an inch.
 _MOST_JOINED, _N_COLUMNS = 20_000, 4096
@@ -601,15 +601,15 @@ def traces(
     MissingExtraError
         matplotlib is not installed.
     """
-    designs, looked = _designs(shown, labels), _looked(view, outputs)
-    results = [evaluate(design, *_NEEDS, view=looked) for design in designs]
+    designs, looked = _designs(shown, labels), _checked_view(view, outputs)
+    results = [evaluate(design, *_TRACE_QUANTITIES, view=looked) for design in designs]
     time_s, curves = _waves(results, looked.time_range_s)
     rows = _rows(1e3 * time_s, curves, looked.outputs, normalised)
     on, alone = axes_of(ax, _WIDTH_MM, _ROW_MM * len(rows) + _AROUND_MM)
     with style():
         draw_rows(on, rows, labels=labels, title=title, legend_apart=True)
-        on.set_xlabel(_time_words(looked))
-        say_scale(on, _scale_words(rows, normalised, looked))
+        on.set_xlabel(_time_label(looked))
+        annotate_scale(on, _scale_label(rows, normalised, looked))
         _finish(on, designs, alone)
     return on.figure
 
@@ -645,7 +645,7 @@ def spectra(
     MissingExtraError
         matplotlib is not installed.
     """
-    designs, looked = _designs(shown, labels), _looked(view, outputs)
+    designs, looked = _designs(shown, labels), _checked_view(view, outputs)
     results = [
         evaluate(design, "selected_spectra", view=looked)["selected_spectra"] for design in designs
     ]
@@ -663,8 +663,8 @@ def spectra(
     with style():
         draw_rows(on, rows, labels=labels, title=title, from_zero=True, legend_apart=True)
         on.set_xlabel("Frequency (Hz)")
-        words = _scale_words(rows, normalised, looked)
-        say_scale(on, f"{words}; mean of {mean_of_bins} bins" if mean_of_bins > 1 else words)
+        words = _scale_label(rows, normalised, looked)
+        annotate_scale(on, f"{words}; mean of {mean_of_bins} bins" if mean_of_bins > 1 else words)
         _finish(on, designs, alone)
     return on.figure
 
@@ -678,7 +678,7 @@ def _designs(shown: Design | Sequence[Design], labels: Sequence[str]) -> list[De
     return designs
 
 
-def _looked(view: View | None, outputs: Sequence[int] | None) -> View:
+def _checked_view(view: View | None, outputs: Sequence[int] | None) -> View:
     looked = View() if view is None else view
     looked = looked if outputs is None else replace(looked, outputs=tuple(outputs))
     if not looked.outputs:
@@ -707,12 +707,12 @@ def _waves(
             f"{time_s[0]:g} and {time_s[-1]:g} s"
         )
     first, end = int(within[0]), int(within[-1]) + 1
-    drawn = _joined if end - first <= _MOST_JOINED else _reached
+    drawn = _wave_points if end - first <= _MOST_JOINED else _wave_extremes
     each = [drawn(result, time_s, first, end) for result in results]
     return each[0][0], [curves for _, curves in each]
 
 
-def _joined(
+def _wave_points(
     result: Mapping[str, Any], time_s: Floats, first: int, end: int
 ) -> tuple[Floats, Floats]:
     """Points of the waves between samples."""
@@ -721,7 +721,7 @@ def _joined(
     return instants, result["selected_projection"].signals(axes)
 
 
-def _reached(
+def _wave_extremes(
     result: Mapping[str, Any], time_s: Floats, first: int, end: int
 ) -> tuple[Floats, Floats]:
     """Lowest and highest value of the waves in columns, in turn."""
@@ -749,11 +749,11 @@ def _rows(
     ]
 
 
-def _time_words(view: View) -> str:
+def _time_label(view: View) -> str:
     return "Time (ms), pre-trigger delay removed" if view.delay_removed else "Time (ms)"
 
 
-def _scale_words(rows: Sequence[PlotRow], normalised: bool, view: View) -> str:
+def _scale_label(rows: Sequence[PlotRow], normalised: bool, view: View) -> str:
     what = signal_label(view.axes, view.method)
     if normalised:
         return f"{what}; each row relative to its peak"
@@ -770,10 +770,10 @@ def _finish(ax: Any, designs: Sequence[Design], alone: bool) -> None:
 
 # Maps of windows that follow each other, and how far the vibration reaches in each.
 
-_USUAL_COUNT = 5
+_DEFAULT_COUNT = 5
 _MAP_MM, _LEFT_MM, _RIGHT_MM, _HEIGHT_MM = 28.0, 17.0, 20.0, 95.0
 _STRIPS_AROUND_MM = _LEFT_MM + _RIGHT_MM
-_QUANTITIES = (
+_WINDOW_QUANTITIES = (
     "limb_data",
     "surface",
     "windows",
@@ -835,7 +835,7 @@ def windowed_levels(
         looked = replace(looked, windows_cut="length", window_s=window_s)
     elif count is not None:
         looked = replace(looked, windows_cut="count", window_count=count)
-    results = evaluate(design, *_QUANTITIES, view=looked)
+    results = evaluate(design, *_WINDOW_QUANTITIES, view=looked)
     return WindowedLevels(
         limb=results["limb_data"],
         surface=results["surface"],
@@ -895,17 +895,17 @@ def strip(
     >>> figure = ss.plot.strip(ss.Design(limb="synthetic-4", inputs=(train,)), window_s=0.12)
     """
     if count is None and window_s is None:
-        count = _USUAL_COUNT
+        count = _DEFAULT_COUNT
     windowed = windowed_levels(design, view, count=count, window_s=window_s)
     n = min(windowed.windows.count, MOST_MAPS)
     if n == 0:
         raise InvalidInputError(
             "no whole window fits into the response; choose a shorter one, or a longer stimulus"
         )
-    return _drawn(windowed, n, range_db, title)
+    return _strip_figure(windowed, n, range_db, title)
 
 
-def _drawn(windowed: WindowedLevels, n: int, range_db: Range | None, title: str) -> Any:
+def _strip_figure(windowed: WindowedLevels, n: int, range_db: Range | None, title: str) -> Any:
     """A figure of the first ``n`` windows."""
     width_mm = _MAP_MM * n + _STRIPS_AROUND_MM
     figure = new_figure(width_mm, _HEIGHT_MM)

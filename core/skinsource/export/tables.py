@@ -38,7 +38,7 @@ from skinsource.limbs.locations import output_name
 from skinsource.perception.validity import listed as judging_listed
 
 # So many are written in a few milliseconds.
-_CELLS_AT_ONCE = 8192
+_CELLS_PER_PIECE = 8192
 
 
 class CsvTable:
@@ -64,7 +64,7 @@ class CsvTable:
 
     def add(self, rows: Floats, texts: Sequence[Sequence[str]] = ()) -> None:
         """Write ``rows``, (n_rows, n_columns), each followed by its ``texts``, if there are any."""
-        step = max(_CELLS_AT_ONCE // max(rows.shape[1], 1), 1)
+        step = max(_CELLS_PER_PIECE // max(rows.shape[1], 1), 1)
         for first in range(0, len(rows), step):
             stop_if(self._stop)
             piece = rows[first : first + step].tolist()
@@ -210,7 +210,7 @@ def _trace_blocks(exported: ExportedDesign) -> Iterator[Floats]:
 
 # RMS in consecutive windows as CSV.
 
-_MEASURES = (
+EXTENT_COLUMNS = (
     "mean_distance_mm",
     "d90_mm",
     "share_above_12_db",
@@ -253,11 +253,11 @@ def export_windows(
         *about_method(exported),
         about_error(error, f"the traces of output {loudest}, the loudest"),
     ]
-    header = ["from_s", "to_s", *_MEASURES]
+    header = ["from_s", "to_s", *EXTENT_COLUMNS]
     header += [f"output_{number}_rms_m_per_s2" for number in exported.all_outputs]
     bounds = windows.bounds_s(exported.sample_rate_hz)
     rows = [
-        [*span, *_measures(extent), *values]
+        [*span, *extent_values(extent), *values]
         for span, extent, values in zip(bounds, extents, rms.tolist(), strict=True)
     ]
     with output_file(path, stop) as file:
@@ -274,10 +274,10 @@ def _about_noise(in_noise: Sequence[bool]) -> list[str]:
     return [f"validity, windows: CAUTION: {words}: mostly noise, and so is the extent"]
 
 
-def _measures(extent: Extent | None) -> list[float]:
+def extent_values(extent: Extent | None) -> list[float]:
     if extent is None:
-        return [math.nan] * len(_MEASURES)
-    return [getattr(extent, name) for name in _MEASURES]
+        return [math.nan] * len(EXTENT_COLUMNS)
+    return [getattr(extent, name) for name in EXTENT_COLUMNS]
 
 
 # Archives of arrays that ``numpy.load`` reads, written piece by piece.
@@ -347,7 +347,7 @@ class NpzArchive:
 # The whole predicted field, all outputs and axes, as an archive of arrays.
 
 # Headers, the text and the table of contents take less.
-_BYTES_BESIDE_FIELD = 2**20
+_HEADER_BYTES = 2**20
 
 
 def export_field(
@@ -380,7 +380,7 @@ def export_field(
     rows = [output - 1 for output in checked]
     kept = np.empty((len(checked), *shape[1:]))
     with output_file(path, stop) as file:
-        _refuse_without_room(path, math.prod(shape) * np.dtype(np.float64).itemsize)
+        _check_free_space(path, math.prod(shape) * np.dtype(np.float64).itemsize)
         with NpzArchive(file) as archive:
             archive.put("sample_rate_hz", np.array(exported.sample_rate_hz))
             with archive.growing("acceleration_m_per_s2", shape) as array:
@@ -395,32 +395,32 @@ def export_field(
                 if checked == exported.all_outputs
                 else f"the field at {listed(checked)}"
             )
-            about = [*_about(exported), about_error(error, what)]
+            about = [*_about_field(exported), about_error(error, what)]
             archive.put("about", np.array("\n".join(about)))
 
 
-def _about(exported: ExportedDesign) -> list[str]:
+def _about_field(exported: ExportedDesign) -> list[str]:
     return [
         *about_design(exported),
         f"acceleration_m_per_s2: {counted(exported.limb.n_outputs, 'output')}, "
         f"{counted(exported.limb.n_axes, 'axis', 'axes')} ({', '.join(exported.limb.axes)}), "
         f"{counted(exported.n_times, 'time')}, in m/s²",
-        f"times: sample k at {_first(exported)}k / {exported.sample_rate_hz:g} s; pre-trigger "
+        f"times: sample k at {_first_sample_text(exported)}k / {exported.sample_rate_hz:g} s; pre-trigger "
         f"delay of {exported.limb.pre_trigger_delay_s * 1e3:g} ms: contained in the times",
         about_levels(exported),
         *about_method(exported),
     ]
 
 
-def _first(exported: ExportedDesign) -> str:
+def _first_sample_text(exported: ExportedDesign) -> str:
     """What stands before k: responses through actuators may begin before time 0."""
     first_s = float(exported.value("response_time_s")[0]) if exported.design.actuated else 0.0
     return f"{first_s:.9g} s + " if first_s else ""
 
 
-def _refuse_without_room(path: Path, n_bytes: int) -> None:
+def _check_free_space(path: Path, n_bytes: int) -> None:
     free_bytes = shutil.disk_usage(path.resolve().parent).free
-    if free_bytes < n_bytes + _BYTES_BESIDE_FIELD:
+    if free_bytes < n_bytes + _HEADER_BYTES:
         raise StorageError(
             f"{path}: the whole field takes {n_bytes / 1e9:.2f} GB, and {free_bytes / 1e9:.2f} GB "
             "are free there. Free some space, choose another disk, or shorten the design."

@@ -16,7 +16,7 @@ from skinsource.base.job import Stop, stop_if
 from skinsource.base.quoting import printable, quoted
 
 #: Adds one frame, (rows, columns, 3) of uint8.
-Add = Callable[[NDArray[np.uint8]], None]
+AddFrame = Callable[[NDArray[np.uint8]], None]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -72,7 +72,7 @@ def frames_per_s(path: Path) -> int:
 
 
 @contextmanager
-def video_file(path: Path, size: tuple[int, int], about: str, stop: Stop) -> Iterator[Add]:
+def video_file(path: Path, size: tuple[int, int], about: str, stop: Stop) -> Iterator[AddFrame]:
     """Give a function that adds frames to what takes the place of ``path`` at the end.
 
     Parameters
@@ -112,13 +112,13 @@ def video_file(path: Path, size: tuple[int, int], about: str, stop: Stop) -> Ite
             yield add
             writer.close()
         except OSError as error:
-            raise _failed(path, error) from error
+            raise _write_error(path, error) from error
         finally:
             with suppress(OSError):
                 writer.close()
         stop_if(stop)
         if temporary.stat().st_size == 0:
-            raise _failed(path, OSError("the encoder wrote nothing"))
+            raise _write_error(path, OSError("the encoder wrote nothing"))
 
 
 def _writer(
@@ -151,7 +151,7 @@ def _kind_of(path: Path) -> _Kind:
     return kind
 
 
-def _failed(path: Path, error: OSError) -> StorageError:
+def _write_error(path: Path, error: OSError) -> StorageError:
     reason = " ".join(printable(error).split())[-300:]
     return StorageError(
         f"{path}: the animation could not be written ({reason}). Free some space, or choose "

@@ -62,7 +62,7 @@ FIGURES = (
 
 #: Whose noise tells which channels count.
 NoiseOf = Literal["recording", "limb", "nothing"]
-_NOISE_WORDS: dict[NoiseOf, str] = {
+_NOISE_TEXTS: dict[NoiseOf, str] = {
     "recording": "noise from before the response in the recording",
     "limb": "noise of the sensors of the limb, as the recording has none before its response",
     "nothing": "noise not known, so every channel counts",
@@ -100,7 +100,7 @@ class Condition:
     @property
     def noise_words(self) -> str:
         """What told the noise, in words."""
-        return _NOISE_WORDS[self.noise_of]
+        return _NOISE_TEXTS[self.noise_of]
 
 
 def html_of(conditions: Sequence[Condition], limbs: Iterable[str]) -> str:
@@ -123,7 +123,7 @@ def html_of(conditions: Sequence[Condition], limbs: Iterable[str]) -> str:
         "<h1>Predictions, checked</h1>",
         f"<p class='note'>{escape(about)}</p>",
         _table(conditions),
-        *([f"<p class='note'>{escape(_DEFINED)}</p>"] if measured else []),
+        *([f"<p class='note'>{escape(_DEFINITIONS)}</p>"] if measured else []),
         *(_plots(measured) if measured else ["<p>No measurement was given.</p>"]),
         *_details(conditions),
         "</body></html>",
@@ -147,16 +147,16 @@ def summary_lines(conditions: Sequence[Condition]) -> list[str]:
     """Return a line for each condition, for a terminal."""
     lines = []
     for condition in conditions:
-        said = f"{condition.name}: {_hertz(condition.frequency_hz)}; linear: adjusted R² {_text(condition.linear)}; "
-        said += f"superposition: r {_text(condition.superposed)}"
+        said = f"{condition.name}: {_frequency_text(condition.frequency_hz)}; linear: adjusted R² {_number_text(condition.linear)}; "
+        said += f"superposition: r {_number_text(condition.superposed)}"
         if condition.agreement is not None:
             error, amplitude, correlation = condition.agreement.medians
             counted = (
                 f"{int(condition.agreement.counted.sum())} of {condition.agreement.counted.size}"
             )
             said += (
-                f"; measured: {counted} channels above twice the noise, error {_text(error)}, "
-                f"amplitude {_text(amplitude)} %, r {_text(correlation)} ({condition.noise_words})"
+                f"; measured: {counted} channels above twice the noise, error {_number_text(error)}, "
+                f"amplitude {_number_text(amplitude)} %, r {_number_text(correlation)} ({condition.noise_words})"
             )
         lines.append(said)
     return lines
@@ -185,7 +185,7 @@ def round_ticks(low: float, high: float) -> Floats:
     return np.round(np.arange(first, last + 1) * step, digits)
 
 
-_DEFINED = (
+_DEFINITIONS = (
     "Error: mean over time of |p/P - m/M|, the normalised mean absolute error. Amplitude %: "
     "100 |RMS(p/P) - RMS(m/M)| / RMS(m/M). p: predicted, m: measured; P and M: their RMS, mean "
     "over all channels. Both are medians over the channels that count."
@@ -197,15 +197,18 @@ def _table(conditions: Sequence[Condition]) -> str:
     head += "<th>Channels</th><th>Error</th><th>Amplitude %</th><th>r</th><th>Shift</th></tr>"
     rows = []
     for condition in conditions:
-        cells = [_hertz(condition.frequency_hz).removesuffix(" Hz"), _text(condition.linear)]
-        cells.append(_text(condition.superposed))
+        cells = [
+            _frequency_text(condition.frequency_hz).removesuffix(" Hz"),
+            _number_text(condition.linear),
+        ]
+        cells.append(_number_text(condition.superposed))
         if condition.agreement is None:
             cells += ["–"] * 5
         else:
             cells.append(
                 f"{int(condition.agreement.counted.sum())} of {condition.agreement.counted.size}"
             )
-            cells += [_text(value) for value in condition.agreement.medians]
+            cells += [_number_text(value) for value in condition.agreement.medians]
             cells.append(str(condition.shift_samples))
         inner = "".join(f"<td>{cell}</td>" for cell in cells)
         rows.append(f"<tr><td>{escape(condition.name)}</td>{inner}</tr>")
@@ -248,7 +251,7 @@ def by_frequency(conditions: Sequence[Condition], figure: int) -> list[tuple[str
     groups = []
     for frequency in sorted({round(condition.frequency_hz, 1) for condition in measured}):
         values = [
-            _figure(condition.agreement, figure)
+            _figure_values(condition.agreement, figure)
             for condition in measured
             if round(condition.frequency_hz, 1) == frequency
         ]
@@ -263,18 +266,18 @@ def _plots(measured: Sequence[Condition]) -> list[str]:
     for k, (title, unit, reported) in enumerate(FIGURES):
         of_unit = f" ({unit})" if unit else ""
         parts.append(f"<h2>{title}{of_unit}</h2><p class='note'>The paper reports: {reported}.</p>")
-        parts.append(_boxes(by_frequency(measured, k)))
+        parts.append(_box_plot(by_frequency(measured, k)))
     return parts
 
 
-def _figure(agreement: Agreement | None, k: int) -> Floats:
+def _figure_values(agreement: Agreement | None, k: int) -> Floats:
     if agreement is None:
         return np.zeros(0)
     chosen = (agreement.error, agreement.amplitude_percent, agreement.correlation)[k]
     return chosen[agreement.counted]
 
 
-def _boxes(groups: Sequence[tuple[str, Floats]]) -> str:
+def _box_plot(groups: Sequence[tuple[str, Floats]]) -> str:
     """Box plots over frequency as SVG."""
     known = [values for _, values in groups if values.size]
     if not known:
@@ -314,11 +317,11 @@ def _boxes(groups: Sequence[tuple[str, Floats]]) -> str:
     )
     return (
         f"<svg width='{_WIDTH:g}' height='{_HEIGHT:g}' font-size='12' font-family='sans-serif' "
-        f"fill='#1b1f24'>{''.join(shapes)}</svg>{_beyond(known, drawn)}"
+        f"fill='#1b1f24'>{''.join(shapes)}</svg>{_outlier_note(known, drawn)}"
     )
 
 
-def _beyond(known: Sequence[Floats], drawn: Floats) -> str:
+def _outlier_note(known: Sequence[Floats], drawn: Floats) -> str:
     """What is not drawn: values beyond the whiskers, which would flatten the boxes."""
     everything = np.concatenate(known)
     count = sum(
@@ -333,11 +336,11 @@ def _beyond(known: Sequence[Floats], drawn: Floats) -> str:
     )
 
 
-def _text(value: float) -> str:
+def _number_text(value: float) -> str:
     return f"{value:.3g}" if np.isfinite(value) else "–"
 
 
-def _hertz(value: float) -> str:
+def _frequency_text(value: float) -> str:
     return f"{value:.1f} Hz" if np.isfinite(value) else "silent"
 
 
@@ -405,14 +408,14 @@ def condition_of(
     seen = View(axes=chosen)
     progress(0, 3, f"Predicting {name}")
     # What is compared is the prediction through the graph of the studio, not one made for it.
-    basis = _values(design, seen, stop, "limb_data", "response_samples", "stimulus_start_s")
+    basis = _evaluate(design, seen, stop, "limb_data", "response_samples", "stimulus_start_s")
     limb = basis["limb_data"]
-    _refuse_too_much(name, limb, len(chosen), basis["response_samples"])
+    _check_length(name, limb, len(chosen), basis["response_samples"])
     every = replace(seen, outputs=tuple(range(1, limb.n_outputs + 1)))
-    predicted = _values(design, every, stop, "axis_traces", "validity")
+    predicted = _evaluate(design, every, stop, "axis_traces", "validity")
     field = predicted["axis_traces"]
     progress(1, 3, f"Checking {name}")
-    linear, superposed = _checks(design, every, field, limb.sample_rate_hz, stop)
+    linear, superposed = _linearity_checks(design, every, field, limb.sample_rate_hz, stop)
     main_hz = _main_frequency(field, limb.sample_rate_hz)
     details = _condition_details(design, limb, chosen, recorded, predicted["validity"])
     condition = Condition(
@@ -420,16 +423,16 @@ def condition_of(
     )
     if recorded is None:
         return condition
-    _refuse_silence(name, field)
-    measured = _read(recorded, limb, len(chosen), process, progress, stop)
+    _check_not_silent(name, field)
+    measured = _read_recording(recorded, limb, len(chosen), process, progress, stop)
     shifted, shift = aligned(measured, field, round(_MOST_SHIFT_S * limb.sample_rate_hz))
-    quiet = _quiet(measured, shift, basis["stimulus_start_s"], limb)
-    noise, noise_of = _noise(quiet, design, limb, chosen)
+    quiet = _before_response(measured, shift, basis["stimulus_start_s"], limb)
+    noise, noise_of = _noise_rms(quiet, design, limb, chosen)
     agrees = agreement(field, shifted, noise)
     return replace(condition, agreement=agrees, shift_samples=shift, noise_of=noise_of)
 
 
-def _refuse_silence(name: str, field: Floats) -> None:
+def _check_not_silent(name: str, field: Floats) -> None:
     if not field.any():
         raise InvalidInputError(
             f"{name}: what is predicted of it is silent throughout, so there is nothing to compare "
@@ -450,7 +453,7 @@ def _condition_details(
     )
 
 
-def _read(
+def _read_recording(
     recorded: Recorded,
     limb: Limb,
     n_axes: int,
@@ -471,13 +474,15 @@ def _read(
     return measured
 
 
-def _quiet(measured: Floats, shift: int, start_s: float, limb: Limb) -> Floats:
+def _before_response(measured: Floats, shift: int, start_s: float, limb: Limb) -> Floats:
     """What a recording, brought onto the prediction by ``shift``, holds before its response."""
     until_s = start_s + QUIET_SHARE * limb.pre_trigger_delay_s
     return measured[..., : max(round(until_s * limb.sample_rate_hz) - shift, 0)]
 
 
-def _noise(quiet: Floats, design: Design, limb: Limb, axes: str) -> tuple[Floats | float, NoiseOf]:
+def _noise_rms(
+    quiet: Floats, design: Design, limb: Limb, axes: str
+) -> tuple[Floats | float, NoiseOf]:
     """RMS of the noise of a recording, (n_outputs, n_axes), and what tells it; 0: nothing does.
 
     Where there is too little that is ``quiet`` in it, that with which the limb was measured.
@@ -496,7 +501,7 @@ def _noise(quiet: Floats, design: Design, limb: Limb, axes: str) -> tuple[Floats
     return noise, "limb"
 
 
-def _refuse_too_much(name: str, limb: Limb, n_axes: int, n_times: int) -> None:
+def _check_length(name: str, limb: Limb, n_axes: int, n_times: int) -> None:
     most = _MOST_VALUES // (limb.n_outputs * n_axes)
     if n_times > most:
         raise InvalidInputError(
@@ -505,34 +510,34 @@ def _refuse_too_much(name: str, limb: Limb, n_axes: int, n_times: int) -> None:
         )
 
 
-def _checks(
+def _linearity_checks(
     design: Design, view: View, field: Floats, rate: float, stop: Stop
 ) -> tuple[float, float]:
     """Smallest adjusted R² over levels, and smallest r between the sum of inputs and all."""
     if not field.any():
         return math.nan, math.nan
     at_levels = [
-        _values(louder(design, k), view, stop, "axis_traces")["axis_traces"] for k in _LEVELS
+        _evaluate(louder(design, k), view, stop, "axis_traces")["axis_traces"] for k in _LEVELS
     ]
     channels = np.stack(at_levels).reshape(len(_LEVELS), -1, field.shape[-1])
     fit = linear_fit(_LEVELS, channels, rate, facts_of(design.limb).band_hz)[1]
     heard = audible_inputs(design.inputs)
     if len(heard) < 2:
-        return _least(fit), math.nan
+        return _smallest(fit), math.nan
     parts = []
     for track in heard:
         alone = tuple(
             replace(each, muted=each.id != track.id, solo=False) for each in design.inputs
         )
-        trace = _values(replace(design, inputs=alone), view, stop, "axis_traces")["axis_traces"]
+        trace = _evaluate(replace(design, inputs=alone), view, stop, "axis_traces")["axis_traces"]
         whole = np.zeros(field.shape)
         whole[..., : trace.shape[-1]] = trace[..., : field.shape[-1]]
         parts.append(whole.reshape(-1, field.shape[-1]))
     r = superposition_correlation(np.stack(parts), field.reshape(-1, field.shape[-1]))
-    return _least(fit), _least(r)
+    return _smallest(fit), _smallest(r)
 
 
-def _least(values: Floats) -> float:
+def _smallest(values: Floats) -> float:
     """The smallest of those that are known; NaN where none is, as of a response without a bin."""
     known = values[np.isfinite(values)]
     return float(known.min()) if known.size else math.nan
@@ -544,7 +549,7 @@ def _main_frequency(field: Floats, rate: float) -> float:
     return float(dominant_frequency(power, rate / field.shape[-1]))
 
 
-def _values(design: Design, view: View, stop: Stop, *names: str) -> dict[str, Any]:
+def _evaluate(design: Design, view: View, stop: Stop, *names: str) -> dict[str, Any]:
     return new_graph().evaluate(names, sources(design, view), stop)
 
 
@@ -628,7 +633,7 @@ def strengths_of(designs: Sequence[Design]) -> tuple[float, ...]:
 
     Three different ones or more; words about them, markers and loops do not matter.
     """
-    plain = [_plain(design) for design in designs]
+    plain = [_plain_design(design) for design in designs]
     if not plain or not all(design.inputs and design.inputs[0].amplitude > 0.0 for design in plain):
         return ()
     strengths = tuple(design.inputs[0].amplitude for design in plain)
@@ -651,14 +656,14 @@ def joint_of(designs: Sequence[Design]) -> int | None:
     """Which of the designs plays what all the others play, each once; None: none does."""
     if len(designs) < 3:
         return None
-    plain = [_plain(design) for design in designs]
+    plain = [_plain_design(design) for design in designs]
     # Ids that a design gave tell the same inputs apart.
-    played = [[_bare(track) for track in each.inputs] for each in plain]
+    played = [[_plain_track(track) for track in each.inputs] for each in plain]
     if not all(played) or len({replace(design, inputs=()) for design in plain}) > 1:
         return None
     for k, whole in enumerate(played):
         others = [track for n, each in enumerate(played) if n != k for track in each]
-        if _are_the_same(others, whole):
+        if _same_tracks(others, whole):
             return k
     return None
 
@@ -679,7 +684,7 @@ def proportion(
     return Proportion(
         strengths=x,
         divided=divided,
-        apart=_apart(divided),
+        apart=_largest_difference(divided),
         rms=rms,
         line=offset + slope * x[:, None],
         frequency_hz=frequency_hz,
@@ -712,14 +717,14 @@ def superposition(parts: Sequence[Floats], joint: Floats) -> Superposition:
     return Superposition(
         separate=separate,
         joint=joint,
-        apart=_apart(np.stack((separate, joint))),
+        apart=_largest_difference(np.stack((separate, joint))),
         correlation=superposition_correlation(responses, joint),
     )
 
 
-def _plain(design: Design) -> Design:
+def _plain_design(design: Design) -> Design:
     """What is played and where, whatever it is called and however it looks."""
-    inputs = tuple(_bare(track) for track in audible_inputs(design.inputs))
+    inputs = tuple(_plain_track(track) for track in audible_inputs(design.inputs))
     return replace(
         design,
         title="",
@@ -732,12 +737,12 @@ def _plain(design: Design) -> Design:
     )
 
 
-def _bare(track: Input) -> Input:
+def _plain_track(track: Input) -> Input:
     clips = tuple(replace(each, id=0) for each in track.clips)
     return replace(track, id=0, colour=0, solo=False, clips=clips)
 
 
-def _are_the_same(some: Sequence[Input], others: Sequence[Input]) -> bool:
+def _same_tracks(some: Sequence[Input], others: Sequence[Input]) -> bool:
     """Whether both are the same inputs, in any order, each as often."""
     left = list(others)
     for track in some:
@@ -747,6 +752,6 @@ def _are_the_same(some: Sequence[Input], others: Sequence[Input]) -> bool:
     return not left
 
 
-def _apart(curves: Floats) -> float:
+def _largest_difference(curves: Floats) -> float:
     peak = float(np.abs(curves).max())
     return float(np.ptp(curves, axis=0).max()) / peak if peak > 0.0 else math.nan

@@ -92,7 +92,7 @@ def agreement(predicted: ArrayLike, measured: ArrayLike, noise_rms: ArrayLike) -
     measured_rms = _rms(theirs)
     counted = (measured_rms >= LEAST_OVER_NOISE * noise) & (measured_rms > 0.0)
     ours, theirs = (
-        _divided(name, field) for name, field in (("predicted", ours), ("measured", theirs))
+        _normalised(name, field) for name, field in (("predicted", ours), ("measured", theirs))
     )
     ours_rms, theirs_rms = _rms(ours), _rms(theirs)
     amplitude = np.full(counted.shape, np.nan)
@@ -163,7 +163,7 @@ def _rms(field: Floats) -> Floats:
     return rms
 
 
-def _divided(name: str, field: Floats) -> Floats:
+def _normalised(name: str, field: Floats) -> Floats:
     mean = float(_rms(field).mean())
     if mean == 0.0:
         raise InvalidInputError(f"{name} is silent throughout, so there is nothing to compare")
@@ -316,13 +316,13 @@ def open_recorded(
     file = Path(path)
     with ExitStack() as stack:
         reader = process or stack.enter_context(ReadingProcess())
-        field, stated_hz = _read(reader, file, n_outputs, n_axes, stop)
+        field, stated_hz = _read_responses(reader, file, n_outputs, n_axes, stop)
     if not np.isfinite(field).all():
-        raise _refusal(file, "it holds values that are no finite numbers, expected m/s²")
-    return _at_rate(file, field, stated_hz or rate_hz or sample_rate_hz, sample_rate_hz)
+        raise _recording_error(file, "it holds values that are no finite numbers, expected m/s²")
+    return _resampled(file, field, stated_hz or rate_hz or sample_rate_hz, sample_rate_hz)
 
 
-def _read(
+def _read_responses(
     reader: ReadingProcess, file: Path, n_outputs: int, n_axes: int, stop: Stop
 ) -> tuple[Floats, float | None]:
     """The responses, and their rate as far as the file says it."""
@@ -339,7 +339,7 @@ def _read(
     except RecordingError:
         if not shapes:
             raise
-        raise _refusal(
+        raise _recording_error(
             file,
             f"its arrays are {shapes}, expected times × {counted(n_outputs, 'output')} × "
             f"{counted(n_axes, 'axis', 'axes')}",
@@ -360,14 +360,14 @@ def _from_array(
 ) -> Floats:
     shape = [int(n) for n in array["shape"]]
     if prod(shape) * 8 > limits.MOST_BYTES:
-        raise _refusal(
+        raise _recording_error(
             file, f"{prod(shape)} samples are too many, expected at most {limits.MOST_BYTES // 8}"
         )
     # One axis after another, as the responses of a limb come: input by input.
     request = {"do": "responses", "array": array["name"], "order": order.replace("a", "i")}
     along_each = list(reader.stream(file, request, stop=stop))
     if len(along_each) != shape[order.index("a")]:
-        raise _refusal(file, "it ends too early, expected all axes")
+        raise _recording_error(file, "it ends too early, expected all axes")
     return np.stack(along_each, axis=1)
 
 
@@ -382,7 +382,7 @@ def _from_columns(
     if len(signals) != expected or len({signal.n_samples for signal in signals}) != 1:
         one_axis = f", or choose one axis (x, y or z), which takes {counted(n_outputs, 'signal')}"
         advice = one_axis if n_axes > 1 else ""
-        raise _refusal(
+        raise _recording_error(
             file,
             f"{counted(len(signals), 'signal')}, expected {expected} of one length: "
             f"{counted(n_outputs, 'output')} along {counted(n_axes, 'axis', 'axes')}, output "
@@ -431,20 +431,20 @@ def _rate_of_times(reader: ReadingProcess, file: Path, times: Series, stop: Stop
     try:
         pace = sample_clock(stamps * times.time_unit_s)
     except InvalidInputError as error:
-        raise _refusal(file, str(error)) from error
+        raise _recording_error(file, str(error)) from error
     if not pace.steady:
-        raise _refusal(
+        raise _recording_error(
             file, "its time stamps are not steady, expected steps of one length. Resample it before"
         )
     return float(pace.rate_hz)
 
 
-def _at_rate(file: Path, field: Floats, from_hz: float, to_hz: float) -> Floats:
+def _resampled(file: Path, field: Floats, from_hz: float, to_hz: float) -> Floats:
     if abs(from_hz - to_hz) <= _SAME_HZ:
         return field
     rates = [round(from_hz), round(to_hz)]
     if max(abs(rates[0] - from_hz), abs(rates[1] - to_hz)) > _SAME_HZ:
-        raise _refusal(
+        raise _recording_error(
             file,
             f"{from_hz:g} Hz, expected a whole number of hertz, or the rate of the limb, "
             f"{to_hz:g} Hz. Resample it before",
@@ -452,5 +452,5 @@ def _at_rate(file: Path, field: Floats, from_hz: float, to_hz: float) -> Floats:
     return resample(field, *rates)
 
 
-def _refusal(file: Path, reason: str) -> RecordingError:
+def _recording_error(file: Path, reason: str) -> RecordingError:
     return RecordingError(f"{named(Path(file.name))}: {reason.rstrip('.')}.")

@@ -15,7 +15,7 @@ from skinsource.signals.quantising import quantised
 from skinsource.specs.spec import ChoiceSpec
 
 # What is this far below the largest amplitude has no frequency of its own.
-_SILENT = 1e-3
+_SILENT_SHARE = 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -64,7 +64,7 @@ def envelope_of(samples: Floats, rate_hz: float, step_s: float) -> Envelope:
     amplitude = np.sqrt(np.maximum(power[last] - power[first], 0.0) / (last - first))
     turn = turns[last] - turns[np.minimum(first + 1, last)]
     frequency_hz = np.abs(np.angle(turn)) * rate_hz / (2.0 * np.pi)
-    heard = amplitude > _SILENT * max(float(amplitude.max(initial=0.0)), 1e-300)
+    heard = amplitude > _SILENT_SHARE * max(float(amplitude.max(initial=0.0)), 1e-300)
     if heard.any():
         # The first one that is heard, until another is.
         places = np.maximum.accumulate(np.where(heard, np.arange(n_points), -1))
@@ -96,7 +96,7 @@ def write_drv2605l(outgoing: Outgoing, path: Path) -> Facts:
     # The last value holds until another comes.
     amplitudes[:, -1] = 0.0
     amplitude_steps = quantised(np.clip(amplitudes, 0.0, 1.0), "int8")
-    return _written(
+    return _write_arrays(
         outgoing,
         path,
         amplitude_steps.values,
@@ -123,7 +123,7 @@ def write_bos1901(outgoing: Outgoing, path: Path) -> Facts:
     words = _silent_ends(quantised_drives.values.astype(np.int32)) & 0x0FFF
     return {
         **facts,
-        **_written(
+        **_write_arrays(
             outgoing,
             path,
             words,
@@ -147,7 +147,7 @@ def write_drv2665(outgoing: Outgoing, path: Path) -> Facts:
     quantised_drives, facts = outgoing.whole_numbers("int8")
     return {
         **facts,
-        **_written(
+        **_write_arrays(
             outgoing,
             path,
             _silent_ends(quantised_drives.values),
@@ -170,7 +170,7 @@ def _silent_ends(values: NDArray[np.integer]) -> NDArray[np.integer]:
     return np.pad(values, ((0, 0), (1, 1)))
 
 
-def _written(
+def _write_arrays(
     outgoing: Outgoing,
     path: Path,
     values: NDArray[np.integer],

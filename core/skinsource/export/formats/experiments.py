@@ -15,7 +15,7 @@ from skinsource.export.formats.format import SAMPLES, Facts, Outgoing, StimulusF
 from skinsource.export.formats.text import number
 
 _BLOCK = 4096
-_ENDING = ".tsv.gz"
+_TABLE_SUFFIX = ".tsv.gz"
 
 
 def write_bids(outgoing: Outgoing, path: Path) -> Facts:
@@ -44,11 +44,11 @@ def write_bids(outgoing: Outgoing, path: Path) -> Facts:
     }
 
 
-def _place_of_description(path: Path) -> Path | None:
+def _description_path(path: Path) -> Path | None:
     """Where BIDS looks for what it asks for; nowhere where ``path`` has no name of BIDS."""
-    if not path.name.endswith(_ENDING):
+    if not path.name.endswith(_TABLE_SUFFIX):
         return None
-    return path.with_name(f"{path.name.removesuffix(_ENDING)}.json")
+    return path.with_name(f"{path.name.removesuffix(_TABLE_SUFFIX)}.json")
 
 
 def _description(facts: Facts) -> bytes:
@@ -71,7 +71,7 @@ BIDS = StimulusFormat(
     bytes_of=_bytes_of,
     rate_hz=None,
     to_device=False,
-    beside=_place_of_description,
+    beside=_description_path,
     words_beside=_description,
 )
 

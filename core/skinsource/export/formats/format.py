@@ -216,10 +216,12 @@ def channel_names(stimulus: Stimulus) -> list[str]:
     the number of its channel.
     """
     places = Counter(channel.place for channel in stimulus.channels)
-    return [_name(channel, alone=places[channel.place] == 1) for channel in stimulus.channels]
+    return [
+        _channel_name(channel, alone=places[channel.place] == 1) for channel in stimulus.channels
+    ]
 
 
-def _name(channel: Channel, *, alone: bool) -> str:
+def _channel_name(channel: Channel, *, alone: bool) -> str:
     if channel.place is None:
         return f"{channel.title.lower()}_{channel.number}"
     inputs = "_".join(str(id) for id in channel.inputs)

@@ -36,7 +36,7 @@ def write_haptic(outgoing: Outgoing, path: Path) -> Facts:
     envelope = _envelope(outgoing, _STEP_S)
     time_s = envelope.time_s.tolist()
     amplitude = np.clip(envelope.amplitude, 0.0, 1.0).tolist()
-    frequency = _part_of(envelope.frequency_hz, _HAPTIC_HZ).tolist()
+    frequency = _share_of_band(envelope.frequency_hz, _HAPTIC_HZ).tolist()
     channel = outgoing.stimulus.channels[0]
     content = {
         "version": {"major": 1, "minor": 0, "patch": 0},
@@ -64,7 +64,7 @@ def write_haptic(outgoing: Outgoing, path: Path) -> Facts:
             }
         },
     }
-    return _dumped(path, content, {"frequency_hz": list(_HAPTIC_HZ)})
+    return _write_json(path, content, {"frequency_hz": list(_HAPTIC_HZ)})
 
 
 def write_ahap(outgoing: Outgoing, path: Path) -> Facts:
@@ -72,7 +72,7 @@ def write_ahap(outgoing: Outgoing, path: Path) -> Facts:
     envelope = _envelope(outgoing, _STEP_S)
     # Felt intensity is quadratic there.
     intensity = np.sqrt(np.clip(envelope.amplitude, 0.0, 1.0))
-    sharpness = _part_of(envelope.frequency_hz, _AHAP_HZ)
+    sharpness = _share_of_band(envelope.frequency_hz, _AHAP_HZ)
     end_s = float(envelope.time_s[-1])
     pattern: list[dict[str, Any]] = []
     for number in range(max(int(np.ceil(end_s / _LONGEST_EVENT_S - 1e-9)), 1)):
@@ -96,7 +96,7 @@ def write_ahap(outgoing: Outgoing, path: Path) -> Facts:
         },
         "Pattern": pattern,
     }
-    return _dumped(path, content, {"frequency_hz": list(_AHAP_HZ)})
+    return _write_json(path, content, {"frequency_hz": list(_AHAP_HZ)})
 
 
 def _ahap_event(begin_s: float, duration_s: float) -> dict[str, Any]:
@@ -147,7 +147,7 @@ def write_pwle(outgoing: Outgoing, path: Path) -> Facts:
         ],
         "design": outgoing.digest,
     }
-    return _dumped(path, content, {})
+    return _write_json(path, content, {})
 
 
 def _envelope(outgoing: Outgoing, step_s: float) -> Envelope:
@@ -155,12 +155,12 @@ def _envelope(outgoing: Outgoing, step_s: float) -> Envelope:
     return envelope_of(stimulus.samples[0], stimulus.sample_rate_hz, step_s)
 
 
-def _part_of(frequency_hz: np.ndarray, band_hz: tuple[float, float]) -> np.ndarray:
+def _share_of_band(frequency_hz: np.ndarray, band_hz: tuple[float, float]) -> np.ndarray:
     low_hz, high_hz = band_hz
     return np.clip((frequency_hz - low_hz) / (high_hz - low_hz), 0.0, 1.0)
 
 
-def _dumped(path: Path, content: dict[str, Any], facts: dict[str, Any]) -> Facts:
+def _write_json(path: Path, content: dict[str, Any], facts: dict[str, Any]) -> Facts:
     text = json.dumps(content, ensure_ascii=False, indent=1, allow_nan=False)
     path.write_text(f"{text}\n", encoding="utf-8")
     return {"samples": "envelope", **facts}
@@ -173,7 +173,9 @@ def _loses(_: Mapping[str, str]) -> str:
     )
 
 
-def _phone(name: str, title: str, suffix: str, hint: str, write: Any, each: int) -> StimulusFormat:
+def _phone_format(
+    name: str, title: str, suffix: str, hint: str, write: Any, each: int
+) -> StimulusFormat:
     return StimulusFormat(
         name=name,
         title=title,
@@ -188,7 +190,7 @@ def _phone(name: str, title: str, suffix: str, hint: str, write: Any, each: int)
     )
 
 
-HAPTIC = _phone(
+HAPTIC = _phone_format(
     "haptic",
     "Meta .haptic",
     ".haptic",
@@ -196,10 +198,10 @@ HAPTIC = _phone(
     write_haptic,
     14_000,
 )
-AHAP = _phone(
+AHAP = _phone_format(
     "ahap", "Apple AHAP", ".ahap", "iPhones: a file for each actuator", write_ahap, 18_000
 )
-PWLE = _phone(
+PWLE = _phone_format(
     "pwle",
     "Android envelope",
     ".pwle.json",

@@ -20,7 +20,7 @@ LAYOUT = "layout"
 _BLOCK = 4096
 _MOST_KEYSIGHT = 4
 # Layouts that begin with the times.
-_TIMED = ("table", "pwl")
+_TIMED_LAYOUTS = ("table", "pwl")
 # Of seventeen digits, most below 1, and what parts it from the next; a zero has two.
 _BYTES_OF_NUMBER = 21
 
@@ -45,7 +45,7 @@ def write_csv(outgoing: Outgoing, path: Path) -> Facts:
         "table": ["time_s", *names],
         "keysight": [f"Y{number}" for number in range(1, n_channels + 1)],
     }.get(layout, [])
-    timed = layout in _TIMED
+    timed = layout in _TIMED_LAYOUTS
     with steadily_written(path) as file:
         if layout == "keysight":
             file.write(f"SampleRate = {outgoing.rate_hz}\n".encode())
@@ -70,7 +70,7 @@ def _rows(outgoing: Outgoing, *, timed: bool) -> Iterator[list[list[float]]]:
 
 
 def _bytes_of(n_channels: int, n_times: int, choices: Mapping[str, str]) -> int:
-    n_columns = n_channels + (choices[LAYOUT] in _TIMED)
+    n_columns = n_channels + (choices[LAYOUT] in _TIMED_LAYOUTS)
     return _BYTES_OF_NUMBER * n_columns * n_times
 
 

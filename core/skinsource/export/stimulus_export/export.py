@@ -21,6 +21,7 @@ from skinsource.export.stimulus_export.options import StimulusOptions, sidecar_p
 from skinsource.export.stimulus_export.preparing import (
     Limit,
     PreparedStimulus,
+    advice_on_loss,
     calibration_of,
     edges_of,
     equalised_of,
@@ -28,7 +29,6 @@ from skinsource.export.stimulus_export.preparing import (
     lost_at_rate,
     objections,
     prepare_stimulus,
-    refused_loss_of,
 )
 from skinsource.export.stimulus_export.sidecar import sidecar_of
 
@@ -132,7 +132,7 @@ def export_stimulus(
         equaliser=equaliser,
         stop=stop,
     )
-    if not options.accept_loss and (refused := refused_loss_of(ready)):
+    if not options.accept_loss and (refused := advice_on_loss(ready)):
         lost = lost_at_rate([outgoing for _, outgoing in ready.files])
         raise NotConfirmedError(f"{lost} {refused[:-1]}, or accept the loss (--accept-loss).")
     return write_prepared(ready, confirmed=confirmed, limits=limits, progress=progress, stop=stop)

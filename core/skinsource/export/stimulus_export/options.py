@@ -125,13 +125,13 @@ class StimulusOptions:
 # What of a stimulus goes to which file.
 
 
-def parts(
+def stimuli_by_mark(
     drives: Stimulus, gain: float, format: StimulusFormat, options: StimulusOptions
 ) -> dict[str, Stimulus]:
     """What goes to which file, by its mark; as loud as ``gain`` makes it."""
     if options.one_file_per_input:
         apart = {
-            f"_input-{channel.inputs[0]}": _alone(drives, row)
+            f"_input-{channel.inputs[0]}": _single_channel(drives, row)
             for row, channel in enumerate(drives.channels)
         }
     else:
@@ -139,11 +139,11 @@ def parts(
     return {
         f"{mark}{own_mark}": own
         for mark, stimulus in apart.items()
-        for own_mark, own in _own_files(_finished(scaled(stimulus, gain), options), format)
+        for own_mark, own in _split_channels(_with_sync(scaled(stimulus, gain), options), format)
     }
 
 
-def _finished(stimulus: Stimulus, options: StimulusOptions) -> Stimulus:
+def _with_sync(stimulus: Stimulus, options: StimulusOptions) -> Stimulus:
     """With what is not scaled, and in the order of the outputs."""
     if options.sync:
         # What comes before is the lead-in.
@@ -151,17 +151,17 @@ def _finished(stimulus: Stimulus, options: StimulusOptions) -> Stimulus:
     return in_order(stimulus, options.channel_map) if options.channel_map else stimulus
 
 
-def _own_files(stimulus: Stimulus, format: StimulusFormat) -> list[tuple[str, Stimulus]]:
+def _split_channels(stimulus: Stimulus, format: StimulusFormat) -> list[tuple[str, Stimulus]]:
     """A file for each channel, where the format holds one: the first has no mark."""
     if not format.one_channel_each:
         return [("", stimulus)]
     return [
-        (f"_channel-{row + 1}" if row else "", _alone(stimulus, row))
+        (f"_channel-{row + 1}" if row else "", _single_channel(stimulus, row))
         for row in range(len(stimulus.channels))
     ]
 
 
-def _alone(stimulus: Stimulus, row: int) -> Stimulus:
+def _single_channel(stimulus: Stimulus, row: int) -> Stimulus:
     """One channel of ``stimulus``, as the first of a file."""
     channel = replace(stimulus.channels[row], number=1)
     return stimulus.with_samples(stimulus.samples[row : row + 1], channels=(channel,))
@@ -225,7 +225,7 @@ Ends = Literal["begin", "end"]
 #: First or last sample, in parts of the peak of its channel, above which it is said.
 LARGEST_EDGE = 0.01
 #: Time before what sounds in which it may ring where the rate is changed; see `resample`.
-RINGS_S = 0.1
+RINGING_S = 0.1
 
 
 def cut_ends(options: StimulusOptions) -> tuple[Ends, ...]:
@@ -249,28 +249,28 @@ def edges_text(stimuli: Sequence[Stimulus], cut: Sequence[Ends] = ()) -> str:
         return ""
     sentences = []
     resampled = any(stimulus.sample_rate_hz != stimulus.own_rate_hz for stimulus in stimuli)
-    if said := _said(stimuli, 0, "begin"):
+    if said := _hard_channels_text(stimuli, 0, "begin"):
         if "begin" in cut:
             said += ": what lies before that part is cut off. A fade-in softens it."
         elif resampled and stimuli[0].start_s >= 0.0:
-            said += f": what lies before time 0 is cut off. A lead-in of {RINGS_S:g} s keeps it."
+            said += f": what lies before time 0 is cut off. A lead-in of {RINGING_S:g} s keeps it."
         elif resampled:
             said += ": what rings before is cut off. A longer lead-in keeps it."
         else:
             said += ". A lead-in puts silence before it."
         sentences.append(said)
-    if said := _said(stimuli, -1, "end"):
+    if said := _hard_channels_text(stimuli, -1, "end"):
         what = "what follows is cut off. " if resampled or "end" in cut else ""
         sentences.append(f"{said}{': ' if what else '. '}{what}A fade-out softens it.")
     return " ".join(sentences)
 
 
-def _said(stimuli: Sequence[Stimulus], sample: int, verb: Ends) -> str:
+def _hard_channels_text(stimuli: Sequence[Stimulus], sample: int, verb: Ends) -> str:
     """Which channels begin or end hard, and how much so, without a full stop; "": none."""
     hard = [
         (channel.number, part)
         for stimulus in stimuli
-        for channel, part in zip(stimulus.channels, _parts(stimulus, sample), strict=True)
+        for channel, part in zip(stimulus.channels, _edge_shares(stimulus, sample), strict=True)
         if channel.place is not None and part > LARGEST_EDGE
     ]
     if not hard:
@@ -282,7 +282,7 @@ def _said(stimuli: Sequence[Stimulus], sample: int, verb: Ends) -> str:
     return f"{len(hard)} channels {verb} at up to {shown} % of their peaks"
 
 
-def _parts(stimulus: Stimulus, sample: int) -> Floats:
+def _edge_shares(stimulus: Stimulus, sample: int) -> Floats:
     """A sample of each channel in parts of its peak, (n_channels,); 0 of silence."""
     largest = peaks(stimulus.samples)
     edge = np.abs(stimulus.samples[:, sample])

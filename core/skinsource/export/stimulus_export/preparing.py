@@ -37,8 +37,8 @@ from skinsource.export.stimulus_export.options import (
     cut_ends,
     edges_text,
     marked,
-    parts,
     passed_limits,
+    stimuli_by_mark,
 )
 from skinsource.signals.resampling import half_transition, passed
 from skinsource.specs import models
@@ -70,7 +70,7 @@ def with_losses(drives: Stimulus, own: Stimulus, options: StimulusOptions, stop:
             channels=(channel, channel),
             start_s=-ring / own.sample_rate_hz,
         )
-        loss_db[channel.inputs] = _loss_db(_exported(alone, own.duration_s, options).samples)
+        loss_db[channel.inputs] = _loss_db(_exported_part(alone, own.duration_s, options).samples)
     # A stage may have added channels, or left some out.
     channels = tuple(
         replace(channel, loss_db=loss_db.get(channel.inputs, 0.0)) for channel in drives.channels
@@ -78,7 +78,7 @@ def with_losses(drives: Stimulus, own: Stimulus, options: StimulusOptions, stop:
     return replace(drives, channels=channels)
 
 
-def _exported(stimulus: Stimulus, end_s: float, options: StimulusOptions) -> Stimulus:
+def _exported_part(stimulus: Stimulus, end_s: float, options: StimulusOptions) -> Stimulus:
     """The part that is exported, with its fades; all that rings where it is the whole."""
     fades_s = options.fade_in_s, options.fade_out_s
     if (options.from_s, options.to_s, *fades_s) == (None, None, 0.0, 0.0):
@@ -201,15 +201,15 @@ def prepare_stimulus(
     if not cut and options.fade_in_s == 0.0:
         # What rings before time 0 is kept where nothing is cut off or faded in.
         lead_in_s, options = options.lead_in_s, replace(options, lead_in_s=0.0)
-    made = _made(design, rate_hz, options, stages, lead_in_s, (progress, stop))
+    made = _played_stimulus(design, rate_hz, options, stages, lead_in_s, (progress, stop))
     stop_if(stop)
     actuation = design.actuated if actuation is None else actuation
-    drives = _cut(_for_rig(made, rig, equaliser, options, actuation), options)
+    drives = _cut_and_faded(_for_rig(made, rig, equaliser, options, actuation), options)
     if drives.sample_rate_hz != drives.own_rate_hz:
-        own = _made(design, None, options, (), 0.0, (silent, stop))
+        own = _played_stimulus(design, None, options, (), 0.0, (silent, stop))
         drives = with_losses(drives, own, options, stop)
     gain = 1.0 if drives.unit == FULL_SCALE_UNIT else _gain(drives, options)
-    apart = parts(drives, gain, format, options)
+    apart = stimuli_by_mark(drives, gain, format, options)
     places = [marked(path, format, mark) for mark in apart]
     files = tuple(
         (place, _outgoing(own, design, place.name, format, choices, options, gain, rig))
@@ -228,7 +228,7 @@ def prepare_stimulus(
     )
 
 
-def _made(
+def _played_stimulus(
     design: Design,
     rate_hz: int | None,
     options: StimulusOptions,
@@ -286,7 +286,7 @@ def _for_rig(
     return through_actuators(made, actuation, equaliser)
 
 
-def _cut(made: Stimulus, options: StimulusOptions) -> Stimulus:
+def _cut_and_faded(made: Stimulus, options: StimulusOptions) -> Stimulus:
     if options.from_s is not None or options.to_s is not None:
         from_s = 0.0 if options.from_s is None else options.from_s
         made = part_of_time(made, from_s, made.duration_s if options.to_s is None else options.to_s)
@@ -313,7 +313,7 @@ def _outgoing(
     return Outgoing(
         stimulus=stimulus,
         full_scale=1.0 / gain,
-        design=_part_of(design, stimulus, options),
+        design=_exported_design(design, stimulus, options),
         name=name,
         digest=digest_of(design),
         choices=choices,
@@ -322,7 +322,7 @@ def _outgoing(
     )
 
 
-def _part_of(design: Design, stimulus: Stimulus, options: StimulusOptions) -> Design:
+def _exported_design(design: Design, stimulus: Stimulus, options: StimulusOptions) -> Design:
     """The design with those inputs and clips that are in ``stimulus``."""
     there = {id for channel in stimulus.channels for id in channel.inputs}
     inputs = [track for track in audible_inputs(design.inputs) if track.id in there]
@@ -386,7 +386,7 @@ def lost_at_rate(files: Sequence[Outgoing]) -> str:
     )
 
 
-def refused_loss_of(ready: PreparedStimulus) -> str:
+def advice_on_loss(ready: PreparedStimulus) -> str:
     """What to do where a channel loses more to the rate than it may unasked; "": none does."""
     if max(channel.loss_db for channel in ready.drives.channels) <= MOST_LOSS_DB:
         return ""
@@ -567,7 +567,7 @@ def overview_of(
         loses=loses_of(ready),
         calibration=calibration_of(ready),
         equalised=equalised_of(ready),
-        objections=tuple(filter(None, (refused_loss_of(ready), *objections(ready, limits)))),
+        objections=tuple(filter(None, (advice_on_loss(ready), *objections(ready, limits)))),
     )
 
 

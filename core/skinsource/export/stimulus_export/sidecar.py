@@ -98,7 +98,7 @@ def sidecar_of(
         "inputs": [_about_input(track) for track in outgoing.design.inputs],
         "gain": ready.gain,
         "meaning": _MEANING,
-        "scaling_means": _scaling_means(outgoing.design),
+        "scaling_means": _scaling_sentence(outgoing.design),
         "predicted_through": _about_prediction(outgoing.design.actuated),
         **about_validity(outgoing.design),
         "clip_count": int(sum(counts)),
@@ -135,7 +135,7 @@ def _about_rig(
     }
 
 
-def _scaling_means(design: Design) -> str:
+def _scaling_sentence(design: Design) -> str:
     # What is predicted through actuators asks these for its amplitudes, whatever the limb answers.
     known = design.actuated is not None or drive_unit_known(design.limb, design.limb_digest)
     return word_of(scalings_on(drive_unit_known=known), design.scaling).sentence

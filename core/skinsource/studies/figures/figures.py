@@ -26,6 +26,7 @@ from skinsource.export.plot import (
     PlotRow,
     Range,
     WindowedLevels,
+    annotate_scale,
     common_range,
     common_size,
     draw_extent,
@@ -33,7 +34,6 @@ from skinsource.export.plot import (
     draw_rows,
     draw_strip,
     levels_of,
-    say_scale,
     style,
     windowed_levels,
 )
@@ -50,11 +50,11 @@ from skinsource.studies.figures.sheet import (
     Table,
     axes_of_sensors,
     field_of,
-    frames,
     frequency_of,
+    levels_of_values,
     loudest_of,
+    magnitudes_at,
     normal_of,
-    with_values,
 )
 from skinsource.studies.scenes.scene import OpenedScene
 from skinsource.studies.validation import pearson, straight_lines
@@ -301,7 +301,7 @@ def _draw_sums(
 
 _HEIGHT_MM, _BAR_ROOM_MM = 92.0, 20.0
 _UNIT = "dB re 1 m/s²"
-_RELATIVE = (-MAP_RANGE_DB, 0.0)
+_RELATIVE_RANGE_DB = (-MAP_RANGE_DB, 0.0)
 
 
 def maps_in_one_scale(opened: OpenedScene) -> Drawn:
@@ -315,7 +315,7 @@ def maps_each_relative(opened: OpenedScene) -> Drawn:
     """A map for each design, each re its loudest output."""
     levels = [levels_of(condition.design, None, opened.view) for condition in opened.conditions]
     words, tops = "dB re the loudest output of each", loudest_of(levels, together=False)
-    return maps_figure(opened, levels, _labels(opened), _RELATIVE, words, tops)
+    return maps_figure(opened, levels, _labels(opened), _RELATIVE_RANGE_DB, words, tops)
 
 
 def maps_of_axes(opened: OpenedScene) -> Drawn:
@@ -324,7 +324,7 @@ def maps_of_axes(opened: OpenedScene) -> Drawn:
     levels = [levels_of(opened.design, None, replace(opened.view, axes=axis)) for axis in single]
     titles = [f"Along {axis}" for axis in single]
     words, tops = "dB re the loudest output on any axis", loudest_of(levels, together=True)
-    return maps_figure(opened, levels, titles, _RELATIVE, words, tops)
+    return maps_figure(opened, levels, titles, _RELATIVE_RANGE_DB, words, tops)
 
 
 def maps_figure(
@@ -393,7 +393,7 @@ def tone_frames(opened: OpenedScene) -> Drawn:
         for k, (ax, values) in enumerate(zip(places, normal, strict=True)):
             bar: Bar = "drawn" if k == _N_FRAMES - 1 else "room"
             title = f"{1e3 * time_s[instants[k]]:.1f} ms"
-            shown = with_values(opened.design, values)
+            shown = levels_of_values(opened.design, values)
             image = draw_map(ax, shown, (-limit, limit), title=title, signed=True, bar=bar)
         words = f"z, m/s²; colours end at {_SHARE_OF_PEAK:.0%} of the peak"
         sheet.colour_bar(image, 153.0, 20.0, 48.0, words)
@@ -472,24 +472,24 @@ def pulse_traces(opened: OpenedScene) -> Drawn:
     """Three axes of each output, each output relative to its peak, and maps of the first 3 ms."""
     outputs, axes = opened.view.outputs, axes_of_sensors(opened.design)
     time_s, field = field_of(opened.design)
-    within = _within(opened, time_s)
+    within = _in_time_range(opened, time_s)
     drawn_s, drawn = finer(time_s, field[np.array(outputs) - 1])
-    seen = _within(opened, drawn_s)
+    seen = _in_time_range(opened, drawn_s)
     rows = [
         _own_row(number, 1e3 * drawn_s[seen], curves[:, seen])
         for number, curves in zip(outputs, drawn, strict=True)
     ]
     height_mm = 9.0 * len(rows)
     sheet = Sheet(opened, height_mm + _FRAMES_MM + 20.0, maps=True)
-    instants = _instants(opened)
-    magnitudes = frames(opened.design, instants)
-    levels = [with_values(opened.design, decibels(magnitude)) for magnitude in magnitudes]
+    instants = _pulse_samples(opened)
+    magnitudes = magnitudes_at(opened.design, instants)
+    levels = [levels_of_values(opened.design, decibels(magnitude)) for magnitude in magnitudes]
     with style():
         width_mm = WIDTH_MM - _LEFT_MM - _RIGHT_MM
         ax = sheet.axes(_LEFT_MM, _FRAMES_MM + 14.0, width_mm, height_mm)
         draw_rows(ax, rows, labels=axes)
         ax.set_xlabel("Time (ms)")
-        say_scale(ax, "each row relative to its peak")
+        annotate_scale(ax, "each row relative to its peak")
         colours = common_range(*(level.values for level in levels))
         image = None
         places = sheet.row_of_axes(len(instants), 12.0, 1.0, 146.0, _FRAMES_MM - 6.0)
@@ -511,7 +511,7 @@ def pulse_traces(opened: OpenedScene) -> Drawn:
     )
 
 
-def _instants(opened: OpenedScene) -> list[int]:
+def _pulse_samples(opened: OpenedScene) -> list[int]:
     """Samples at which the pulse is shown, as late as the responses of the limb are."""
     facts = facts_of(opened.design.limb)
     rate_hz, delay_s = facts.sample_rate_hz, facts.pre_trigger_delay_s
@@ -545,20 +545,21 @@ def _traces(opened: OpenedScene, colours: Sequence[str], *, own_scale: bool) -> 
         for condition in opened.conditions
     ]
     time_s = results[0]["response_time_s"]
-    within = _within(opened, time_s)
+    within = _in_time_range(opened, time_s)
     curves = [result["selected_traces"][:, within] for result in results]
     drawn_s, drawn = finer(time_s, np.stack([result["selected_traces"] for result in results]))
-    drawn_s, drawn = drawn_s[_within(opened, drawn_s)], drawn[..., _within(opened, drawn_s)]
+    drawn_s, drawn = (
+        drawn_s[_in_time_range(opened, drawn_s)],
+        drawn[..., _in_time_range(opened, drawn_s)],
+    )
     size = None if own_scale else common_size(list(drawn))
-    rows = [
-        _labelled(number, 1e3 * drawn_s, drawn[:, k], size) for k, number in enumerate(view.outputs)
-    ]
+    rows = [_row(number, 1e3 * drawn_s, drawn[:, k], size) for k, number in enumerate(view.outputs)]
     labels = [condition.label for condition in opened.conditions] if several else []
     sheet, ax = _rows_sheet(opened, rows, labels, colours)
     with style():
         ax.set_xlabel("Time (ms)")
         words = "each row relative to its peak" if own_scale else f"a row is {size:.3g} m/s² high"
-        say_scale(ax, f"{signal_label(view.axes, view.method)}; {words}")
+        annotate_scale(ax, f"{signal_label(view.axes, view.method)}; {words}")
     names = [
         f"_{condition.label.replace(' ', '_')}" if several else ""
         for condition in opened.conditions
@@ -588,7 +589,7 @@ def _spectra(opened: OpenedScene, n_bins: int) -> Drawn:
     with style():
         ax.set_xlabel("Frequency (Hz)")
         mean = f", mean of {n_bins} bins" if n_bins > 1 else ""
-        say_scale(ax, f"magnitude{mean}; each row relative to its largest")
+        annotate_scale(ax, f"magnitude{mean}; each row relative to its largest")
     header = ["frequency_hz", *(f"output_{n}_{axis}_m_per_s2" for n in outputs for axis in axes)]
     columns = of_outputs.reshape(-1, of_outputs.shape[-1])
     table = Table(header=header, rows=np.vstack((frequency_hz[within], columns)).T)
@@ -614,16 +615,16 @@ def _rows_sheet(
 
 
 def _own_row(number: int, x: Floats, curves: Floats) -> PlotRow:
-    return _labelled(number, x, curves, None)
+    return _row(number, x, curves, None)
 
 
-def _labelled(number: int, x: Floats, curves: Floats, size: float | None) -> PlotRow:
+def _row(number: int, x: Floats, curves: Floats, size: float | None) -> PlotRow:
     peak = float(np.abs(curves).max(initial=0.0))
     label = f"Output {number}" if size is not None else f"Output {number}\n{peak:.2g} m/s²"
     return PlotRow(label=label, x=x, curves=curves, unit_size=size)
 
 
-def _within(opened: OpenedScene, time_s: Floats) -> Any:
+def _in_time_range(opened: OpenedScene, time_s: Floats) -> Any:
     low, high = opened.view.time_range_s or (float(time_s[0]), float(time_s[-1]))
     return (time_s >= low) & (time_s <= high)
 

@@ -43,21 +43,25 @@ def synthetic_scene(name: str) -> OpenedScene:
 
 def mark_of(opened: OpenedScene) -> str:
     """What is drawn, in a few digits: other designs, views or synthetic limbs have others."""
-    said = [_said(part) for part in (opened.design, opened.view, *opened.conditions)]
+    said = [_changed_fields(part) for part in (opened.design, opened.view, *opened.conditions)]
     limbs = (data_folder() / "synthetic-limbs.json").read_bytes()
     return hashlib.sha256(repr(said).encode() + limbs).hexdigest()[:16]
 
 
-def _said(value: Any) -> Any:
+def _changed_fields(value: Any) -> Any:
     """What a value says beside the defaults: a field that is added to all changes nothing."""
     if isinstance(value, tuple):
-        return tuple(_said(item) for item in value)
+        return tuple(_changed_fields(item) for item in value)
     if not is_dataclass(value):
         return value
     held = ((field, getattr(value, field.name)) for field in fields(value))
     return (
         type(value).__name__,
-        *((field.name, _said(held)) for field, held in held if held != _default_of(field)),
+        *(
+            (field.name, _changed_fields(held))
+            for field, held in held
+            if held != _default_of(field)
+        ),
     )
 
 

@@ -44,7 +44,7 @@ def broken_conditions_text(opened: OpenedScene, *, maps: bool) -> str:
     ``maps``: whether the figure shows some.  What lies between outputs matters to nothing else.
     """
     findings = [
-        finding for judged in _judged(opened, maps=maps) for finding in judged.findings or ()
+        finding for judged in _judgements(opened, maps=maps) for finding in judged.findings or ()
     ]
     # That a limb is synthetic is said by itself, and larger.
     left = dict.fromkeys(
@@ -56,7 +56,7 @@ def broken_conditions_text(opened: OpenedScene, *, maps: bool) -> str:
 
 def condition_lines(opened: OpenedScene, *, maps: bool) -> tuple[str, ...]:
     """A line for each condition that a design does not keep, with the designs that do not."""
-    return in_full(_judged(opened, maps=maps))
+    return in_full(_judgements(opened, maps=maps))
 
 
 def limbs_of(opened: OpenedScene) -> tuple[str, ...]:
@@ -64,7 +64,7 @@ def limbs_of(opened: OpenedScene) -> tuple[str, ...]:
     return tuple(dict.fromkeys(condition.design.limb for condition in opened.conditions))
 
 
-def _judged(opened: OpenedScene, *, maps: bool) -> list[Judged]:
+def _judgements(opened: OpenedScene, *, maps: bool) -> list[Judged]:
     judged = [
         Judged(
             label=condition.label,
@@ -105,7 +105,7 @@ def frequency_of(clip: Clip) -> float:
     return clip.waveform.frequency_hz
 
 
-def frames(design: Design, instants: list[int]) -> Floats:
+def magnitudes_at(design: Design, instants: list[int]) -> Floats:
     """Length of the acceleration at some samples, (n_instants, n_outputs), in m/s²."""
     _, field = field_of(design)
     return magnitude(field)[:, instants].T
@@ -117,7 +117,7 @@ def loudest_of(levels: Sequence[Levels], *, together: bool) -> list[float]:
     return [max(loudest)] * len(levels) if together else loudest
 
 
-def with_values(design: Design, values: Floats) -> Levels:
+def levels_of_values(design: Design, values: Floats) -> Levels:
     """A map of any values at the outputs, with the places that the design drives.
 
     Nothing is hatched: what noise the whole record has says little of an instant.
@@ -130,7 +130,7 @@ def with_values(design: Design, values: Floats) -> Levels:
 #: Two columns of a journal.
 WIDTH_MM = 180.0
 _EDGE_MM, _HEAD_MM, _LINE_MM, _FOOT_EDGE_MM = 4.0, 9.0, 3.2, 3.0
-_CHARACTERS = 128
+_LINE_CHARACTERS = 128
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -175,7 +175,7 @@ class Sheet:
         self, opened: OpenedScene, height_mm: float, note: str = "", *, maps: bool = False
     ) -> None:
         self.maps = maps
-        lines = _foot(opened, note, broken_conditions_text(opened, maps=maps))
+        lines = _footer(opened, note, broken_conditions_text(opened, maps=maps))
         self._foot_mm = _LINE_MM * len(lines) + 2 * _FOOT_EDGE_MM
         self._height_mm = height_mm + _HEAD_MM + self._foot_mm
         self.figure = new_figure(WIDTH_MM, self._height_mm)
@@ -244,7 +244,7 @@ class Drawn:
         return self.sheet.figure
 
 
-def _foot(opened: OpenedScene, note: str, left: str) -> list[tuple[str, str]]:
+def _footer(opened: OpenedScene, note: str, left: str) -> list[tuple[str, str]]:
     """Lines below a drawing, each with its colour; ``left``: what is not kept."""
     known = opened.scene
     said = [(known.sentence, INK), (f"After {known.source}.", DIM)]
@@ -256,4 +256,6 @@ def _foot(opened: OpenedScene, note: str, left: str) -> list[tuple[str, str]]:
     if opened.synthetic:
         words = f"{SYNTHETIC}; they need not do what the sentence says."
         said.append((words, "#B00020"))
-    return [(line, colour) for words, colour in said for line in textwrap.wrap(words, _CHARACTERS)]
+    return [
+        (line, colour) for words, colour in said for line in textwrap.wrap(words, _LINE_CHARACTERS)
+    ]

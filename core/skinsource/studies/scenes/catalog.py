@@ -16,7 +16,7 @@ from skinsource.design.design_file import SUFFIX, DesignFile, open_design
 from skinsource.limbs.catalogue import available_limbs
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.studies.scenes.scene import (
-    OF_PROBES,
+    PROBE_UNITS,
     Condition,
     OpenedScene,
     Scene,
@@ -145,7 +145,7 @@ def _on_limbs(design: Design, limbs: frozenset[str]) -> Design:
 
 # What a design is called once it may be no longer the scene that its title names.
 
-_OF_SCENE = re.compile(r"Fig\. (\w+): ")
+_SCENE_TITLE = re.compile(r"Fig\. (\w+): ")
 _LIMB = re.compile(r", limb \d+$")
 _EDITED = "edited"
 
@@ -162,7 +162,7 @@ def title_of(design: Design) -> str:
     >>> ss.scenes.title_of(tone.with_input(0, amplitude=2.0))
     'Fig. 2B: Low frequencies reach farther · edited'
     """
-    match = _OF_SCENE.match(design.title)
+    match = _SCENE_TITLE.match(design.title)
     if match is None:
         return design.title
     try:
@@ -171,14 +171,14 @@ def title_of(design: Design) -> str:
     except SkinSourceError:
         return design.title
     without_limb = _LIMB.sub("", known.title)
-    said = _beginning(f"Fig. {known.name}: ", (known.title, without_limb), design.title)
+    said = _title_prefix(f"Fig. {known.name}: ", (known.title, without_limb), design.title)
     if not said or _is_as_made(known, designs, design):
         return design.title
     changed_limb = _LIMB.search(said) and not _is_on(designs[0], design)
     return f"{_LIMB.sub('', said) if changed_limb else said} · {_EDITED}"
 
 
-def _beginning(figure: str, titles: Sequence[str], said: str) -> str:
+def _title_prefix(figure: str, titles: Sequence[str], said: str) -> str:
     """With which of its titles the scene begins what is said; empty: with none."""
     begun = (figure + title for title in titles)
     return next(
@@ -193,7 +193,7 @@ def _beginning(figure: str, titles: Sequence[str], said: str) -> str:
 
 def _is_as_made(known: Scene, designs: tuple[Design, ...], design: Design) -> bool:
     """Whether it plays what the scene plays under this title, where the title says so."""
-    if _is_of_other_drives(design):
+    if _has_other_unit(design):
         return False
     people = len({design.limb for design in designs}) > 1
     named = [one for one in designs if one.title == design.title]
@@ -201,14 +201,14 @@ def _is_as_made(known: Scene, designs: tuple[Design, ...], design: Design) -> bo
         return False
     # On a limb of a lab a scene plays at other places, which its title tells.
     moved = design.limb not in PUBLISHED
-    played = _played(design, moved=moved)
-    return any(_played(candidate, moved=moved) == played for candidate in named or designs)
+    played = _played_content(design, moved=moved)
+    return any(_played_content(candidate, moved=moved) == played for candidate in named or designs)
 
 
-def _is_of_other_drives(design: Design) -> bool:
+def _has_other_unit(design: Design) -> bool:
     """Whether the title tells a strength in a unit that the drive does not have on this limb."""
     if amplitude_unit(design) == ARBITRARY_UNIT:
-        return design.title.endswith(OF_PROBES)
+        return design.title.endswith(PROBE_UNITS)
     return design.title.endswith(f" {ARBITRARY_UNIT}")
 
 
@@ -219,7 +219,7 @@ def _is_on(known: Design, design: Design) -> bool:
     return design.limb in PUBLISHED and design.limb.partition("-")[2] == number
 
 
-def _played(design: Design, *, moved: bool) -> Design:
+def _played_content(design: Design, *, moved: bool) -> Design:
     """What is heard of a design; ``moved``: wherever on the limb."""
     inputs = tuple(
         replace(track, colour=0, location=1 if moved else track.location) for track in design.inputs

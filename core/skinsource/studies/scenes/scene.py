@@ -128,7 +128,7 @@ class OpenedScene:
 # the limb has, and looked at from near to far.  What the paper says of it need not hold there.
 
 # Units of what probes do, at the end of a label.
-OF_PROBES = ("m/s²", "mm/s")
+PROBE_UNITS = ("m/s²", "mm/s")
 
 
 def reason_against(known: Scene, designs: tuple[Design, ...], view: View, limb: str) -> str:
@@ -144,7 +144,7 @@ def reason_against(known: Scene, designs: tuple[Design, ...], view: View, limb: 
     beside = dict(dict(view.panels).get("side_by_side", ()))
     if beside.get("of") == "axes" and len(facts.axes) < 2:
         return f"It compares axes, and this limb measures along {axes_text(facts.axes)} alone."
-    needed, there = len(_places_of(designs)), len(_candidates(facts))
+    needed, there = len(_places_of(designs)), len(_mapped_places(facts))
     if needed > there:
         return (
             f"It is played at {counted(needed, 'place')}, and this limb has "
@@ -176,7 +176,7 @@ def opened_on(
     if reason:
         raise InvalidInputError(f"the scene {known.name} does not apply on {limb}. {reason}")
     facts = facts_of(limb)
-    places = _moved(_places_of(designs), _candidates(facts)) if facts.own else {}
+    places = _places_on(_places_of(designs), _mapped_places(facts)) if facts.own else {}
     number = designs[0].limb.partition("-")[2]
     title = known.title.removesuffix(f", limb {number}")
     unit = amplitude_unit(replace(design, limb=limb, limb_digest=facts.digest))
@@ -200,7 +200,7 @@ def opened_on(
         words = f"Fig. {known.name}: {title}{' · ' if label else ''}{label}"
         return replace(changed.design, inputs=inputs, title=words, notes=f"{scene.notes}\n{note}")
 
-    seen = _seen(view, design, facts, places)
+    seen = _view_on(view, design, facts, places)
     snapshots = tuple(replace(snapshot, design=put(snapshot.design)) for snapshot in view.snapshots)
     return OpenedScene(
         scene=scene,
@@ -219,7 +219,7 @@ def _places_of(designs: tuple[Design, ...]) -> tuple[int, ...]:
     return tuple(dict.fromkeys(track.location for each in designs for track in each.inputs))
 
 
-def _candidates(facts: LimbFacts) -> tuple[int, ...]:
+def _mapped_places(facts: LimbFacts) -> tuple[int, ...]:
     """Places of a limb that lie on its map."""
     drawn = own_map(facts.name)
     if drawn is None:
@@ -228,7 +228,7 @@ def _candidates(facts: LimbFacts) -> tuple[int, ...]:
     return tuple(int(k) + 1 for k in np.flatnonzero(there))
 
 
-def _moved(places: tuple[int, ...], candidates: tuple[int, ...]) -> dict[int, int]:
+def _places_on(places: tuple[int, ...], candidates: tuple[int, ...]) -> dict[int, int]:
     """Where each place goes: where it is, if there is such a place, else to the first free one."""
     kept = [place for place in places if place in candidates]
     free = iter(place for place in candidates if place not in kept)
@@ -249,7 +249,7 @@ def _unplayable(designs: tuple[Design, ...], facts: LimbFacts) -> str:
     return ""
 
 
-def _seen(view: View, design: Design, facts: LimbFacts, places: Mapping[int, int]) -> View:
+def _view_on(view: View, design: Design, facts: LimbFacts, places: Mapping[int, int]) -> View:
     """The view, at what the limb has: its axes, its delay, its outputs."""
     edit = change_limb(design, view, facts.name)
     view = view if isinstance(edit, Refusal) else edit.view
@@ -284,7 +284,7 @@ def _label(label: str, design: Design, places: Mapping[int, int], unit: str) -> 
 
     No strength is told in m/s² or mm/s where it is not known how the probe moves.
     """
-    if unit == ARBITRARY_UNIT and label.endswith(OF_PROBES):
+    if unit == ARBITRARY_UNIT and label.endswith(PROBE_UNITS):
         return f"{design.inputs[0].amplitude:.3g} {unit}"
     words, _, number = label.rpartition(" ")
     old = int(number) if words and number.isdecimal() else 0

@@ -35,11 +35,11 @@ OWN_SPECTRA = {
 #: The same, each magnitude the mean over ten bins: of noise.
 OWN_MEAN_SPECTRA = {"spectra": {**OWN_SPECTRA["spectra"], "averaged": True}}
 #: Maps of all designs of a scene at once: of scenes that compare people, places or frequencies.
-BESIDE = {"side_by_side": {"of": "snapshots"}}
+SIDE_BY_SIDE = {"side_by_side": {"of": "snapshots"}}
 #: The same, each relative to its own loudest output.
 EACH_TO_ITS_MAXIMUM = {"side_by_side": {"of": "snapshots", "own_maximum": True}}
 #: Maps of the design along each axis at once.
-AXES_BESIDE = {"side_by_side": {"of": "axes"}}
+AXES_SIDE_BY_SIDE = {"side_by_side": {"of": "axes"}}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,7 +50,7 @@ class MadeScene:
     content: DesignFile
 
 
-def played(
+def design_on(
     limb: int,
     *inputs: Input,
     scaling: Scaling = "upstream",
@@ -59,7 +59,9 @@ def played(
     return Design(limb=f"measured-{limb}", inputs=inputs, scaling=scaling)
 
 
-def at(places: Sequence[int], waveform: Waveform, amplitude: float = 1.0) -> tuple[Input, ...]:
+def tracks_at(
+    places: Sequence[int], waveform: Waveform, amplitude: float = 1.0
+) -> tuple[Input, ...]:
     """The same waveform at some places, at once."""
     return tuple(
         track(place, waveform, amplitude=amplitude, colour=rank)
@@ -67,7 +69,7 @@ def at(places: Sequence[int], waveform: Waveform, amplitude: float = 1.0) -> tup
     )
 
 
-def made(
+def made_scene(
     scene: Scene,
     *designs: Design,
     shown: int = 0,
@@ -122,7 +124,7 @@ def _titled(scene: Scene, design: Design, rank: int) -> Design:
 _PREDICTED = Tone(frequency_hz=104.0, duration_s=10 / 104)
 _PREDICTION_ONLY = "only the prediction: the measurement of the paper is not public"
 
-_FRAMES = made(
+_FRAMES = made_scene(
     Scene(
         name="4A",
         title="A tone as it travels, predicted",
@@ -131,7 +133,7 @@ _FRAMES = made(
         inferred=(_PREDICTION_ONLY, "window of the tone", "which instants are shown"),
         panels=("skin", "traces"),
     ),
-    played(1, *at([8], _PREDICTED)),
+    design_on(1, *tracks_at([8], _PREDICTED)),
     turned="frequency",
     axes="z",
     outputs=(20, 24, 26, 27, 48),
@@ -141,7 +143,7 @@ _FRAMES = made(
     panels=MOVING,
 )
 
-_TRACES = made(
+_TRACES = made_scene(
     Scene(
         name="4B",
         title="The same tone as traces, predicted",
@@ -149,7 +151,7 @@ _TRACES = made(
         inferred=(_PREDICTION_ONLY, "window of the tone", "which outputs are shown"),
         panels=("skin", "traces"),
     ),
-    played(1, *at([8], _PREDICTED)),
+    design_on(1, *tracks_at([8], _PREDICTED)),
     turned="frequency",
     axes="z",
     outputs=(20, 24, 26, 27, 48),
@@ -177,7 +179,7 @@ def _tones(speed_mm_per_s: float) -> Input:
 
 
 def _overlay(name: str, limb: int) -> MadeScene:
-    return made(
+    return made_scene(
         Scene(
             name=name,
             title=f"Five strengths of three tones, limb {limb}",
@@ -187,7 +189,7 @@ def _overlay(name: str, limb: int) -> MadeScene:
             labels=tuple(f"{speed} mm/s" for speed in _SPEEDS_MM_PER_S),
             panels=("skin", "traces", "linearity"),
         ),
-        *(played(limb, _tones(speed), scaling="probe") for speed in _SPEEDS_MM_PER_S),
+        *(design_on(limb, _tones(speed), scaling="probe") for speed in _SPEEDS_MM_PER_S),
         shown=4,
         turned="amplitude",
         axes="z",
@@ -198,22 +200,22 @@ def _overlay(name: str, limb: int) -> MadeScene:
 
 _SWEEP = Chirp(start_hz=25.0, end_hz=600.0, duration_s=5.0)
 _LEVELS = (0.75, 1.5, 3.0, 6.0)
-_LEVEL_WORDS = "the four levels, 0.75 to 6 m/s²"
+_LEVELS_TEXT = "the four levels, 0.75 to 6 m/s²"
 
 
 def _sweeps() -> tuple[Design, ...]:
-    return tuple(played(1, *at([8], _SWEEP, level), scaling="probe") for level in _LEVELS)
+    return tuple(design_on(1, *tracks_at([8], _SWEEP, level), scaling="probe") for level in _LEVELS)
 
 
 def _fit(
     name: str, title: str, sentence: str, *inferred: str, every_output: bool = False
 ) -> MadeScene:
-    return made(
+    return made_scene(
         Scene(
             name=name,
             title=title,
             sentence=sentence,
-            inferred=(_BY_CONSTRUCTION, _LEVEL_WORDS, *inferred),
+            inferred=(_BY_CONSTRUCTION, _LEVELS_TEXT, *inferred),
             labels=tuple(f"{level:g} m/s²" for level in _LEVELS),
             panels=("skin", "traces", "linearity"),
         ),
@@ -246,7 +248,7 @@ _FITS = _fit(
 # Some cycles in the middle of the sweep, as in the figure.
 _CYCLES_S = (1.0, 1.05)
 
-_SUPERPOSITION = made(
+_SUPERPOSITION = made_scene(
     Scene(
         name="5F",
         title="Separate and joint",
@@ -256,7 +258,10 @@ _SUPERPOSITION = made(
         labels=("Input 8", "Input 13", "Both"),
         panels=("skin", "traces", "linearity"),
     ),
-    *(played(1, *at(places, _SWEEP, 3.0), scaling="probe") for places in ([8], [13], [8, 13])),
+    *(
+        design_on(1, *tracks_at(places, _SWEEP, 3.0), scaling="probe")
+        for places in ([8], [13], [8, 13])
+    ),
     shown=2,
     turned="amplitude",
     axes="z",
@@ -281,7 +286,7 @@ _ALONG_DIGIT_III = (20, 24, 26, 27, 48, 49, 72)
 _PULSE = Impulse()
 
 
-_IMPULSE_RESPONSES_TRACES = made(
+_IMPULSE_RESPONSES_TRACES = made_scene(
     Scene(
         name="1C",
         title="A pulse runs down the hand",
@@ -290,7 +295,7 @@ _IMPULSE_RESPONSES_TRACES = made(
         inferred=("each trace relative to its own peak",),
         panels=("skin", "traces"),
     ),
-    played(4, *at([8], _PULSE), scaling="relative"),
+    design_on(4, *tracks_at([8], _PULSE), scaling="relative"),
     turned="onset",
     axes="z",
     outputs=_ALONG_DIGIT_III,
@@ -300,7 +305,7 @@ _IMPULSE_RESPONSES_TRACES = made(
     panels={**OWN_ROWS, **MOVING},
 )
 
-_SPECTRA = made(
+_SPECTRA = made_scene(
     Scene(
         name="1D",
         title="High frequencies stay near the finger",
@@ -308,14 +313,14 @@ _SPECTRA = made(
         "high frequencies.",
         panels=("skin", "spectra"),
     ),
-    played(4, *at([8], _PULSE), scaling="relative"),
+    design_on(4, *tracks_at([8], _PULSE), scaling="relative"),
     turned="amplitude",
     axes="z",
     outputs=_ALONG_DIGIT_III,
     panels=OWN_SPECTRA,
 )
 
-_AXES = made(
+_AXES = made_scene(
     Scene(
         name="1E",
         title="One pulse, three axes",
@@ -325,13 +330,13 @@ _AXES = made(
         arrangement="design",
         panels=("skin", "side_by_side"),
     ),
-    played(3, *at([3], _PULSE), scaling="relative"),
+    design_on(3, *tracks_at([3], _PULSE), scaling="relative"),
     turned="amplitude",
     axes="z",
-    panels=AXES_BESIDE,
+    panels=AXES_SIDE_BY_SIDE,
 )
 
-_PLACES = made(
+_PLACES = made_scene(
     Scene(
         name="1F",
         title="Where the pulse is given",
@@ -342,13 +347,13 @@ _PLACES = made(
         arrangement="design",
         panels=("skin", "side_by_side"),
     ),
-    *(played(1, *at([place], _PULSE), scaling="relative") for place in (8, 13, 18)),
+    *(design_on(1, *tracks_at([place], _PULSE), scaling="relative") for place in (8, 13, 18)),
     turned="amplitude",
     panels=EACH_TO_ITS_MAXIMUM,
     method="mag",
 )
 
-_PEOPLE = made(
+_PEOPLE = made_scene(
     Scene(
         name="1G",
         title="Four people",
@@ -358,7 +363,7 @@ _PEOPLE = made(
         arrangement="design",
         panels=("skin", "side_by_side"),
     ),
-    *(played(limb, *at([8], _PULSE), scaling="relative") for limb in (1, 2, 3, 4)),
+    *(design_on(limb, *tracks_at([8], _PULSE), scaling="relative") for limb in (1, 2, 3, 4)),
     turned="amplitude",
     panels=EACH_TO_ITS_MAXIMUM,
     method="mag",
@@ -385,7 +390,7 @@ _OWN_NOISE = (
     "which outputs are shown",
 )
 
-_STIMULI_TRACES = made(
+_STIMULI_TRACES = made_scene(
     Scene(
         name="2A",
         title="A tone on a fingertip",
@@ -394,7 +399,7 @@ _STIMULI_TRACES = made(
         inferred=("length and window of the tone", "which outputs are shown"),
         panels=("skin", "traces"),
     ),
-    played(1, *at([7], _TEN_CYCLES)),
+    design_on(1, *tracks_at([7], _TEN_CYCLES)),
     turned="frequency",
     axes="z",
     outputs=(28, 30, 33, 35, 38, 52, 57),
@@ -404,7 +409,7 @@ _STIMULI_TRACES = made(
     panels={**OWN_ROWS, **MOVING},
 )
 
-_FREQUENCIES = made(
+_FREQUENCIES = made_scene(
     Scene(
         name="2B",
         title="Low frequencies reach farther",
@@ -415,16 +420,16 @@ _FREQUENCIES = made(
         panels=("skin", "side_by_side"),
     ),
     *(
-        played(1, *at([7], Tone(frequency_hz=frequency, duration_s=0.2)))
+        design_on(1, *tracks_at([7], Tone(frequency_hz=frequency, duration_s=0.2)))
         for frequency in _FREQUENCIES_HZ
     ),
     turned="frequency",
     method="mag",
     outputs=(30, 43),
-    panels=BESIDE,
+    panels=SIDE_BY_SIDE,
 )
 
-_NOISE_TRACES = made(
+_NOISE_TRACES = made_scene(
     Scene(
         name="2C",
         title="Noise on the little finger",
@@ -433,14 +438,14 @@ _NOISE_TRACES = made(
         inferred=_OWN_NOISE,
         panels=("skin", "traces"),
     ),
-    played(2, *at([5], _NOISE)),
+    design_on(2, *tracks_at([5], _NOISE)),
     turned="amplitude",
     axes="z",
     outputs=_NOISE_OUTPUTS,
     panels=OWN_ROWS,
 )
 
-_NOISE_SPECTRA = made(
+_NOISE_SPECTRA = made_scene(
     Scene(
         name="2D",
         title="Noise, as spectra",
@@ -448,14 +453,14 @@ _NOISE_SPECTRA = made(
         inferred=_OWN_NOISE,
         panels=("skin", "spectra"),
     ),
-    played(2, *at([5], _NOISE)),
+    design_on(2, *tracks_at([5], _NOISE)),
     turned="amplitude",
     axes="x",
     outputs=_NOISE_OUTPUTS,
     panels=OWN_MEAN_SPECTRA,
 )
 
-_TAPS = made(
+_TAPS = made_scene(
     Scene(
         name="2E",
         title="Four fingers tapped at once",
@@ -466,15 +471,15 @@ _TAPS = made(
         arrangement="design",
         panels=("skin", "side_by_side"),
     ),
-    *(played(limb, *at([7, 8, 9, 10], Tap())) for limb in (2, 3, 4)),
+    *(design_on(limb, *tracks_at([7, 8, 9, 10], Tap())) for limb in (2, 3, 4)),
     shown=1,
     turned="onset",
     method="mag",
     outputs=(19, 43),
-    panels=BESIDE,
+    panels=SIDE_BY_SIDE,
 )
 
-_INTERFERENCE = made(
+_INTERFERENCE = made_scene(
     Scene(
         name="2F",
         title="Two inputs interfere",
@@ -484,7 +489,7 @@ _INTERFERENCE = made(
         arrangement="design",
         panels=("skin", "traces", "compare"),
     ),
-    *(played(3, *at(places, _TEN_CYCLES)) for places in ([8], [13], [8, 13])),
+    *(design_on(3, *tracks_at(places, _TEN_CYCLES)) for places in ([8], [13], [8, 13])),
     shown=2,
     turned="onset",
     axes="x",
@@ -493,7 +498,7 @@ _INTERFERENCE = made(
     panels={"traces": {"layout": "stacked"}},
 )
 
-_CONTRACTION = made(
+_CONTRACTION = made_scene(
     Scene(
         name="2H",
         title="A sensation that contracts",
@@ -506,7 +511,7 @@ _CONTRACTION = made(
         arrangement="analysis",
         panels=("traces", "windowed"),
     ),
-    played(4, *at([7], WaveletTrain())),
+    design_on(4, *tracks_at([7], WaveletTrain())),
     turned="amplitude",
     method="mag",
     outputs=(30, 33, 52),

@@ -100,14 +100,14 @@ class Cluster:
         return set(result.done)
 
 
-_known = local()
+_thread_state = local()
 
 
 def measure_chunk(text: str, digest: str, numbers: tuple[int, ...]) -> list[Row]:
     """Measure on a worker: what a plan needs is read once for each of its threads."""
-    known: tuple[str, Measurer] | None = getattr(_known, "measurer", None)
+    known: tuple[str, Measurer] | None = getattr(_thread_state, "measurer", None)
     if known is None or known[0] != digest:
-        known = _known.measurer = (digest, Measurer(plan_of(text)))
+        known = _thread_state.measurer = (digest, Measurer(plan_of(text)))
     return [(number, metrics_or_reason(known[1], number)) for number in numbers]
 
 

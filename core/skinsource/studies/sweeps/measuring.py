@@ -42,7 +42,7 @@ from skinsource.studies.sweeps.neighbours import Batch, Field, Fields, Vibration
 from skinsource.studies.sweeps.plan import Plan, above_threshold
 
 # Outputs whose signals are looked at together when the loudest one is searched.
-_AT_ONCE = 6
+_OUTPUTS_PER_PIECE = 6
 #: A window holds no more energy than its record, but for the rounding of both.
 _ROUNDING = 1.0 + 1e-9
 
@@ -81,10 +81,10 @@ class StimulusResult:
 
 def outputs_of_interest(rms: Floats, plan: Plan) -> tuple[int, ...]:
     """Outputs whose signals are looked at, each once; the loudest first."""
-    return _looked_at(int(np.argmax(rms)), plan)
+    return _outputs_with(int(np.argmax(rms)), plan)
 
 
-def _looked_at(loudest: int, plan: Plan) -> tuple[int, ...]:
+def _outputs_with(loudest: int, plan: Plan) -> tuple[int, ...]:
     return tuple(dict.fromkeys((loudest + 1, *plan.outputs)))
 
 
@@ -134,7 +134,7 @@ def evaluate_batch(
     records = [1 if stimulus is None else stimulus.record_samples for stimulus in stimuli]
     over = np.repeat(np.array(records, np.float64), n_outputs)
     rms = np.sqrt(energy / over).reshape(n_stimuli, n_outputs)
-    looked = [_looked_at(loudest, plan) for loudest in np.argmax(rms, axis=1).tolist()]
+    looked = [_outputs_with(loudest, plan) for loudest in np.argmax(rms, axis=1).tolist()]
     rows = np.repeat(np.arange(n_stimuli), [len(numbers) for numbers in looked])
     outputs = np.array([number - 1 for numbers in looked for number in numbers])
     spectra = vibrations.rows(rows, outputs, projection.axis_numbers)
@@ -223,9 +223,9 @@ def _loudest_window(
     n_window = window_samples(limb.sample_rate_hz)
     order = np.argsort(-energy, kind="stable")
     highest = 0.0
-    for first in range(0, len(order), _AT_ONCE):
+    for first in range(0, len(order), _OUTPUTS_PER_PIECE):
         stop_if(stop)
-        outputs = order[first : first + _AT_ONCE]
+        outputs = order[first : first + _OUTPUTS_PER_PIECE]
         if energy[outputs[0]] * _ROUNDING < highest:
             break
         spectra = rows(outputs, projection.axis_numbers)

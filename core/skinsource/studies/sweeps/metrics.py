@@ -74,7 +74,7 @@ class PreparedStimulus:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Known:
+class _DrawnTrack:
     """What an input plays at a rate, and through which actuators it was found to be possible."""
 
     input: Input
@@ -105,7 +105,7 @@ class Preparing:
         # Nobody else keeps the responses that were read of it.
         self._latest: Limb | None = None
         # Of the latest design, by id: neighbours share the inputs that do not vary.
-        self._known: dict[int, _Known] = {}
+        self._known: dict[int, _DrawnTrack] = {}
 
     @property
     def _remembered(self) -> Remembered:
@@ -131,7 +131,7 @@ class Preparing:
             if before is None or not before.holds_for(track, rate_hz, band_hz, design.actuated):
                 stop_if(stop)
                 placed = self._placed(track, rate_hz, band_hz, design.actuated)
-                before = _Known(track, rate_hz, band_hz, design.actuated, placed)
+                before = _DrawnTrack(track, rate_hz, band_hz, design.actuated, placed)
             known[track.id] = before
         self._known = known
         found = tuple(drawn.placed for drawn in known.values())
@@ -262,10 +262,10 @@ def actuator_metrics(stimulus: PreparedStimulus, factor: float, limits: Limits) 
     known = False
     for place, drive in _drives_of(stimulus, factor).items():
         at = actuation.at(place)
-        own, thermal = _known_of(at)
+        own, thermal = _limits_of(at)
         allowed = strictest(limits, own)
         known = known or allowed != Limits()
-        told = _told(drive, stimulus.limb, at, actuation, thermal)
+        told = _actuator_demand(drive, stimulus.limb, at, actuation, thermal)
         passed |= {breach.name for breach in breaches(told, allowed)}
         for name in ACTUATOR_METRICS[:-1]:
             metrics[name] = float(np.maximum(metrics[name], getattr(told, name)))
@@ -273,7 +273,7 @@ def actuator_metrics(stimulus: PreparedStimulus, factor: float, limits: Limits) 
     return metrics
 
 
-def _told(
+def _actuator_demand(
     drive: Floats, limb: Limb, at: ActuatorAt, actuation: Actuation, thermal: Thermal | None
 ) -> Prediction:
     voltage, rate_hz = drive, limb.sample_rate_hz
@@ -291,7 +291,7 @@ def _told(
     return told
 
 
-def _known_of(at: ActuatorAt) -> tuple[Limits, Thermal | None]:
+def _limits_of(at: ActuatorAt) -> tuple[Limits, Thermal | None]:
     """What the library knows of an actuator by its name."""
     if at.actuator not in names():
         return Limits(), None
@@ -314,7 +314,7 @@ def _drives_of(stimulus: PreparedStimulus, factor: float) -> dict[int, Floats]:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _drive_metrics_Known:
+class _MeasuredDrive:
     """Of a drive: its largest sample, its energy, and the share of that outside the band."""
 
     drive: Drive
@@ -327,7 +327,7 @@ class DriveMetrics:
     """Measures drives; those of inputs that stay as they are once."""
 
     def __init__(self) -> None:
-        self._known: dict[int, _drive_metrics_Known] = {}
+        self._known: dict[int, _MeasuredDrive] = {}
 
     def of(self, stimulus: PreparedStimulus, factor: float) -> dict[str, float]:
         """Peak and RMS of all channels, and the share of energy outside the band.
@@ -338,7 +338,7 @@ class DriveMetrics:
             What all amplitudes are multiplied with.
         """
         rate_hz, n_times = stimulus.limb.sample_rate_hz, stimulus.stimulus_samples
-        channels: dict[int, list[tuple[float, Placed, _drive_metrics_Known]]] = {}
+        channels: dict[int, list[tuple[float, Placed, _MeasuredDrive]]] = {}
         energy = outside = 0.0
         for each in stimulus.placed:
             weight = each.voice.amplitude * each.drive.factor * factor
@@ -362,13 +362,11 @@ class DriveMetrics:
             "share_outside_band": outside / energy if energy > 0.0 else np.nan,
         }
 
-    def _of_drive(
-        self, placed: Placed, rate_hz: float, band_hz: Band | None
-    ) -> _drive_metrics_Known:
+    def _of_drive(self, placed: Placed, rate_hz: float, band_hz: Band | None) -> _MeasuredDrive:
         known = self._known.get(placed.voice.id)
         if known is None or known.drive is not placed.drive:
             samples = placed.drive.samples
-            known = self._known[placed.voice.id] = _drive_metrics_Known(
+            known = self._known[placed.voice.id] = _MeasuredDrive(
                 placed.drive,
                 float(np.abs(samples).max(initial=0.0)),
                 float(np.vecdot(samples, samples)),
@@ -377,7 +375,7 @@ class DriveMetrics:
         return known
 
 
-def _sum(inputs: list[tuple[float, Placed, _drive_metrics_Known]], n_times: int) -> Floats:
+def _sum(inputs: list[tuple[float, Placed, _MeasuredDrive]], n_times: int) -> Floats:
     """What inputs at one place play together, (n_times,)."""
     total = np.zeros(n_times)
     for weight, placed, _ in inputs:

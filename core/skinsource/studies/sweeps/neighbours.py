@@ -50,7 +50,7 @@ class Common:
     ) -> Complexes | None:
         """Spectrum of all outputs, the same object for the same inputs; None for none."""
         known = self._known
-        if known is None or known[0] != responses or not same(known[1], moving):
+        if known is None or known[0] != responses or not same_voices(known[1], moving):
             values, drives = terms(responses, moving, stop)
             spectrum = None
             if values:
@@ -135,7 +135,7 @@ def _parts_of(n_outputs: int) -> list[slice]:
     return [slice(low, low + _OUTPUTS_AT_ONCE) for low in range(0, n_outputs, _OUTPUTS_AT_ONCE)]
 
 
-def same(left: tuple[Placed, ...], right: tuple[Placed, ...]) -> bool:
+def same_voices(left: tuple[Placed, ...], right: tuple[Placed, ...]) -> bool:
     """Whether inputs play the same, at the same place and time and as strong."""
     return len(left) == len(right) and all(
         a is b or (a.drive is b.drive and a.start == b.start and a.voice == b.voice)
@@ -277,7 +277,7 @@ def multiplied(matrix: Floats, columns: Floats) -> Floats:
 # Vibrations of many stimuli which differ in what some inputs play, and in nothing else.
 
 #: Fewer are not worth the matrices.
-_FEWEST = 4
+_LEAST_STIMULI = 4
 #: Matrices for so many numbers at a frequency; more are slower than to add up the vibrations.
 _MOST_NUMBERS = 16
 _MOST_BYTES = 256 * 2**20
@@ -343,7 +343,9 @@ class Batch:
             Whether moments of different axes are wanted.
         """
         there = [stimulus for stimulus in stimuli if stimulus is not None]
-        if len(there) < _FEWEST or not all(_moves_as(stimulus, there[0]) for stimulus in there):
+        if len(there) < _LEAST_STIMULI or not all(
+            _has_same_responses(stimulus, there[0]) for stimulus in there
+        ):
             return None
         split = _split(there)
         n_fft = there[0].n_fft(max(stimulus.response_samples for stimulus in there))
@@ -412,13 +414,13 @@ class Batch:
         for left, right in combinations(sources, 2):
             matrix = made.between((left.key, right.key), left.values, right.values)
             totals += multiplied(matrix, left.with_conjugate_of(right).view(np.float64))
-        second = _filled(totals, made.pairs, n_axes)
+        second = _symmetric(totals, made.pairs, n_axes)
         moments = Moments(second.reshape(-1, n_axes, n_axes), first.reshape(-1, n_axes))
         vibrations = Vibrations(
             moments, n_fft, tuple((source.values, source.drives) for source in sources)
         )
         lost: Booleans = np.any(totals[:, :n_axes] < _CANCELLED * np.square(size), axis=1)
-        _mend(vibrations, lost, products=len(made.pairs) > n_axes)
+        _repair(vibrations, lost, products=len(made.pairs) > n_axes)
         return vibrations
 
     def _forget(self, made: Products, sources: "list[_Source]") -> None:
@@ -448,7 +450,7 @@ class _Source:
         return conjugates if self.drives is None else self.drives * conjugates
 
 
-def _moves_as(stimulus: PreparedStimulus, other: PreparedStimulus) -> bool:
+def _has_same_responses(stimulus: PreparedStimulus, other: PreparedStimulus) -> bool:
     """Whether responses are the same; a limb behind other actuators is another one."""
     return stimulus.limb is other.limb and stimulus.design.scaling == other.design.scaling
 
@@ -460,7 +462,7 @@ def _split(stimuli: list[PreparedStimulus]) -> tuple[tuple[Placed, ...], dict[in
     for id in dict.fromkeys(id for by_number in by_id for id in by_number):
         variants = [placed_by_id[id] for placed_by_id in by_id if id in placed_by_id]
         if len(variants) == len(stimuli) and all(
-            same((variants[0],), (variant,)) for variant in variants[1:]
+            same_voices((variants[0],), (variant,)) for variant in variants[1:]
         ):
             fixed.append(variants[0])
         elif len({variant.voice.location for variant in variants}) > 1:
@@ -470,7 +472,7 @@ def _split(stimuli: list[PreparedStimulus]) -> tuple[tuple[Placed, ...], dict[in
     return tuple(fixed), places
 
 
-def _filled(totals: Floats, pairs: tuple[tuple[int, int], ...], n_axes: int) -> Floats:
+def _symmetric(totals: Floats, pairs: tuple[tuple[int, int], ...], n_axes: int) -> Floats:
     """Matrices of second moments, (n_stimuli, n_outputs, n_axes, n_axes)."""
     second = np.zeros((len(totals), totals.shape[-1], n_axes, n_axes))
     for k, (a, b) in enumerate(pairs):
@@ -478,7 +480,7 @@ def _filled(totals: Floats, pairs: tuple[tuple[int, int], ...], n_axes: int) -> 
     return second
 
 
-def _mend(vibrations: Vibrations, lost: Booleans, *, products: bool) -> None:
+def _repair(vibrations: Vibrations, lost: Booleans, *, products: bool) -> None:
     """Take moments from the vibration itself where digits were lost, (n_stimuli, n_outputs)."""
     stimuli, outputs = np.nonzero(lost)
     if len(stimuli):

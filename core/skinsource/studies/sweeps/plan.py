@@ -50,7 +50,7 @@ def equally_strong(design: Design, strengths: Strengths) -> Design:
         An input plays no single frequency, or its frequency or place was not matched.
     """
     inputs = (
-        track if track.muted else _equally_strong(number, track, strengths)
+        track if track.muted else _matched_track(number, track, strengths)
         for number, track in enumerate(design.inputs, start=1)
     )
     return replace(design, inputs=tuple(inputs))
@@ -81,7 +81,7 @@ def above_threshold(acceleration: Floats, sample_rate_hz: float, scaling: str) -
     return float(10.0 ** (highest_db / 20.0)) if highest_db > _SILENCE_DB else 0.0
 
 
-def _equally_strong(number: int, track: Input, strengths: Strengths) -> Input:
+def _matched_track(number: int, track: Input, strengths: Strengths) -> Input:
     played_hz = {
         getattr(clip.waveform, "frequency_hz", None) for clip in track.clips if not clip.muted
     }
@@ -108,7 +108,7 @@ OF_DESIGN = ("limb", "scaling", ACTUATOR)
 OF_INPUT = ("location", "amplitude", "muted")
 OF_CLIP = ("onset_s", "gain")
 #: Inputs are numbered as they are listed: "2.frequency_hz" is of the second one alone.
-_OF_ONE = "."
+_NUMBER_SEPARATOR = "."
 
 
 def varied(design: Design, name: str, value: Value) -> Design:
@@ -136,9 +136,9 @@ def varied(design: Design, name: str, value: Value) -> Design:
         return replace(design, actuation=_actuation(design, value))
     if name in OF_DESIGN:
         return replace(design, **{name: value})  # type: ignore[arg-type]
-    number, field = _read(name, len(design.inputs))
+    number, field = _target_of(name, len(design.inputs))
     if field == "location" and isinstance(value, tuple):
-        return _placed(design, number, value)
+        return _with_locations(design, number, value)
     chosen = range(len(design.inputs)) if number is None else (number,)
     inputs = list(design.inputs)
     has_field = False
@@ -177,9 +177,9 @@ def _actuation(design: Design, value: Value) -> Actuation:
     )
 
 
-def _read(name: str, n_inputs: int) -> tuple[int | None, str]:
+def _target_of(name: str, n_inputs: int) -> tuple[int | None, str]:
     """Index of the input that ``name`` speaks of, None: of all; and the field."""
-    before, dot, field = name.partition(_OF_ONE)
+    before, dot, field = name.partition(_NUMBER_SEPARATOR)
     if not dot:
         return None, name
     if not (before.isdecimal() and len(before) < 10 and 1 <= int(before) <= n_inputs):
@@ -190,7 +190,7 @@ def _read(name: str, n_inputs: int) -> tuple[int | None, str]:
     return int(before) - 1, field
 
 
-def _placed(design: Design, number: int | None, places: tuple[int, ...]) -> Design:
+def _with_locations(design: Design, number: int | None, places: tuple[int, ...]) -> Design:
     if number is not None or len(places) != len(design.inputs):
         raise InvalidInputError(
             f"location is {quoted(places)}, expected one place for each of the "
@@ -206,7 +206,7 @@ def _input_with(track: Input, field: str, value: Value) -> Input | None:
     """The input with ``field`` set; None where it has none."""
     if field in OF_INPUT:
         return replace(track, **{field: value})  # type: ignore[arg-type]
-    clips = _each(track.clips, lambda clip: _clip_with(clip, field, value))
+    clips = _changed_clips(track.clips, lambda clip: _clip_with(clip, field, value))
     return None if clips is None else replace(track, clips=clips)
 
 
@@ -218,7 +218,9 @@ def _clip_with(clip: Clip, field: str, value: Value) -> Clip | None:
     return replace(clip, waveform=replace(clip.waveform, **{field: value}))  # type: ignore[type-var]
 
 
-def _each(clips: Iterable[Clip], change: Callable[[Clip], Clip | None]) -> tuple[Clip, ...] | None:
+def _changed_clips(
+    clips: Iterable[Clip], change: Callable[[Clip], Clip | None]
+) -> tuple[Clip, ...] | None:
     """Clips changed where they can be; None where none can."""
     pairs: list[tuple[Clip, Any]] = [(clip, change(clip)) for clip in clips]
     if all(changed is None for _, changed in pairs):
@@ -328,7 +330,7 @@ def latin_row(row: int, n: int) -> np.ndarray:
 
 MOST_STIMULI = 1_000_000
 #: Neighbours that are measured together: what they have in common is computed once for them.
-TOGETHER = 16
+BATCH_SIZE = 16
 #: The predicted level that a sweep can bring its stimuli to, in dB.
 LOWEST_DB, HIGHEST_DB = -100.0, 100.0
 _FORMAT = "skinsource sweep"
@@ -451,8 +453,8 @@ class Plan:
 
     def neighbours(self, number: int) -> range:
         """Numbers of the stimuli that are measured together with ``number``."""
-        first = number - (number - 1) % TOGETHER
-        return range(first, min(first + TOGETHER, len(self) + 1))
+        first = number - (number - 1) % BATCH_SIZE
+        return range(first, min(first + BATCH_SIZE, len(self) + 1))
 
     @property
     def varying(self) -> frozenset[int]:
@@ -533,7 +535,7 @@ def plan_of(text: str) -> Plan:
 
 def chunks(numbers: Iterable[int]) -> Iterator[tuple[int, ...]]:
     """Numbers of stimuli in their order, those that are measured together in one piece."""
-    for _, chunk in groupby(numbers, lambda number: (number - 1) // TOGETHER):
+    for _, chunk in groupby(numbers, lambda number: (number - 1) // BATCH_SIZE):
         yield tuple(chunk)
 
 

@@ -260,7 +260,7 @@ def _value(name: str, value: Any) -> Value:
 
 _MOST_BYTES = 16 * 2**20
 _MOST = 2**31 - 1
-_KNOWN = {
+_KEYS = {
     "": (
         "designs",
         "outputs",
@@ -304,7 +304,7 @@ def read_sweep(path: Path) -> Sweep:
 
 
 def _sweep(content: dict[str, Any], folder: Path) -> Sweep:
-    _refuse_unknown("", content)
+    _check_keys("", content)
     names = content.get("designs")
     if not isinstance(names, list) or not names or not all(isinstance(name, str) for name in names):
         raise InvalidInputError(
@@ -344,7 +344,7 @@ def _level(content: dict[str, Any], folder: Path) -> str | Path | None:
 
 def _limits(content: dict[str, Any]) -> Limits:
     table = _table(content, "limits")
-    _refuse_unknown("limits", table)
+    _check_keys("limits", table)
     return Limits(**table)
 
 
@@ -352,7 +352,7 @@ def _order(content: dict[str, Any]) -> Order | None:
     if "trials" not in content:
         return None
     table = _table(content, "trials")
-    _refuse_unknown("trials", table)
+    _check_keys("trials", table)
     return Order(
         kind=one_of("order", table.get("order", "random"), KINDS),
         seed=table.get("seed", 0),
@@ -365,7 +365,7 @@ def _files(content: dict[str, Any]) -> StimulusFiles | None:
     if "stimuli" not in content:
         return None
     table = _table(content, "stimuli")
-    _refuse_unknown("stimuli", table)
+    _check_keys("stimuli", table)
     rate_hz = table.get("rate_hz")
     return StimulusFiles(
         format=table.get("format", "wav"),
@@ -398,10 +398,10 @@ def _list(content: dict[str, Any], name: str) -> list[Any]:
     return values
 
 
-def _refuse_unknown(where: str, table: dict[str, Any]) -> None:
-    unknown = [name for name in table if name not in _KNOWN[where]]
+def _check_keys(where: str, table: dict[str, Any]) -> None:
+    unknown = [name for name in table if name not in _KEYS[where]]
     if unknown:
         raise InvalidInputError(
             f"{quoted(unknown[0])} is not known{f' in [{where}]' if where else ''}; there are "
-            f"{', '.join(_KNOWN[where])}"
+            f"{', '.join(_KEYS[where])}"
         )

@@ -93,7 +93,7 @@ def table_of(plan: Plan, outcomes: dict[int, Metrics | str]) -> SweepTable:
         (
             number,
             *(_cell(value) for value in plan.values_of(number).values()),
-            *_measured(outcomes[number], metrics),
+            *_metric_cells(outcomes[number], metrics),
         )
         for number in sorted(outcomes)
     ]
@@ -124,7 +124,7 @@ def write_parquet(table: SweepTable, path: Path) -> None:
         parquet.write_table(arrow.table(columns), temporary)
 
 
-def _measured(outcome: Metrics | str, names: tuple[str, ...]) -> Iterator[Cell]:
+def _metric_cells(outcome: Metrics | str, names: tuple[str, ...]) -> Iterator[Cell]:
     if isinstance(outcome, str):
         yield from (math.nan for _ in names)
         yield outcome
@@ -193,7 +193,7 @@ class Journal:
             if first.startswith(content):
                 content = b""
             elif not _is_nearly(content[: len(first)], first):
-                _refuse_another_sweep(path, content)
+                _check_same_sweep(path, content)
                 _set_aside(path)
                 content = b""
             # What was cut short goes, so that the next line begins a line.
@@ -229,9 +229,9 @@ class Journal:
 
     def _read(self, content: bytes) -> None:
         for line in content.split(b"\n"):
-            tree = _checked(line)
+            tree = _content_of(line)
             if tree is not None:
-                self.rows[int(tree["stimulus"])] = _found_in(tree)
+                self.rows[int(tree["stimulus"])] = _outcome_of(tree)
 
     def _write(self, line: bytes) -> None:
         try:
@@ -244,17 +244,17 @@ class Journal:
 
 def _line(tree: dict[str, Any]) -> bytes:
     text = json.dumps(tree, allow_nan=False, separators=(",", ":")).encode()
-    return _sum(text) + b" " + text + b"\n"
+    return _checksum(text) + b" " + text + b"\n"
 
 
-def _sum(text: bytes) -> bytes:
+def _checksum(text: bytes) -> bytes:
     return sha256(text).hexdigest()[:_CHECKED].encode()
 
 
-def _checked(line: bytes) -> dict[str, Any] | None:
+def _content_of(line: bytes) -> dict[str, Any] | None:
     """What a line holds; None where it is damaged."""
     text = line[_CHECKED + 1 :]
-    if line[:_CHECKED] != _sum(text):
+    if line[:_CHECKED] != _checksum(text):
         return None
     tree: dict[str, Any] = json.loads(text)
     return tree
@@ -266,8 +266,8 @@ def _is_nearly(line: bytes, expected: bytes) -> bool:
     return len(line) == len(expected) and damaged <= _MOST_DAMAGED
 
 
-def _refuse_another_sweep(path: Path, content: bytes) -> None:
-    if _checked(content.partition(b"\n")[0]) is not None:
+def _check_same_sweep(path: Path, content: bytes) -> None:
+    if _content_of(content.partition(b"\n")[0]) is not None:
         raise InvalidInputError(
             f"{named(path)} belongs to another sweep. Choose another folder, or delete the file to "
             "begin anew."
@@ -284,7 +284,7 @@ def _finite(metrics: Metrics) -> dict[str, float | None]:
     return {name: value if math.isfinite(value) else None for name, value in metrics.items()}
 
 
-def _found_in(tree: dict[str, Any]) -> Metrics | str:
+def _outcome_of(tree: dict[str, Any]) -> Metrics | str:
     if "error" in tree:
         return str(tree["error"])
     return {

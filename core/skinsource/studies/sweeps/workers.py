@@ -131,7 +131,7 @@ class _Server(Thread):
                 left_number, outcome = self._answer()
                 self._rows.put((left_number, outcome))
                 left.remove(left_number)
-        except (_Lost, OSError):
+        except (_ProcessLost, OSError):
             self._close()
             if self._given_up:
                 return
@@ -142,7 +142,7 @@ class _Server(Thread):
         out = self._process.stdout if self._process else None
         line = out.readline() if out else b""
         if not line.endswith(b"\n"):
-            raise _Lost
+            raise _ProcessLost
         tree = json.loads(line)
         if "error" in tree:
             return int(tree["stimulus"]), str(tree["error"])
@@ -158,7 +158,7 @@ class _Server(Thread):
                 pipe.flush()
         pipe = self._process.stdin
         if pipe is None:
-            raise _Lost
+            raise _ProcessLost
         return pipe
 
     def _close(self) -> None:
@@ -173,7 +173,7 @@ class _Server(Thread):
                     pipe.close()
 
 
-class _Lost(Exception):
+class _ProcessLost(Exception):
     """The process ended before it had answered."""
 
 
