@@ -1,4 +1,4 @@
-"""Pictures as PNG files, written with what Python has."""
+"""The map of levels as a table and as a PNG picture, written without a window and matplotlib."""
 
 import math
 import struct
@@ -18,10 +18,9 @@ from skinsource.export.exported_design import (
     ExportedDesign,
     about_axes,
     about_design,
-    about_error,
     about_levels,
     about_method,
-    check_accuracy,
+    checked_error_line,
     output_file,
 )
 from skinsource.export.tables import CsvTable
@@ -42,7 +41,7 @@ def write_png(file: BinaryIO, pixels: NDArray[np.uint8], texts: dict[str, str]) 
     pixels : (rows, columns, 3)
         Red, green and blue; the first row is the highest.
     texts
-        What the picture says of itself, by keyword.
+        Texts within the file, by keyword.
     """
     rows, columns, _ = pixels.shape
     # Each row begins with how it is filtered: not at all.
@@ -63,14 +62,13 @@ def _write_chunk(file: BinaryIO, kind: bytes, content: bytes) -> None:
     file.write(struct.pack(">I", zlib.crc32(kind + content)))
 
 
-# The map of levels, as a table and as a picture, without a window.
-
-# From the lowest level to the highest: lightness rises evenly, so that it reads in grey as well.
+# Colours from the lowest level to the highest; lightness rises evenly, so that a print in grey is
+# readable too.
 _ANCHORS = np.array(
     [[13, 8, 35], [72, 20, 92], [142, 38, 88], [208, 73, 58], [243, 139, 44], [252, 236, 160]]
 )
 _OUTSIDE_VALUE = 255
-# Pixels of the picture for each of the map, so that it can be looked at as it is.
+# Pixels of the picture, in each direction, for one pixel of the map.
 _MAGNIFICATION = 3
 
 
@@ -85,9 +83,8 @@ def export_map(
 ) -> None:
     """Compute and write the map as a table: a row for each y, from the lowest, in mm; dB re 1 m/s².
 
-    Outside the outline of the limb stands ``nan``, and so it does in silence, which has no level.
-    Parameters and errors are those of
-    `export_traces`.
+    Values outside the outline of the limb, and those of silence, are ``nan``.  Parameters and
+    errors are those of `export_traces`.
     """
     surface, levels_db, about = _map_content(design, view, progress, stop, largest_error)
     header = ["y_mm", *(f"x_{x:g}_mm" for x in surface.x_mm)]
@@ -106,7 +103,7 @@ def export_map_picture(
     stop: Stop = never,
     largest_error: float = math.inf,
 ) -> None:
-    """Compute and write the map as a picture (PNG) that says within what its colours mean.
+    """Compute and write the map as a picture (PNG), with the meaning of its colours as a text.
 
     Colours go from the loudest output to `MAP_RANGE_DB` below it.  Parameters and errors are those
     of `export_traces`.
@@ -123,7 +120,7 @@ def export_map_picture(
 
 
 def picture_of(levels_db: Floats, top_db: float) -> NDArray[np.uint8]:
-    """Colours of a map, (magnified rows, magnified columns, 3), its highest row first.
+    """Return the colours of a map, (magnified rows, magnified columns, 3), its highest row first.
 
     Parameters
     ----------
@@ -143,17 +140,15 @@ def picture_of(levels_db: Floats, top_db: float) -> NDArray[np.uint8]:
 def _map_content(
     design: Design, view: View, progress: Progress, stop: Stop, largest_error: float
 ) -> tuple[SurfaceOperator, Floats, list[str]]:
-    """Return the map's pixels, its levels, and what a file says of them."""
+    """Return the pixels of the map, their levels, and the lines about them."""
     exported = ExportedDesign(design, view, progress, stop)
-    wanted = exported.values({"surface", "surface_levels_db", "output_rms"})
-    loudest = int(np.argmax(wanted["output_rms"])) + 1
-    error = exported.error((loudest,), view.axes)
-    check_accuracy(error, largest_error)
+    results = exported.values({"surface", "surface_levels_db", "output_rms"})
+    error_line = checked_error_line(exported, results["output_rms"], largest_error)
     about = [
         *about_design(exported),
         about_axes(exported),
         f"{about_levels(exported)}, in dB re 1 m/s²",
         *about_method(exported),
-        about_error(error, f"the traces of output {loudest}, the loudest"),
+        error_line,
     ]
-    return wanted["surface"], wanted["surface_levels_db"], about
+    return results["surface"], results["surface_levels_db"], about

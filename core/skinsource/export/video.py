@@ -1,4 +1,4 @@
-"""A file of frames, written whole or not at all; needs the extra ``video``."""
+"""A film as MP4, WebM or GIF, written whole or not at all; it needs the extra ``video``."""
 
 from collections.abc import Callable, Generator, Iterator
 from contextlib import contextmanager, suppress
@@ -30,7 +30,7 @@ class _Kind:
 
 
 _KINDS = {
-    # Plays everywhere; what moves first is at the beginning, so that it starts at once.
+    # Plays everywhere; the index is at the beginning of the file, so that it starts at once.
     ".mp4": _Kind(
         frames_per_s=60,
         format="mp4",
@@ -43,8 +43,8 @@ _KINDS = {
         codec="libvpx-vp9",
         options=("-crf", "24", "-b:v", "0", "-row-mt", "1", "-cpu-used", "4"),
     ),
-    # A GIF counts in hundredths of a second.  Its colours are those of its first second, in which
-    # the colour bar stands: of all frames, an encoder would hold them all until the end.
+    # A GIF counts in hundredths of a second.  Its colours are those of its first second, which
+    # shows the colour bar: for colours of all frames the encoder would hold all until the end.
     ".gif": _Kind(
         frames_per_s=50,
         format="gif",
@@ -56,12 +56,12 @@ _KINDS = {
         ),
     ),
 }
-#: What a file may end in.
+#: Endings of file names.
 ENDINGS = tuple(_KINDS)
 
 
 def frames_per_s(path: Path) -> int:
-    """Frames per second of a file of this ending.
+    """Return the frames per second of a file with this ending.
 
     Raises
     ------
@@ -73,16 +73,16 @@ def frames_per_s(path: Path) -> int:
 
 @contextmanager
 def video_file(path: Path, size: tuple[int, int], about: str, stop: Stop) -> Iterator[AddFrame]:
-    """Give a function that adds frames to what takes the place of ``path`` at the end.
+    """Give a function that adds frames to a film, which replaces ``path`` at the end.
 
     Parameters
     ----------
     path
-        The file; its ending says what it is: ``.mp4``, ``.webm`` or ``.gif``.
+        The file; its ending is ``.mp4``, ``.webm`` or ``.gif``.
     size
         Width and height of all frames, px, even numbers.
     about
-        What the file says of itself.
+        Comment within the file.
     stop
         Asked at each frame; once true, `skinsource.base.errors.Stopped` is raised.
 
@@ -126,7 +126,7 @@ def _writer(
 ) -> Generator[None, Any, None]:
     encoder = package_of_extra("imageio_ffmpeg", "video")
     pixels = () if kind.format == "gif" else ("-pix_fmt", "yuv420p")
-    words = printable(about)[:500]
+    comment = printable(about)[:500]
     writer: Generator[None, Any, None] = encoder.write_frames(
         str(path),
         size,
@@ -136,7 +136,14 @@ def _writer(
         macro_block_size=1,
         quality=None,
         ffmpeg_log_level="error",
-        output_params=[*kind.options, *pixels, "-metadata", f"comment={words}", "-f", kind.format],
+        output_params=[
+            *kind.options,
+            *pixels,
+            "-metadata",
+            f"comment={comment}",
+            "-f",
+            kind.format,
+        ],
     )
     return writer
 

@@ -1,4 +1,8 @@
-"""A report on agreement and checks as one HTML page, with box plots drawn in it."""
+"""Checks of designs: linearity, superposition, agreement with recordings, and a report in HTML.
+
+A linear model predicts output in proportion to input, and the sum of what inputs cause alone.
+Both are checked in the prediction of one design, and in designs that are snapshots of each other.
+"""
 
 import math
 from collections.abc import Iterable, Sequence
@@ -50,9 +54,9 @@ _STYLE = (
     "svg{display:block;margin:1em 0}.note{color:#57606a}"
 )
 _WIDTH, _HEIGHT, _LEFT, _FOOT = 620.0, 220.0, 64.0, 40.0
-# An axis has so many steps at least; what is so much of a step beyond a tick is on it.
+# Least number of steps of an axis; part of a step by which a limit may lie beyond a tick.
 _LEAST_STEPS, _ROUNDING = 3.0, 1e-9
-#: Titles of the figures, their units, and what the paper reports.
+#: Titles of the figures of agreement, their units, and the values in the paper.
 FIGURES = (
     ("Normalised mean absolute error", "", "near the noise"),
     ("Difference in amplitude", "%", "below 30 %"),
@@ -60,7 +64,7 @@ FIGURES = (
 )
 
 
-#: Whose noise tells which channels count.
+#: Source of the noise that decides which channels count.
 NoiseOf = Literal["recording", "limb", "nothing"]
 _NOISE_TEXTS: dict[NoiseOf, str] = {
     "recording": "noise from before the response in the recording",
@@ -71,21 +75,21 @@ _NOISE_TEXTS: dict[NoiseOf, str] = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Condition:
-    """One design.
+    """Results of the checks of one design.
 
     Attributes
     ----------
     name, frequency_hz
-        Its file, and its main frequency; NaN: silent.
+        Name of its file, and its main frequency; NaN: silent.
     linear, superposed
         Smallest adjusted R² over levels of the prediction, and smallest Pearson's r between the
-        sum of its inputs and all together; NaN where there is nothing to check.
+        sum of the responses to its inputs and the response to all; NaN: there is nothing to check.
     agreement, shift_samples
-        With its measurement, and by how much that was shifted; None: nothing was measured.
+        Agreement with its recording, None: there is none; samples that the recording was shifted.
     noise_of
-        What told the noise that channels are held against.
+        Source of the noise that decides which channels count.
     details
-        Lines on what was checked: recording, limb, scaling, inputs, cautions.
+        Lines on recording, limb, scaling, inputs and cautions.
     """
 
     name: str
@@ -99,7 +103,7 @@ class Condition:
 
     @property
     def noise_words(self) -> str:
-        """What told the noise, in words."""
+        """Source of the noise, as text."""
         return _NOISE_TEXTS[self.noise_of]
 
 
@@ -111,7 +115,7 @@ def html_of(conditions: Sequence[Condition], limbs: Iterable[str]) -> str:
     conditions
         In the order of the table.
     limbs
-        Names of the limbs that the designs are on.
+        Names of the limbs of the designs.
     """
     titles = ", ".join(limb_word(limb).title for limb in sorted(set(limbs)))
     written = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC"
@@ -132,7 +136,7 @@ def html_of(conditions: Sequence[Condition], limbs: Iterable[str]) -> str:
 
 
 def write_report(path: Path, conditions: Sequence[Condition], limbs: Iterable[str]) -> None:
-    """Write the report; a file that is there is replaced once all of it is written.
+    """Write the report; an existing file is replaced once all of it is written.
 
     Raises
     ------
@@ -147,23 +151,21 @@ def summary_lines(conditions: Sequence[Condition]) -> list[str]:
     """Return a line for each condition, for a terminal."""
     lines = []
     for condition in conditions:
-        said = f"{condition.name}: {_frequency_text(condition.frequency_hz)}; linear: adjusted R² {_number_text(condition.linear)}; "
-        said += f"superposition: r {_number_text(condition.superposed)}"
+        line = f"{condition.name}: {_frequency_text(condition.frequency_hz)}; "
+        line += f"linear: adjusted R² {_number_text(condition.linear)}; "
+        line += f"superposition: r {_number_text(condition.superposed)}"
         if condition.agreement is not None:
-            error, amplitude, correlation = condition.agreement.medians
-            counted = (
-                f"{int(condition.agreement.counted.sum())} of {condition.agreement.counted.size}"
+            error, amplitude, correlation = map(_number_text, condition.agreement.medians)
+            line += (
+                f"; measured: {condition.agreement.counted_text} channels above twice the noise, "
+                f"error {error}, amplitude {amplitude} %, r {correlation} ({condition.noise_words})"
             )
-            said += (
-                f"; measured: {counted} channels above twice the noise, error {_number_text(error)}, "
-                f"amplitude {_number_text(amplitude)} %, r {_number_text(correlation)} ({condition.noise_words})"
-            )
-        lines.append(said)
+        lines.append(line)
     return lines
 
 
 def quartiles(values: Floats) -> tuple[float, float, float, float, float]:
-    """Return whisker, quartile, median, quartile, whisker; these end at data within 1.5 boxes."""
+    """Return whisker, quartile, median, quartile, whisker; whiskers end at data in 1.5 boxes."""
     low, middle, high = (float(quartile) for quartile in np.percentile(values, (25, 50, 75)))
     reach = 1.5 * (high - low)
     inside = values[(values >= low - reach) & (values <= high + reach)]
@@ -180,7 +182,7 @@ def round_ticks(low: float, high: float) -> Floats:
         factor for factor in (1.0, 2.0, 5.0) if (high - low) / (factor * step) >= _LEAST_STEPS
     )
     first, last = floor(low / step + _ROUNDING), ceil(high / step - _ROUNDING)
-    # Of whole numbers of steps the digits that rounding adds are taken off again.
+    # Multiples of the step have digits that rounding added; these are removed.
     digits = max(-floor(log10(step)), 0)
     return np.round(np.arange(first, last + 1) * step, digits)
 
@@ -205,26 +207,24 @@ def _table(conditions: Sequence[Condition]) -> str:
         if condition.agreement is None:
             cells += ["–"] * 5
         else:
-            cells.append(
-                f"{int(condition.agreement.counted.sum())} of {condition.agreement.counted.size}"
-            )
+            cells.append(condition.agreement.counted_text)
             cells += [_number_text(value) for value in condition.agreement.medians]
             cells.append(str(condition.shift_samples))
         inner = "".join(f"<td>{cell}</td>" for cell in cells)
         rows.append(f"<tr><td>{escape(condition.name)}</td>{inner}</tr>")
     notes = ["Medians over the channels above twice the noise; shift in samples."]
     measured = [condition for condition in conditions if condition.agreement is not None]
-    for words in dict.fromkeys(condition.noise_words for condition in measured):
+    for noise in dict.fromkeys(condition.noise_words for condition in measured):
         names = ", ".join(
-            condition.name for condition in measured if condition.noise_words == words
+            condition.name for condition in measured if condition.noise_words == noise
         )
-        notes.append(f"{names}: {words}.")
-    said = "".join(f"<p class='note'>{escape(note)}</p>" for note in notes)
-    return f"<table>{head}{''.join(rows)}</table>{said}"
+        notes.append(f"{names}: {noise}.")
+    paragraphs = "".join(f"<p class='note'>{escape(note)}</p>" for note in notes)
+    return f"<table>{head}{''.join(rows)}</table>{paragraphs}"
 
 
 def _details(conditions: Sequence[Condition]) -> list[str]:
-    """What was checked, so that a report can be told from one on something else."""
+    """Return a paragraph on the setup of each design, so that reports can be distinguished."""
     parts = []
     for condition in conditions:
         if condition.details:
@@ -239,7 +239,7 @@ def by_frequency(conditions: Sequence[Condition], figure: int) -> list[tuple[str
     Parameters
     ----------
     conditions
-        Those without a measurement are left out.
+        Results; those without a recording are left out.
     figure
         Number of the figure in `FIGURES`.
 
@@ -255,13 +255,13 @@ def by_frequency(conditions: Sequence[Condition], figure: int) -> list[tuple[str
             for condition in measured
             if round(condition.frequency_hz, 1) == frequency
         ]
-        together = np.concatenate(values)
-        groups.append((f"{frequency:g}", together[np.isfinite(together)]))
+        all_values = np.concatenate(values)
+        groups.append((f"{frequency:g}", all_values[np.isfinite(all_values)]))
     return groups
 
 
 def _plots(measured: Sequence[Condition]) -> list[str]:
-    """A box plot of each figure, a box for each frequency."""
+    """Return a box plot of each figure, with a box for each frequency."""
     parts = []
     for k, (title, unit, reported) in enumerate(FIGURES):
         of_unit = f" ({unit})" if unit else ""
@@ -278,7 +278,7 @@ def _figure_values(agreement: Agreement | None, k: int) -> Floats:
 
 
 def _box_plot(groups: Sequence[tuple[str, Floats]]) -> str:
-    """Box plots over frequency as SVG."""
+    """Return a box plot over frequency as SVG."""
     known = [values for _, values in groups if values.size]
     if not known:
         return "<p>No channel is above twice the noise.</p>"
@@ -302,8 +302,7 @@ def _box_plot(groups: Sequence[tuple[str, Floats]]) -> str:
         shapes.append(f"<text x='{x:.1f}' y='{_HEIGHT - 20}' text-anchor='middle'>{label}</text>")
         if not values.size:
             continue
-        ends = quartiles(values)
-        first, bottom, middle, top, last = (y(value) for value in ends)
+        first, bottom, middle, top, last = map(y, quartiles(values))
         shapes.append(
             f"<line x1='{x:.1f}' x2='{x:.1f}' y1='{first:.1f}' y2='{last:.1f}' stroke='#57606a'/>"
             f"<rect x='{x - wide / 2:.1f}' y='{top:.1f}' width='{wide:.1f}' "
@@ -322,7 +321,7 @@ def _box_plot(groups: Sequence[tuple[str, Floats]]) -> str:
 
 
 def _outlier_note(known: Sequence[Floats], drawn: Floats) -> str:
-    """What is not drawn: values beyond the whiskers, which would flatten the boxes."""
+    """Return a note on values beyond the whiskers: drawn, they would flatten the boxes."""
     everything = np.concatenate(known)
     count = sum(
         int(((values < ends[0]) | (values > ends[-1])).sum())
@@ -344,26 +343,24 @@ def _frequency_text(value: float) -> str:
     return f"{value:.1f} Hz" if np.isfinite(value) else "silent"
 
 
-# One design, checked: whether it is linear, and how well it agrees with its recording.
-
 _LEVELS = (0.25, 0.5, 1.0, 2.0)
 # A recording may start this much earlier or later than the prediction.
 _MOST_SHIFT_S = 0.2
-# More, 20 000 samples of a published limb, would take gigabytes: all channels are held, at several
-# levels.
+# More values, 20 000 samples of a published limb, would take gigabytes: all channels are in memory,
+# at several levels.
 _MOST_VALUES = 20_000 * N_OUTPUTS * N_AXES
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Recorded:
-    """Where a recording is.
+    """A file with a recording.
 
     Attributes
     ----------
     path
         A file of responses, see `skinsource.studies.validation.open_recorded`.
     rate_hz
-        Its rate, where the file says none; None: that of the limb.
+        Rate of a file that states none; None: that of the limb.
     """
 
     path: Path
@@ -380,20 +377,20 @@ def condition_of(
     progress: Progress = silent,
     stop: Stop = never,
 ) -> Condition:
-    """Check a design, alone and against a recording.
+    """Check a design by itself, and against a recording.
 
     Parameters
     ----------
     design, name
-        The design, and what the report calls it.
+        The design, and its name in the report.
     recorded
-        What was measured of it; None: nothing was.
+        Its recording; None: there is none.
     axes
-        Axes that are looked at, and recorded; empty: all of the limb.
+        Axes that are checked, and recorded; empty: all axes of the limb.
     process
-        Reads the recording; one of its own unless given.
+        Reads the recording; a new one unless given.
     progress, stop
-        As for all long work.
+        As those of a job.
 
     Raises
     ------
@@ -405,49 +402,50 @@ def condition_of(
         ``stop`` said so.
     """
     chosen = axes or facts_of(design.limb).axes
-    seen = View(axes=chosen)
+    view = View(axes=chosen)
     progress(0, 3, f"Predicting {name}")
-    # What is compared is the prediction through the graph of the studio, not one made for it.
-    basis = _evaluate(design, seen, stop, "limb_data", "response_samples", "stimulus_start_s")
+    # The recording is compared with the prediction of the studio's graph, which people use.
+    basis = _evaluate(design, view, stop, "limb_data", "response_samples", "stimulus_start_s")
     limb = basis["limb_data"]
     _check_length(name, limb, len(chosen), basis["response_samples"])
-    every = replace(seen, outputs=tuple(range(1, limb.n_outputs + 1)))
-    predicted = _evaluate(design, every, stop, "axis_traces", "validity")
+    view = replace(view, outputs=tuple(range(1, limb.n_outputs + 1)))
+    predicted = _evaluate(design, view, stop, "axis_traces", "validity")
     field = predicted["axis_traces"]
     progress(1, 3, f"Checking {name}")
-    linear, superposed = _linearity_checks(design, every, field, limb.sample_rate_hz, stop)
-    main_hz = _main_frequency(field, limb.sample_rate_hz)
-    details = _condition_details(design, limb, chosen, recorded, predicted["validity"])
+    linear, superposed = _linearity_checks(design, view, field, limb.sample_rate_hz, stop)
     condition = Condition(
-        name=name, frequency_hz=main_hz, linear=linear, superposed=superposed, details=details
+        name=name,
+        frequency_hz=_main_frequency(field, limb.sample_rate_hz),
+        linear=linear,
+        superposed=superposed,
+        details=_condition_details(design, limb, chosen, recorded, predicted["validity"]),
     )
     if recorded is None:
         return condition
-    _check_not_silent(name, field)
-    measured = _read_recording(recorded, limb, len(chosen), process, progress, stop)
-    shifted, shift = aligned(measured, field, round(_MOST_SHIFT_S * limb.sample_rate_hz))
-    quiet = _before_response(measured, shift, basis["stimulus_start_s"], limb)
-    noise, noise_of = _noise_rms(quiet, design, limb, chosen)
-    agrees = agreement(field, shifted, noise)
-    return replace(condition, agreement=agrees, shift_samples=shift, noise_of=noise_of)
-
-
-def _check_not_silent(name: str, field: Floats) -> None:
     if not field.any():
         raise InvalidInputError(
             f"{name}: what is predicted of it is silent throughout, so there is nothing to compare "
             "a recording with. Let it play something, or check it without a recording."
         )
+    measured = _read_recording(recorded, limb, len(chosen), process, progress, stop)
+    shifted, shift = aligned(measured, field, round(_MOST_SHIFT_S * limb.sample_rate_hz))
+    quiet = _before_response(measured, shift, basis["stimulus_start_s"], limb)
+    noise, noise_of = _noise_rms(quiet, design, limb, chosen)
+    return replace(
+        condition,
+        agreement=agreement(field, shifted, noise),
+        shift_samples=shift,
+        noise_of=noise_of,
+    )
 
 
 def _condition_details(
     design: Design, limb: Limb, axes: str, recorded: Recorded | None, findings: Findings
 ) -> tuple[str, ...]:
-    """What files say of a design, and which recording it was held against."""
-    played = design.limb, limb.note, design.scaling, design.inputs, design.actuated
+    """Return lines on the recording and the design."""
     return (
         f"recording: {'none' if recorded is None else printable(recorded.path.name)}",
-        *describe_played(*played),
+        *describe_played(design.limb, limb.note, design.scaling, design.inputs, design.actuated),
         f"axes: {word_of(AXES, axes).both}",
         *findings_lines(findings),
     )
@@ -462,11 +460,17 @@ def _read_recording(
     stop: Stop,
 ) -> Floats:
     progress(2, 3, f"Reading {recorded.path.name}")
-    size = limb.n_outputs, n_axes, limb.sample_rate_hz
-    how: dict[str, Any] = {"rate_hz": recorded.rate_hz, "process": process, "stop": stop}
-    measured = open_recorded(recorded.path, *size, **how)
+    measured = open_recorded(
+        recorded.path,
+        limb.n_outputs,
+        n_axes,
+        limb.sample_rate_hz,
+        rate_hz=recorded.rate_hz,
+        process=process,
+        stop=stop,
+    )
     if not measured.any():
-        # Here it is known which file of many it is.
+        # `agreement` would not name the file, which may be one of many.
         raise RecordingError(
             f"{named(Path(recorded.path.name))}: it is silent throughout, so there is nothing to "
             "compare. Choose another recording."
@@ -475,7 +479,7 @@ def _read_recording(
 
 
 def _before_response(measured: Floats, shift: int, start_s: float, limb: Limb) -> Floats:
-    """What a recording, brought onto the prediction by ``shift``, holds before its response."""
+    """Return the samples of a recording before its response; ``shift`` aligns it."""
     until_s = start_s + QUIET_SHARE * limb.pre_trigger_delay_s
     return measured[..., : max(round(until_s * limb.sample_rate_hz) - shift, 0)]
 
@@ -483,9 +487,10 @@ def _before_response(measured: Floats, shift: int, start_s: float, limb: Limb) -
 def _noise_rms(
     quiet: Floats, design: Design, limb: Limb, axes: str
 ) -> tuple[Floats | float, NoiseOf]:
-    """RMS of the noise of a recording, (n_outputs, n_axes), and what tells it; 0: nothing does.
+    """Return the RMS of the noise of a recording, (n_outputs, n_axes), and its source.
 
-    Where there is too little that is ``quiet`` in it, that with which the limb was measured.
+    It is the noise of the limb's measurement where too little of the recording is ``quiet``, and
+    0 where neither is known.
     """
     rms = quiet_rms(quiet)
     if rms is not None:
@@ -513,7 +518,7 @@ def _check_length(name: str, limb: Limb, n_axes: int, n_times: int) -> None:
 def _linearity_checks(
     design: Design, view: View, field: Floats, rate: float, stop: Stop
 ) -> tuple[float, float]:
-    """Smallest adjusted R² over levels, and smallest r between the sum of inputs and all."""
+    """Return the smallest adjusted R² over levels, and r between the sum of inputs and all."""
     if not field.any():
         return math.nan, math.nan
     at_levels = [
@@ -521,30 +526,28 @@ def _linearity_checks(
     ]
     channels = np.stack(at_levels).reshape(len(_LEVELS), -1, field.shape[-1])
     fit = linear_fit(_LEVELS, channels, rate, facts_of(design.limb).band_hz)[1]
-    heard = audible_inputs(design.inputs)
-    if len(heard) < 2:
+    audible = audible_inputs(design.inputs)
+    if len(audible) < 2:
         return _smallest(fit), math.nan
     parts = []
-    for track in heard:
+    for track in audible:
         alone = tuple(
             replace(each, muted=each.id != track.id, solo=False) for each in design.inputs
         )
         trace = _evaluate(replace(design, inputs=alone), view, stop, "axis_traces")["axis_traces"]
-        whole = np.zeros(field.shape)
-        whole[..., : trace.shape[-1]] = trace[..., : field.shape[-1]]
-        parts.append(whole.reshape(-1, field.shape[-1]))
-    r = superposition_correlation(np.stack(parts), field.reshape(-1, field.shape[-1]))
-    return _smallest(fit), _smallest(r)
+        parts.append(trace.reshape(-1, trace.shape[-1]))
+    joint = field.reshape(-1, field.shape[-1])
+    return _smallest(fit), _smallest(superposition(parts, joint).correlation)
 
 
 def _smallest(values: Floats) -> float:
-    """The smallest of those that are known; NaN where none is, as of a response without a bin."""
+    """Return the smallest finite value; NaN: there is none, as of a response without a bin."""
     known = values[np.isfinite(values)]
     return float(known.min()) if known.size else math.nan
 
 
 def _main_frequency(field: Floats, rate: float) -> float:
-    """Frequency with the most power over all channels; NaN for silence."""
+    """Return the frequency with the most power over all channels; NaN for silence."""
     power = np.sum(np.square(np.abs(np.fft.rfft(field, axis=-1))), axis=(0, 1))
     return float(dominant_frequency(power, rate / field.shape[-1]))
 
@@ -553,32 +556,30 @@ def _evaluate(design: Design, view: View, stop: Stop, *names: str) -> dict[str, 
     return new_graph().evaluate(names, sources(design, view), stop)
 
 
-# What a linear model rests on, seen in designs that are kept: proportion, and sums.
-
-#: Fewer strengths make no line that could be bent.
+#: Two strengths always lie on a line.
 LEAST_STRENGTHS = 3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Proportion:
-    """The same stimulus at several strengths.
+    """Responses to the same stimulus at several strengths.
 
     Attributes
     ----------
     strengths : (n_strengths,)
-        Amplitudes of the first input, rising.
+        Amplitudes of the first input, ascending.
     divided : (n_strengths, n_channels, n_times)
         Responses divided by them.
     apart
-        How far these are from each other at most, as a part of their peak; NaN: all are silent.
+        Largest difference of these, as a part of their peak; NaN: all are silent.
     rms, line : (n_strengths, n_channels)
-        Of the responses, and the straight line through them by least squares.
+        RMS of the responses, and the straight line through them by least squares.
     frequency_hz : (n_bins,)
         Middles of bands of 2 Hz.
     band_rms, band_line : (n_strengths, n_channels, n_bins)
-        Of what the responses hold there, and the straight line through them.
+        RMS of the responses in these bands, and the straight line through them.
     adjusted_r2 : (n_channels, n_bins)
-        Of these lines; NaN: nothing is heard.
+        Adjusted R² of these lines; NaN: the band is silent.
     """
 
     strengths: Floats
@@ -594,14 +595,14 @@ class Proportion:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Straightness:
-    """How straight outputs are over the strengths of an input, those that nobody selected too.
+    """Straightness of all outputs over the strengths of an input.
 
     Attributes
     ----------
     frequency_hz : (n_bins,)
         Middles of bands of 2 Hz.
     adjusted_r2 : (n_outputs, n_axes, n_bins)
-        Of straight lines by least squares; NaN: nothing is heard.
+        Adjusted R² of straight lines by least squares; NaN: the band is silent.
     """
 
     frequency_hz: Floats
@@ -610,14 +611,14 @@ class Straightness:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Superposition:
-    """Inputs alone, and all of them together.
+    """Responses to inputs alone, and to all of them.
 
     Attributes
     ----------
     separate, joint : (n_channels, n_times)
-        Sum of the responses to each, and the response to all.
+        Sum of the responses to each input, and the response to all.
     apart
-        How far these are from each other at most, as a part of the peak; NaN: all are silent.
+        Largest difference of the two, as a part of the peak; NaN: all are silent.
     correlation : (n_channels,)
         Pearson's r of the two; NaN where a channel is silent.
     """
@@ -629,9 +630,10 @@ class Superposition:
 
 
 def strengths_of(designs: Sequence[Design]) -> tuple[float, ...]:
-    """Amplitudes of the first input of designs that differ in strength alone; none: they do not.
+    """Return the amplitudes of the first input of designs that differ in strength alone.
 
-    Three different ones or more; words about them, markers and loops do not matter.
+    Three of them must be different, else the result is empty.  Titles, markers and loops do not
+    matter.
     """
     plain = [_plain_design(design) for design in designs]
     if not plain or not all(design.inputs and design.inputs[0].amplitude > 0.0 for design in plain):
@@ -653,17 +655,17 @@ def strengths_of(designs: Sequence[Design]) -> tuple[float, ...]:
 
 
 def joint_of(designs: Sequence[Design]) -> int | None:
-    """Which of the designs plays what all the others play, each once; None: none does."""
+    """Return the index of the design that plays the inputs of all others; None: none does."""
     if len(designs) < 3:
         return None
     plain = [_plain_design(design) for design in designs]
-    # Ids that a design gave tell the same inputs apart.
+    # A design gives ids of its own to the same inputs.
     played = [[_plain_track(track) for track in each.inputs] for each in plain]
     if not all(played) or len({replace(design, inputs=()) for design in plain}) > 1:
         return None
-    for k, whole in enumerate(played):
+    for k, tracks in enumerate(played):
         others = [track for n, each in enumerate(played) if n != k for track in each]
-        if _same_tracks(others, whole):
+        if _same_tracks(others, tracks):
             return k
     return None
 
@@ -671,7 +673,7 @@ def joint_of(designs: Sequence[Design]) -> int | None:
 def proportion(
     strengths: Sequence[float], responses: Floats, sample_rate_hz: float, band_hz: Band | None
 ) -> Proportion:
-    """Hold responses, (n_strengths, n_channels, n_times), against the strengths of the input."""
+    """Compare responses, (n_strengths, n_channels, n_times), with the strengths of the input."""
     order = np.argsort(strengths, kind="stable")
     x, y = np.asarray(strengths, float)[order], responses[order]
     divided = y / x[:, None, None]
@@ -697,7 +699,7 @@ def proportion(
 def straightness(
     strengths: Sequence[float], in_bands: Sequence[tuple[Floats, Floats]]
 ) -> Straightness:
-    """Fit lines over strengths to the quantity ``output_band_rms`` of each of them."""
+    """Fit lines over strengths to the quantity ``output_band_rms`` of each strength."""
     frequency_hz = in_bands[0][0]
     y = np.stack([rms for _, rms in in_bands])
     x = np.asarray(strengths, float).reshape(-1, 1, 1, 1)
@@ -705,13 +707,13 @@ def straightness(
 
 
 def superposition(parts: Sequence[Floats], joint: Floats) -> Superposition:
-    """Hold the sum of responses, (n_channels, n_times) each, against the one to all together.
+    """Compare the sum of responses, (n_channels, n_times) each, with the response to all inputs.
 
-    None is longer than that one.
+    That one is the longest.
     """
     responses = np.zeros((len(parts), *joint.shape))
     for whole, part in zip(responses, parts, strict=True):
-        # A part may end sooner: it is silent after that.
+        # A response that ends sooner is silent after that.
         whole[:, : part.shape[-1]] = part
     separate = responses.sum(axis=0)
     return Superposition(
@@ -723,7 +725,7 @@ def superposition(parts: Sequence[Floats], joint: Floats) -> Superposition:
 
 
 def _plain_design(design: Design) -> Design:
-    """What is played and where, whatever it is called and however it looks."""
+    """Return a design without its texts, markers, loop, colours and muted inputs."""
     inputs = tuple(_plain_track(track) for track in audible_inputs(design.inputs))
     return replace(
         design,
@@ -743,13 +745,13 @@ def _plain_track(track: Input) -> Input:
 
 
 def _same_tracks(some: Sequence[Input], others: Sequence[Input]) -> bool:
-    """Whether both are the same inputs, in any order, each as often."""
-    left = list(others)
+    """Return whether both hold the same inputs, in any order."""
+    missing = list(others)
     for track in some:
-        if track not in left:
+        if track not in missing:
             return False
-        left.remove(track)
-    return not left
+        missing.remove(track)
+    return not missing
 
 
 def _largest_difference(curves: Floats) -> float:

@@ -1,4 +1,8 @@
-"""How well a prediction agrees with a measurement: the figures of the SkinSource paper's Fig. 4."""
+"""Comparison of predictions with recordings, as in Fig. 4 of the SkinSource paper.
+
+It has the figures of agreement, the fits that a linear model rests on, and a reader of recorded
+responses from files of other programs.
+"""
 
 import os
 from collections.abc import Sequence
@@ -27,7 +31,7 @@ from skinsource.readers.timestamps import sample_clock
 from skinsource.signals.analysis.statistics import band_rms
 from skinsource.signals.resampling import resample
 
-#: Channels count whose measured RMS is this many times that of the noise, or more.
+#: A channel counts if its measured RMS is at least so many times that of the noise.
 LEAST_OVER_NOISE = 2.0
 
 
@@ -53,10 +57,15 @@ class Agreement:
     correlation: Floats
 
     @property
-    def medians(self) -> tuple[float, float, float]:
-        """Of error, amplitude and correlation over the channels that count; NaN: there is none.
+    def counted_text(self) -> str:
+        """Number of the channels that count, and of all, as text."""
+        return f"{int(self.counted.sum())} of {self.counted.size}"
 
-        A channel of which silence is predicted counts, but has no correlation.
+    @property
+    def medians(self) -> tuple[float, float, float]:
+        """Medians of error, amplitude and correlation over the channels that count, or NaN.
+
+        A channel with a silent prediction counts, but has no correlation.
         """
         parts = (self.error, self.amplitude_percent, self.correlation)
         error, amplitude, correlation = (_median(figure[self.counted]) for figure in parts)
@@ -64,17 +73,17 @@ class Agreement:
 
 
 def agreement(predicted: ArrayLike, measured: ArrayLike, noise_rms: ArrayLike) -> Agreement:
-    """Return how well two fields agree, channel by channel.
+    """Return the agreement of two fields, channel by channel.
 
-    Each field is divided by the mean RMS of its channels first, as in the paper: what is compared
-    is shape and distribution, not the strength of the actuator.
+    Each field is divided by the mean RMS of its channels first, as in the paper: the comparison is
+    about shape and distribution, not about the strength of the actuator.
 
     Parameters
     ----------
     predicted, measured : (n_outputs, n_axes, n_times)
         At the same rate and from the same instant, see `aligned`.
     noise_rms : (n_outputs, n_axes) or a number
-        Of the measurement, in its unit.
+        RMS of the noise of the measurement, in its unit.
 
     Raises
     ------
@@ -111,31 +120,31 @@ def _median(values: Floats) -> float:
     return float(np.median(known)) if known.size else np.nan
 
 
-def pearson(left: Floats, other: Floats) -> Floats:
-    """Pearson's r over the last axis; NaN where a signal does not change."""
-    a, b = (x - x.mean(axis=-1, keepdims=True) for x in (left, other))
+def pearson(left: Floats, right: Floats) -> Floats:
+    """Return Pearson's r over the last axis; NaN where a signal does not change."""
+    a, b = (x - x.mean(axis=-1, keepdims=True) for x in (left, right))
     size = np.sqrt(np.sum(a * a, axis=-1) * np.sum(b * b, axis=-1))
-    whole = np.full(size.shape, np.nan)
-    r: Floats = np.divide(np.sum(a * b, axis=-1), size, out=whole, where=size > 0.0)
+    r = np.full(size.shape, np.nan)
+    np.divide(np.sum(a * b, axis=-1), size, out=r, where=size > 0.0)
     return r
 
 
 def aligned(measured: ArrayLike, predicted: ArrayLike, most: int) -> tuple[Floats, int]:
-    """Return the measured field shifted onto the predicted one, and by how many samples.
+    """Return the measured field aligned with the predicted one, and the shift in samples.
 
-    By the lag at which the sum of the cross-correlations of all channels is largest; silence comes
-    in at the end that opens, and what is left over is cut off.
+    The shift is the lag at which the sum of the cross-correlations of all channels is largest.
+    Missing samples are silence, surplus samples are cut off.
 
     Parameters
     ----------
     measured, predicted : (n_outputs, n_axes, n_times)
         Lengths in time may differ.
     most
-        Samples that it may be shifted by, to either side.
+        Largest shift in samples, to either side.
 
     Returns
     -------
-    (n_outputs, n_axes, n_times of the predicted), and the shift; positive: it came too early.
+    (n_outputs, n_axes, n_times of the predicted), and the shift; positive: the recording is early.
     """
     theirs = finite_array("measured", measured, "(n_outputs, n_axes, n_times)")
     ours = finite_array("predicted", predicted, "(n_outputs, n_axes, n_times)")
@@ -148,7 +157,7 @@ def aligned(measured: ArrayLike, predicted: ArrayLike, most: int) -> tuple[Float
     n_fft = scipy.fft.next_fast_len(n_times + theirs.shape[-1], real=True)
     cross = scipy.fft.rfft(ours, n_fft) * np.conj(scipy.fft.rfft(theirs, n_fft))
     sums = scipy.fft.irfft(cross.sum(axis=(0, 1)), n_fft)
-    # At others the two do not meet: a short response, a long search.
+    # At larger lags the two do not overlap.
     lags = np.arange(-min(most, theirs.shape[-1] - 1), min(most, n_times - 1) + 1)
     shift = int(lags[np.argmax(sums[lags])])
     shifted = np.zeros(ours.shape)
@@ -170,16 +179,13 @@ def _normalised(name: str, field: Floats) -> Floats:
     return field / mean
 
 
-# Checks that a linear model rests on: output in proportion to input, and sums of inputs.
-
-
 def linear_fit(
     levels: ArrayLike,
     responses: ArrayLike,
     sample_rate_hz: float,
     band_hz: Band | None = BAND_HZ,
 ) -> tuple[Floats, Floats]:
-    """Return how well output is in proportion to input, by frequency.
+    """Return the adjusted R² of output over input, by frequency.
 
     In each bin of 2 Hz within the measured band the RMS of the output, see `band_rms`, is fitted
     with a straight line over the level of the input.
@@ -187,11 +193,11 @@ def linear_fit(
     Parameters
     ----------
     levels : (n_levels,)
-        Of the input, three or more different ones.
+        Levels of the input, three or more different ones.
     responses : (n_levels, n_channels, n_times)
         To the same stimulus at these levels.
     sample_rate_hz
-        Their rate.
+        Sample rate of the responses.
     band_hz
         The measured band; None: it is not known, and all frequencies count.
 
@@ -200,7 +206,7 @@ def linear_fit(
     frequency_hz : (n_bins,)
         Middles of the bins that hold a frequency.
     adjusted_r2 : (n_channels, n_bins)
-        1 for a straight line; NaN where nothing is heard.
+        1 for a straight line; NaN where the bin is silent.
 
     Raises
     ------
@@ -227,7 +233,7 @@ def superposition_correlation(separate: ArrayLike, joint: ArrayLike) -> Floats:
     separate : (n_inputs, n_channels, n_times)
         Responses to each input alone.
     joint : (n_channels, n_times)
-        To all together.
+        Response to all inputs.
     """
     parts = finite_array("separate", separate, "(n_inputs, n_channels, n_times)")
     whole = finite_array("joint", joint, "(n_channels, n_times)")
@@ -240,7 +246,7 @@ def superposition_correlation(separate: ArrayLike, joint: ArrayLike) -> Floats:
 
 
 def straight_lines(x: Floats, y: Floats) -> tuple[Floats, Floats, Floats]:
-    """Slopes, offsets and adjusted R² of straight lines over the first axis, by least squares.
+    """Return slopes, offsets and adjusted R² of lines over the first axis, by least squares.
 
     Parameters
     ----------
@@ -256,13 +262,11 @@ def straight_lines(x: Floats, y: Floats) -> tuple[Floats, Floats, Floats]:
     slope = np.sum(away * rest, axis=0) / np.sum(away**2, axis=0)
     left = np.sum(np.square(rest - slope * away), axis=0)
     total = np.sum(np.square(rest), axis=0)
-    # The mean of equal levels may be rounded: what is left of them then is no change.
+    # The mean of equal levels may be rounded: the rest is then no change.
     rounding = n * np.square(np.finfo(np.float64).eps * np.abs(y).max(axis=0))
     share = np.divide(left, total, out=np.full(total.shape, np.nan), where=total > rounding)
     return slope, y.mean(axis=0) - slope * x.mean(axis=0), 1.0 - share * (n - 1) / (n - 2)
 
-
-# Recorded responses from files of others.
 
 # Rates that differ by less are the same.
 _SAME_HZ = 1e-3
@@ -293,13 +297,13 @@ def open_recorded(
     path
         The file.
     n_outputs, n_axes
-        What it has to hold; with a single column for each output ``n_axes`` is 1.
+        Expected outputs and axes; with a single column for each output ``n_axes`` is 1.
     sample_rate_hz
-        Rate of what is returned.
+        Rate of the returned responses.
     rate_hz
-        Rate of the file, where it says none itself; ``sample_rate_hz`` unless given.
+        Rate of a file that states none; ``sample_rate_hz`` unless given.
     process
-        Reads it; one of its own unless given.
+        Reads the file; a new one unless given.
     stop
         Asked now and then whether to give up.
 
@@ -325,7 +329,7 @@ def open_recorded(
 def _read_responses(
     reader: ReadingProcess, file: Path, n_outputs: int, n_axes: int, stop: Stop
 ) -> tuple[Floats, float | None]:
-    """The responses, and their rate as far as the file says it."""
+    """Return the responses, and their rate; None: the file states none."""
     offered = reader.ask(file, {"do": "arrays"}, stop=stop)
     for array in offered["arrays"]:
         order = _order_of([int(n) for n in array["shape"]], n_outputs, n_axes)
@@ -344,11 +348,11 @@ def _read_responses(
             f"its arrays are {shapes}, expected times × {counted(n_outputs, 'output')} × "
             f"{counted(n_axes, 'axis', 'axes')}",
         ) from None
-    return _from_columns(reader, file, contents, (n_outputs, n_axes), stop)
+    return _from_columns(reader, file, contents, n_outputs, n_axes, stop)
 
 
 def _order_of(shape: Sequence[int], n_outputs: int, n_axes: int) -> str:
-    """Which dimension is time, outputs and axes; empty where none fits."""
+    """Return which dimension is time, outputs and axes; empty where none fits."""
     for order in _ORDERS:
         if shape[order.index("o")] == n_outputs and shape[order.index("a")] == n_axes:
             return order
@@ -372,13 +376,12 @@ def _from_array(
 
 
 def _from_columns(
-    reader: ReadingProcess, file: Path, contents: Found, size: tuple[int, int], stop: Stop
+    reader: ReadingProcess, file: Path, contents: Found, n_outputs: int, n_axes: int, stop: Stop
 ) -> tuple[Floats, float | None]:
-    n_outputs, n_axes = size
     signals = [series for series in contents.series if not series.is_time]
     expected = n_outputs * n_axes
     if _are_instants(signals, expected):
-        return _from_instants(reader, file, contents, (signals, size), stop)
+        return _from_instants(reader, file, contents, signals, n_outputs, n_axes, stop)
     if len(signals) != expected or len({signal.n_samples for signal in signals}) != 1:
         one_axis = f", or choose one axis (x, y or z), which takes {counted(n_outputs, 'signal')}"
         advice = one_axis if n_axes > 1 else ""
@@ -398,7 +401,7 @@ def _from_columns(
 
 
 def _are_instants(signals: Sequence[Series], expected: int) -> bool:
-    """Whether what was taken for signals are instants: there are fewer of them than channels."""
+    """Return whether the signals are instants: each holds a value of every channel."""
     shapes = {signal.shape for signal in signals}
     return len(signals) != expected and shapes in (
         {(len(signals), expected)},
@@ -410,33 +413,35 @@ def _from_instants(
     reader: ReadingProcess,
     file: Path,
     contents: Found,
-    what: tuple[Sequence[Series], tuple[int, int]],
+    instants: Sequence[Series],
+    n_outputs: int,
+    n_axes: int,
     stop: Stop,
 ) -> tuple[Floats, float | None]:
-    instants, (n_outputs, n_axes) = what
     keys = [instant.key for instant in instants]
     rows = reader.read(file, keys, 0, n_outputs * n_axes, stop=stop).astype(np.float64)
     rate_hz = contents.rate_of(instants[0])
-    stamps = (
+    candidates = (
         series for series in contents.series if series.is_time and series.n_samples == len(instants)
     )
-    times = next(stamps, None)
+    times = next(candidates, None)
     if rate_hz is None and times is not None:
         rate_hz = _rate_of_times(reader, file, times, stop)
     return rows.T.reshape(n_outputs, n_axes, -1), rate_hz
 
 
 def _rate_of_times(reader: ReadingProcess, file: Path, times: Series, stop: Stop) -> float:
-    stamps = reader.read(file, [times.key], 0, times.n_samples, stop=stop).astype(np.float64)[0]
+    timestamps = reader.read(file, [times.key], 0, times.n_samples, stop=stop)[0]
     try:
-        pace = sample_clock(stamps * times.time_unit_s)
+        clock = sample_clock(timestamps.astype(np.float64) * times.time_unit_s)
     except InvalidInputError as error:
         raise _recording_error(file, str(error)) from error
-    if not pace.steady:
+    if not clock.steady:
         raise _recording_error(
-            file, "its time stamps are not steady, expected steps of one length. Resample it before"
+            file,
+            "its time candidates are not steady, expected steps of one length. Resample it before",
         )
-    return float(pace.rate_hz)
+    return float(clock.rate_hz)
 
 
 def _resampled(file: Path, field: Floats, from_hz: float, to_hz: float) -> Floats:

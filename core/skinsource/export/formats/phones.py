@@ -1,7 +1,7 @@
 """Phones and controllers: `.haptic` 1.0 (Meta), AHAP (Apple), envelopes for Android.
 
-None of them plays a waveform: what is kept is how strong the drive is, and roughly at which
-frequency.  None says where it is played either: each actuator has a file of its own.
+None of them plays a waveform: they hold the strength of the drive, and roughly its frequency.
+None names a place either: each actuator has a file of its own.
 
 References
 ----------
@@ -22,7 +22,7 @@ from skinsource.version import __version__
 
 _RATE_HZ = 8000
 _STEP_S = 0.01
-#: Frequencies that 0 and 1 stand for: of the controllers of Meta, and of the sharpness of Apple.
+#: Frequencies that 0 and 1 stand for: for the controllers of Meta, and the sharpness of Apple.
 _HAPTIC_HZ = (55.0, 200.0)
 _AHAP_HZ = (65.0, 300.0)
 #: Longest continuous event of AHAP.
@@ -70,7 +70,7 @@ def write_haptic(outgoing: Outgoing, path: Path) -> Facts:
 def write_ahap(outgoing: Outgoing, path: Path) -> Facts:
     """Write the file of Apple: continuous events of at most 30 s, each with two curves."""
     envelope = _envelope(outgoing, _STEP_S)
-    # Felt intensity is quadratic there.
+    # Perceived intensity is quadratic there.
     intensity = np.sqrt(np.clip(envelope.amplitude, 0.0, 1.0))
     sharpness = _share_of_band(envelope.frequency_hz, _AHAP_HZ)
     end_s = float(envelope.time_s[-1])
@@ -79,7 +79,7 @@ def write_ahap(outgoing: Outgoing, path: Path) -> Facts:
         begin_s = number * _LONGEST_EVENT_S
         last_s = min(begin_s + _LONGEST_EVENT_S, end_s)
         inside = (envelope.time_s >= begin_s - 1e-9) & (envelope.time_s <= last_s + 1e-9)
-        # Times of control points count from that of their curve.
+        # Times of control points count from the begin of their curve.
         time_s = (envelope.time_s[inside] - begin_s).tolist()
         pattern.append(_ahap_event(begin_s, last_s - begin_s))
         for name, values in (

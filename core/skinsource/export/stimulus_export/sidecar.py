@@ -1,4 +1,4 @@
-"""What a sidecar says of the limb, and of the conditions of the measurement."""
+"""The sidecar of an exported file: JSON that says what its numbers mean."""
 
 import json
 from collections.abc import Sequence
@@ -28,9 +28,9 @@ from skinsource.version import __version__
 
 
 def about_validity(design: Design) -> dict[str, Any]:
-    """Note on the limb, and conditions with their state and a sentence.
+    """Return the note on the limb, and the conditions of the measurement with state and sentence.
 
-    Nothing and none where the limb cannot be had here: a stimulus can be exported without it.
+    Both are empty where the limb is not installed: a stimulus can be exported without it.
     """
     try:
         results = new_graph().evaluate({"limb_data", "validity"}, sources(design, View()))
@@ -43,9 +43,7 @@ def about_validity(design: Design) -> dict[str, Any]:
     return {"limb_note": results["limb_data"].note or None, "validity": conditions}
 
 
-# The JSON beside each exported file: what its numbers mean.
-
-#: What `skinsource.resample` promises within the band.
+#: Errors of `skinsource.resample` within the band are at most these.
 _RESAMPLING = {"gain_db": 0.001, "phase_rad": 1e-6, "aliases_db": -115.0}
 _MEANING = (
     "samples times full_scale are the drive: amplitude times gain times waveform, in the unit"
@@ -70,13 +68,13 @@ def sidecar_of(
     Parameters
     ----------
     ready, outgoing
-        What was written, and its part of it.
+        The whole export, and the content of this file.
     facts
-        What the format says.
+        Facts that the format returned.
     sha256, n_bytes
-        Of the file; None for a folder.
+        Digest of the file, None for a folder; bytes of the file or folder.
     confirmed
-        What was objected to, and written all the same.
+        Objections that were confirmed.
     """
     stimulus = outgoing.stimulus
     counts = facts.get("clipped_samples")
@@ -117,7 +115,7 @@ def sidecar_of(
 def _about_rig(
     ready: PreparedStimulus, stimulus: Stimulus, channels: list[dict[str, Any]]
 ) -> dict[str, Any]:
-    """The channels, with what the rig says of them, and what it is."""
+    """Return the channels with their wiring, the rig, the actuators and the equaliser."""
     wiring = about_channels(stimulus, ready.rig) if ready.rig is not None else []
     for channel, wires in zip(channels, wiring, strict=False):
         channel.update(wires)
@@ -136,13 +134,13 @@ def _about_rig(
 
 
 def _scaling_sentence(design: Design) -> str:
-    # What is predicted through actuators asks these for its amplitudes, whatever the limb answers.
+    # Predicted through actuators, amplitudes are drives of these, whatever the limb was driven by.
     known = design.actuated is not None or drive_unit_known(design.limb, design.limb_digest)
     return word_of(scalings_on(drive_unit_known=known), design.scaling).sentence
 
 
 def _about_prediction(actuated: Actuation | None) -> dict[str, Any] | None:
-    """Actuators and equaliser that the design is predicted through."""
+    """Return the actuators and the equaliser that the design is predicted through."""
     if actuated is None:
         return None
     return {
@@ -188,7 +186,7 @@ def _about_input(track: Input) -> dict[str, Any]:
 
 
 def _errors(stimulus: Stimulus, facts: Facts) -> dict[str, Any]:
-    """How far what is written can be from what is predicted."""
+    """Return bounds of the difference between the written and the predicted drive."""
     errors: dict[str, Any] = {"band_hz": list(stimulus.band_hz)}
     if stimulus.sample_rate_hz != stimulus.own_rate_hz:
         errors["resampling_at_most"] = dict(_RESAMPLING)
@@ -204,5 +202,5 @@ def _errors(stimulus: Stimulus, facts: Facts) -> dict[str, Any]:
 
 
 def versions() -> dict[str, str]:
-    """Of what took part."""
+    """Return the versions of this program and of its numerical libraries."""
     return {"skinsource": __version__, "numpy": np.__version__, "scipy": scipy.__version__}
