@@ -439,7 +439,7 @@ def _rate_of_times(reader: ReadingProcess, file: Path, times: Series, stop: Stop
     if not clock.steady:
         raise _recording_error(
             file,
-            "its time candidates are not steady, expected steps of one length. Resample it before",
+            "its time stamps are not steady, expected steps of one length. Resample it before",
         )
     return float(clock.rate_hz)
 

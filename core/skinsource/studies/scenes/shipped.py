@@ -1,4 +1,9 @@
-"""How the shipped scenes are put together."""
+"""The shipped scenes; their design files lie in the data folder.
+
+``python -m skinsource.studies.scenes`` writes the files anew; the list of data files follows with
+``python tests/core/test_shipped_files.py``.  To add a scene, describe it here, and draw its figure
+in `skinsource.studies.figures.figures`.
+"""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -15,13 +20,13 @@ from skinsource.design.waveforms.pulses import Impulse, Noise, Tap
 from skinsource.design.waveforms.tones import Chirp, Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.limbs.scaling import Scaling
-from skinsource.studies.scenes.scene import Scene
+from skinsource.studies.scenes.scene import Scene, design_title
 
-#: The panel in which numbers are turned in front of an audience.
+#: The panel that changes numbers in front of an audience.
 CONTROLS = "frequency_and_amplitude"
-#: The skin as it moves along z, slowed down: of scenes that speak of what travels.
+#: The skin as it moves along z, slowed down: for scenes on travelling waves.
 MOVING = {"skin": {"quantity": "z"}}
-#: A row for each output, relative to its own peak: of scenes in which most others would be flat.
+#: A row for each output, relative to its own peak: for scenes with strong and weak outputs.
 OWN_ROWS = {"traces": {"layout": "stacked", "relative": True}}
 #: Spectra along each axis in a row for each output, relative to its own peak, as amplitudes.
 OWN_SPECTRA = {
@@ -32,13 +37,13 @@ OWN_SPECTRA = {
         "frequency_range_hz": (25.0, 600.0),
     }
 }
-#: The same, each magnitude the mean over ten bins: of noise.
+#: The same with each magnitude the mean over ten bins: for noise.
 OWN_MEAN_SPECTRA = {"spectra": {**OWN_SPECTRA["spectra"], "averaged": True}}
-#: Maps of all designs of a scene at once: of scenes that compare people, places or frequencies.
+#: Maps of all designs of a scene: for scenes that compare people, places or frequencies.
 SIDE_BY_SIDE = {"side_by_side": {"of": "snapshots"}}
 #: The same, each relative to its own loudest output.
 EACH_TO_ITS_MAXIMUM = {"side_by_side": {"of": "snapshots", "own_maximum": True}}
-#: Maps of the design along each axis at once.
+#: Maps of the design along each axis.
 AXES_SIDE_BY_SIDE = {"side_by_side": {"of": "axes"}}
 
 
@@ -55,14 +60,14 @@ def design_on(
     *inputs: Input,
     scaling: Scaling = "upstream",
 ) -> Design:
-    """A design on one of the measured limbs."""
+    """Return a design on one of the measured limbs."""
     return Design(limb=f"measured-{limb}", inputs=inputs, scaling=scaling)
 
 
 def tracks_at(
     places: Sequence[int], waveform: Waveform, amplitude: float = 1.0
 ) -> tuple[Input, ...]:
-    """The same waveform at some places, at once."""
+    """Return tracks that play the same waveform at some places, at once."""
     return tuple(
         track(place, waveform, amplitude=amplitude, colour=rank)
         for rank, place in enumerate(places)
@@ -73,23 +78,23 @@ def made_scene(
     scene: Scene,
     *designs: Design,
     shown: int = 0,
-    turned: str = "all",
+    control: str = "all",
     panels: Mapping[str, Mapping[str, Any]] | None = None,
     **view: Any,
 ) -> MadeScene:
-    """Put a scene together.
+    """Return a scene and the content of its file.
 
     Parameters
     ----------
     scene
-        What is known of it; it has a label for each design.
+        Description of the scene; it has a label for each design.
     designs
-        What it compares, in the order of the figure: snapshots, and one more where there is no
-        number left for it.
+        Designs that it compares, in the order of the figure: snapshots, and one more where there
+        is no number left for it.
     shown
-        Which of them is in the window when it is opened; the one without a number, if there is one.
-    turned
-        The one number that it is about, of those that the panel for presenting can show.
+        Index of the design that the window opens; that without a number, if there is one.
+    control
+        The number that the scene is about, of those that the panel for presenting can show.
     panels
         Settings of panels, by their names.
     view
@@ -102,21 +107,19 @@ def made_scene(
     titled = tuple(_titled(scene, design, k) for k, design in enumerate(designs))
     snapshots: tuple[Snapshot, ...] = ()
     if len(titled) > 1:
-        # The one that was shown last stands last.
+        # The latest snapshot is the one that the window shows.
         ordered = sorted(range(len(titled)), key=lambda k: k == shown)
         snapshots = tuple(
             Snapshot(number=NUMBERS[k], design=titled[k]) for k in ordered if k < len(NUMBERS)
         )
-    settings = {**(panels or {}), CONTROLS: {"control": turned}}
-    held = tuple((name, tuple(setting.items())) for name, setting in settings.items())
-    looked = View(snapshots=snapshots, panels=held, **view)
-    return MadeScene(scene=scene, content=DesignFile(design=titled[shown], view=looked))
+    settings = {**(panels or {}), CONTROLS: {"control": control}}
+    stored = tuple((name, tuple(setting.items())) for name, setting in settings.items())
+    opened = View(snapshots=snapshots, panels=stored, **view)
+    return MadeScene(scene=scene, content=DesignFile(design=titled[shown], view=opened))
 
 
 def _titled(scene: Scene, design: Design, rank: int) -> Design:
-    label = scene.labels[rank]
-    words = f"Fig. {scene.name}: {scene.title}{' · ' if label else ''}{label}"
-    return replace(design, title=words, notes=scene.notes)
+    return replace(design, title=design_title(scene, scene.labels[rank]), notes=scene.notes)
 
 
 # Figs. 4 and 5: what the model predicts where the paper measured, and what linearity means.
@@ -134,7 +137,7 @@ _FRAMES = made_scene(
         panels=("skin", "traces"),
     ),
     design_on(1, *tracks_at([8], _PREDICTED)),
-    turned="frequency",
+    control="frequency",
     axes="z",
     outputs=(20, 24, 26, 27, 48),
     playhead_s=0.1,
@@ -152,7 +155,7 @@ _TRACES = made_scene(
         panels=("skin", "traces"),
     ),
     design_on(1, *tracks_at([8], _PREDICTED)),
-    turned="frequency",
+    control="frequency",
     axes="z",
     outputs=(20, 24, 26, 27, 48),
     time_range_s=(0.04, 0.2),
@@ -165,7 +168,7 @@ _BY_CONSTRUCTION = "identical by construction: the model is linear"
 
 
 def _tones(speed_mm_per_s: float) -> Input:
-    """Three tones one after the other, of the same velocity."""
+    """Return a track with three tones one after the other, of the same velocity."""
     clips = tuple(
         Clip(
             waveform=Tone(frequency_hz=frequency, duration_s=0.2),
@@ -191,7 +194,7 @@ def _overlay(name: str, limb: int) -> MadeScene:
         ),
         *(design_on(limb, _tones(speed), scaling="probe") for speed in _SPEEDS_MM_PER_S),
         shown=4,
-        turned="amplitude",
+        control="amplitude",
         axes="z",
         outputs=(20, 26),
         panels={"traces": {"layout": "stacked"}, "linearity": {"velocity": True}},
@@ -221,7 +224,7 @@ def _fit(
         ),
         *_sweeps(),
         shown=3,
-        turned="amplitude",
+        control="amplitude",
         axes="z",
         outputs=(20, 26),
         panels={
@@ -263,7 +266,7 @@ _SUPERPOSITION = made_scene(
         for places in ([8], [13], [8, 13])
     ),
     shown=2,
-    turned="amplitude",
+    control="amplitude",
     axes="z",
     outputs=(20, 26),
     time_range_s=_CYCLES_S,
@@ -296,7 +299,7 @@ _IMPULSE_RESPONSES_TRACES = made_scene(
         panels=("skin", "traces"),
     ),
     design_on(4, *tracks_at([8], _PULSE), scaling="relative"),
-    turned="onset",
+    control="onset",
     axes="z",
     outputs=_ALONG_DIGIT_III,
     time_range_s=(0.045, 0.15),
@@ -314,7 +317,7 @@ _SPECTRA = made_scene(
         panels=("skin", "spectra"),
     ),
     design_on(4, *tracks_at([8], _PULSE), scaling="relative"),
-    turned="amplitude",
+    control="amplitude",
     axes="z",
     outputs=_ALONG_DIGIT_III,
     panels=OWN_SPECTRA,
@@ -331,7 +334,7 @@ _AXES = made_scene(
         panels=("skin", "side_by_side"),
     ),
     design_on(3, *tracks_at([3], _PULSE), scaling="relative"),
-    turned="amplitude",
+    control="amplitude",
     axes="z",
     panels=AXES_SIDE_BY_SIDE,
 )
@@ -348,7 +351,7 @@ _PLACES = made_scene(
         panels=("skin", "side_by_side"),
     ),
     *(design_on(1, *tracks_at([place], _PULSE), scaling="relative") for place in (8, 13, 18)),
-    turned="amplitude",
+    control="amplitude",
     panels=EACH_TO_ITS_MAXIMUM,
     method="mag",
 )
@@ -364,7 +367,7 @@ _PEOPLE = made_scene(
         panels=("skin", "side_by_side"),
     ),
     *(design_on(limb, *tracks_at([8], _PULSE), scaling="relative") for limb in (1, 2, 3, 4)),
-    turned="amplitude",
+    control="amplitude",
     panels=EACH_TO_ITS_MAXIMUM,
     method="mag",
 )
@@ -400,7 +403,7 @@ _STIMULI_TRACES = made_scene(
         panels=("skin", "traces"),
     ),
     design_on(1, *tracks_at([7], _TEN_CYCLES)),
-    turned="frequency",
+    control="frequency",
     axes="z",
     outputs=(28, 30, 33, 35, 38, 52, 57),
     time_range_s=(0.04, 0.18),
@@ -423,7 +426,7 @@ _FREQUENCIES = made_scene(
         design_on(1, *tracks_at([7], Tone(frequency_hz=frequency, duration_s=0.2)))
         for frequency in _FREQUENCIES_HZ
     ),
-    turned="frequency",
+    control="frequency",
     method="mag",
     outputs=(30, 43),
     panels=SIDE_BY_SIDE,
@@ -439,7 +442,7 @@ _NOISE_TRACES = made_scene(
         panels=("skin", "traces"),
     ),
     design_on(2, *tracks_at([5], _NOISE)),
-    turned="amplitude",
+    control="amplitude",
     axes="z",
     outputs=_NOISE_OUTPUTS,
     panels=OWN_ROWS,
@@ -454,7 +457,7 @@ _NOISE_SPECTRA = made_scene(
         panels=("skin", "spectra"),
     ),
     design_on(2, *tracks_at([5], _NOISE)),
-    turned="amplitude",
+    control="amplitude",
     axes="x",
     outputs=_NOISE_OUTPUTS,
     panels=OWN_MEAN_SPECTRA,
@@ -473,7 +476,7 @@ _TAPS = made_scene(
     ),
     *(design_on(limb, *tracks_at([7, 8, 9, 10], Tap())) for limb in (2, 3, 4)),
     shown=1,
-    turned="onset",
+    control="onset",
     method="mag",
     outputs=(19, 43),
     panels=SIDE_BY_SIDE,
@@ -491,7 +494,7 @@ _INTERFERENCE = made_scene(
     ),
     *(design_on(3, *tracks_at(places, _TEN_CYCLES)) for places in ([8], [13], [8, 13])),
     shown=2,
-    turned="onset",
+    control="onset",
     axes="x",
     outputs=(19, 21, 24, 32),
     time_range_s=(0.0, 0.16),
@@ -512,7 +515,7 @@ _CONTRACTION = made_scene(
         panels=("traces", "windowed"),
     ),
     design_on(4, *tracks_at([7], WaveletTrain())),
-    turned="amplitude",
+    control="amplitude",
     method="mag",
     outputs=(30, 33, 52),
     windows_cut="length",
@@ -529,11 +532,5 @@ STIMULI: tuple[MadeScene, ...] = (
     _CONTRACTION,
 )
 
-
-# The scenes as they are made; their design files lie in the data folder.
-#
-# ``python -m skinsource.studies.scenes`` writes the files anew; the list of data files
-# follows with ``python tests/core/test_shipped_files.py``.  To add a scene, describe it in one of
-# these modules, and draw its figure in `skinsource.studies.figures.writing`.
 
 SHIPPED: tuple[MadeScene, ...] = (*IMPULSE_RESPONSES, *STIMULI, *CHECKS)
