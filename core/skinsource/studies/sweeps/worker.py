@@ -20,7 +20,7 @@ def main() -> None:
     """Answer requests until there are no more."""
     answers = _own_output()
     keep_freed_memory()
-    # Modules stay: to look through them for what can be freed takes as long as a hundred stimuli.
+    # Modules stay: a garbage collection through them takes as long as a hundred stimuli.
     gc.freeze()
     measurer: Measurer | None = None
     for line in sys.stdin.buffer:
@@ -37,7 +37,7 @@ def main() -> None:
 
 
 def _own_output() -> IO[bytes]:
-    """What answers are written to; libraries that print do not write into it."""
+    """Return the file for the answers; prints of libraries go to another one."""
     own = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
     return own
