@@ -398,8 +398,8 @@ class Measurer:
         if plan.level == "above_threshold":
             duration_s = stimulus.response_samples / stimulus.limb.sample_rate_hz
             raise InvalidInputError(
-                f"the response lasts {duration_s:.4g} s, which is too long to be brought to a level "
-                "above threshold. Shorten the stimulus, or choose the level loudest_100ms."
+                f"the response lasts {duration_s:.4g} s, which is too long to be brought to a "
+                "level above threshold. Shorten the stimulus, or choose the level loudest_100ms."
             )
         if plan.level_db is not None:
             view = replace(self._view, span="loudest")

@@ -1,4 +1,4 @@
-"""Runs a sweep: what is left of it, in processes, into a folder."""
+"""Runs a sweep, or the rest of it, in processes and into a folder; reads sweeps from TOML."""
 
 import os
 import tomllib
@@ -38,12 +38,12 @@ from skinsource.studies.sweeps.table import Folder, StimulusFiles, SweepTable, t
 from skinsource.studies.sweeps.workers import Row, measured
 
 _MOST_PROCESSES = 256
-#: Fewer stimuli are measured before a second process has started.
+#: Fewer stimuli are measured faster than a second process starts.
 _WORTH_PROCESSES = 50
 
 
 class Measuring(Protocol):
-    """Gives what is found of some stimuli of a plan, each once, in any order."""
+    """Yields the metrics, or errors, of some stimuli of a plan, in any order."""
 
     def __call__(self, plan: Plan, numbers: Iterable[int], stop: Stop) -> Iterator[Row]:
         """Measure; raise `skinsource.base.errors.Stopped` once ``stop`` says so."""
@@ -51,16 +51,16 @@ class Measuring(Protocol):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sweep:
-    """All that a sweep is to do.
+    """A sweep: its plan and its output.
 
     Attributes
     ----------
     plan
         Its stimuli.
     order
-        How they are presented; None: no table of trials is written.
+        Order of their presentation; None: no table of trials is written.
     files
-        In which form the stimuli are exported; None: they are not.
+        Format of the exported stimuli; None: they are not exported.
     parquet
         Whether the table is written as Parquet too.
     """
@@ -96,17 +96,17 @@ def sweep(
     designs
         A design or the path of a design file, or several.
     vary
-        Values by the name of what they are of, see `skinsource.studies.sweeps.plan.varied`:
+        Values by the name of the variable, see `skinsource.studies.sweeps.plan.varied`:
         ``{"frequency_hz": [50, 100], "location": [1, 2]}``.  The last one varies first.
     out
-        Folder for all that is written, where a sweep that was stopped or killed goes on; or None.
+        Folder for all files, where a sweep that was stopped or killed continues; or None.
     outputs, axes, method, level, level_db, limits
-        What is measured, and how strong: see `skinsource.studies.sweeps.plan.Plan`.  A level may be
-        the path of a table of matches, too.
+        Measurement and level: see `skinsource.studies.sweeps.plan.Plan`.  A level may be the path
+        of a table of matches, too.
     order, files, parquet
-        What is written beside ``stimuli.csv``: see `skinsource.studies.sweeps.running.Sweep`.
+        Files besides ``stimuli.csv``: see `skinsource.studies.sweeps.running.Sweep`.
     processes
-        How many measure at the same time; None: as many as cores, or this one for a few stimuli.
+        Number of processes; None: as many as cores, or this one for a few stimuli.
 
     Returns
     -------
@@ -116,13 +116,13 @@ def sweep(
     Raises
     ------
     InvalidInputError
-        The sweep cannot be.  A single stimulus that cannot be measured has it in its row.
+        The sweep is not possible.  A single stimulus that fails has the error in its row.
     StorageError
         The folder cannot be written.
 
     >>> import skinsource as ss
-    >>> one = ss.Design(limb="synthetic-1", inputs=(ss.track(7),))
-    >>> ss.sweep(one, {"frequency_hz": [50.0, 200.0]}).column("frequency_hz")
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7),))
+    >>> ss.sweep(design, {"frequency_hz": [50.0, 200.0]}).column("frequency_hz")
     array([ 50., 200.])
     """
     settings: dict[str, Any] = {"outputs": tuple(outputs), "axes": axes, "method": method}
@@ -141,12 +141,12 @@ def run(
     progress: Progress = silent,
     stop: Stop = never,
 ) -> SweepTable:
-    """Do what is left of a sweep; see `sweep`.
+    """Run a sweep, or the rest of it; see `sweep`.
 
     Parameters
     ----------
     measuring
-        What measures instead of processes of this computer.
+        Measures instead of processes of this computer, such as `cluster.Cluster`.
     """
     plan = wanted.plan
     if out is None and (wanted.order or wanted.files or wanted.parquet):
@@ -157,10 +157,10 @@ def run(
         trials(wanted.order, range(1, len(plan) + 1))
     with nullcontext() if out is None else Folder(Path(out), plan.digest) as folder:
         outcomes: dict[int, Metrics | str] = {} if folder is None else dict(folder.journal.rows)
-        left = [number for number in range(1, len(plan) + 1) if number not in outcomes]
-        measure = measuring or _measuring(len(left), processes)
+        remaining = [number for number in range(1, len(plan) + 1) if number not in outcomes]
+        measure = measuring or _measuring(len(remaining), processes)
         progress(len(outcomes), len(plan), "Measuring")
-        for number, row in measure(plan, left, stop):
+        for number, row in measure(plan, remaining, stop):
             outcomes[number] = row
             if folder is not None:
                 folder.journal.add(number, row)
@@ -180,26 +180,26 @@ def _measuring(n_left: int, processes: int | None) -> Measuring:
     if count == 1:
         return measured_here
 
-    def beside_each_other(plan: Plan, numbers: Iterable[int], stop: Stop) -> Iterator[Row]:
+    def in_processes(plan: Plan, numbers: Iterable[int], stop: Stop) -> Iterator[Row]:
         return measured(plan, numbers, count, stop)
 
-    return beside_each_other
+    return in_processes
 
 
 def named_designs(
     designs: Design | str | os.PathLike[str] | Sequence[Design | str | os.PathLike[str]],
 ) -> tuple[tuple[str, Design], ...]:
-    """Return each design with a name of its own: of its file, its title, or a number."""
+    """Return each design with a unique name: its file, its title, or a number."""
     several = [designs] if isinstance(designs, Design | str | os.PathLike) else list(designs)
     named: list[tuple[str, Design]] = []
-    for number, one in enumerate(several, start=1):
-        if isinstance(one, Design):
-            named.append((one.title or f"design {number}", one))
-        elif isinstance(one, str | os.PathLike):
-            named.append((Path(one).stem, open_design(one).design))
+    for number, source in enumerate(several, start=1):
+        if isinstance(source, Design):
+            named.append((source.title or f"design {number}", source))
+        elif isinstance(source, str | os.PathLike):
+            named.append((Path(source).stem, open_design(source).design))
         else:
             raise InvalidInputError(
-                f"designs holds {quoted(one)}, expected designs or paths of design files"
+                f"designs holds {quoted(source)}, expected designs or paths of design files"
             )
     names = [name for name, _ in named]
     return tuple(
@@ -211,12 +211,12 @@ def named_designs(
 def variables_of(
     vary: Mapping[str, Iterable[Any]] | None,
 ) -> tuple[tuple[str, tuple[Value, ...]], ...]:
-    """Return variables and their values as a plan has them."""
+    """Return variables and their values for a plan."""
     return tuple((name, values_of(name, values)) for name, values in (vary or {}).items())
 
 
 def level_of(level: str | os.PathLike[str] | None) -> dict[str, Any]:
-    """Return what a plan has of a level: its name, or what a table of matches says.
+    """Return the fields of a plan for a level: its name, or the strengths of a table of matches.
 
     Raises
     ------
@@ -243,12 +243,12 @@ def values_of(name: str, values: Iterable[Any]) -> tuple[Value, ...]:
 
 
 def _value(name: str, value: Any) -> Value:
-    """A plain value: of numpy, too, so that the same sweep has the same digest."""
+    """Return a plain value, also for one of numpy, so that the same sweep has the same digest."""
     if hasattr(value, "item") and not isinstance(value, str | bytes):
         value = value.tolist()
     if isinstance(value, list | tuple):
         return tuple(integer(f"{name}[{k}]", number, 1, 2**31) for k, number in enumerate(value))
-    # What a report cannot hold is no value, and would be found out at the end.
+    # A table cannot hold other values, which would fail at the end only.
     if isinstance(value, bool | int | str) or (isinstance(value, float) and isfinite(value)):
         return value
     raise InvalidInputError(
@@ -256,8 +256,7 @@ def _value(name: str, value: Any) -> Value:
     )
 
 
-# Sweeps written down in TOML, as docs/sweeps.md says.
-
+# Limits and keys of sweeps in TOML, see docs/sweeps.md.
 _MOST_BYTES = 16 * 2**20
 _MOST = 2**31 - 1
 _KEYS = {
@@ -286,7 +285,7 @@ def read_sweep(path: Path) -> Sweep:
     Raises
     ------
     FileFormatError
-        The file is no TOML, names what there is not, or holds a value that cannot be.
+        The file is no TOML, has an unknown name, or an invalid value.
     StorageError
         It, or a design, cannot be read.
     """
@@ -335,7 +334,7 @@ def _sweep(content: dict[str, Any], folder: Path) -> Sweep:
 
 
 def _level(content: dict[str, Any], folder: Path) -> str | Path | None:
-    """Name of a level, or where its table is: beside the sweep."""
+    """Return the name of a level, or the path of its table in the folder of the sweep."""
     level = content.get("level")
     if level is not None and not isinstance(level, str):
         raise InvalidInputError(f"level is {quoted(level)}, expected a text")
@@ -381,7 +380,7 @@ def _table(content: dict[str, Any], name: str) -> dict[str, Any]:
 
 
 def _flat(table: dict[str, Any]) -> dict[str, Any]:
-    """TOML reads ``2.frequency_hz = […]`` as a table within the table."""
+    """Return a table without inner ones: TOML reads ``2.frequency_hz = […]`` as one."""
     flat: dict[str, Any] = {}
     for name, value in table.items():
         if isinstance(value, dict):
