@@ -83,14 +83,14 @@ class ExportedDesign:
         self.n_times: int = basis["response_samples"]
         self.streamed: StreamedVibration | None = basis["streamed_vibration"]
 
-    def values(self, wanted: Collection[str], **changed: Any) -> dict[str, Any]:
+    def values(self, names: Collection[str], **changed: Any) -> dict[str, Any]:
         """Return quantities, with some of their sources ``changed``."""
-        given = {**sources(self.design, self.view), **changed}
-        return self._graph.evaluate(wanted, given, self.stop)
+        all_sources = {**sources(self.design, self.view), **changed}
+        return self._graph.evaluate(names, all_sources, self.stop)
 
-    def value(self, wanted: str, **changed: Any) -> Any:
+    def value(self, name: str, **changed: Any) -> Any:
         """Return one quantity."""
-        return self.values({wanted}, **changed)[wanted]
+        return self.values({name}, **changed)[name]
 
     def holdable(self, outputs: tuple[int, ...], axes: Axes) -> tuple[int, ...]:
         """Return the first of ``outputs``, as many as fit into memory; all of a short response."""

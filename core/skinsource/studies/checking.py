@@ -712,9 +712,9 @@ def superposition(parts: Sequence[Floats], joint: Floats) -> Superposition:
     That one is the longest.
     """
     responses = np.zeros((len(parts), *joint.shape))
-    for whole, part in zip(responses, parts, strict=True):
+    for response, part in zip(responses, parts, strict=True):
         # A response that ends sooner is silent after that.
-        whole[:, : part.shape[-1]] = part
+        response[:, : part.shape[-1]] = part
     separate = responses.sum(axis=0)
     return Superposition(
         separate=separate,

@@ -236,13 +236,13 @@ def superposition_correlation(separate: ArrayLike, joint: ArrayLike) -> Floats:
         Response to all inputs.
     """
     parts = finite_array("separate", separate, "(n_inputs, n_channels, n_times)")
-    whole = finite_array("joint", joint, "(n_channels, n_times)")
-    if parts.ndim != 3 or parts.shape[1:] != whole.shape:
+    response = finite_array("joint", joint, "(n_channels, n_times)")
+    if parts.ndim != 3 or parts.shape[1:] != response.shape:
         raise InvalidInputError(
-            f"separate has shape {parts.shape}, joint {whole.shape}; expected (n_inputs, "
+            f"separate has shape {parts.shape}, joint {response.shape}; expected (n_inputs, "
             "n_channels, n_times) and (n_channels, n_times)"
         )
-    return pearson(parts.sum(axis=0), whole)
+    return pearson(parts.sum(axis=0), response)
 
 
 def straight_lines(x: Floats, y: Floats) -> tuple[Floats, Floats, Floats]:
@@ -251,7 +251,7 @@ def straight_lines(x: Floats, y: Floats) -> tuple[Floats, Floats, Floats]:
     Parameters
     ----------
     x, y : (n, ...)
-        Shapes that broadcast, with three levels or more; ``y`` has the whole one.
+        Shapes that broadcast, with three levels or more; ``y`` has the broadcast shape.
 
     Returns
     -------
@@ -260,11 +260,11 @@ def straight_lines(x: Floats, y: Floats) -> tuple[Floats, Floats, Floats]:
     n = len(x)
     away, rest = x - x.mean(axis=0), y - y.mean(axis=0)
     slope = np.sum(away * rest, axis=0) / np.sum(away**2, axis=0)
-    left = np.sum(np.square(rest - slope * away), axis=0)
+    residual = np.sum(np.square(rest - slope * away), axis=0)
     total = np.sum(np.square(rest), axis=0)
     # The mean of equal levels may be rounded: the rest is then no change.
     rounding = n * np.square(np.finfo(np.float64).eps * np.abs(y).max(axis=0))
-    share = np.divide(left, total, out=np.full(total.shape, np.nan), where=total > rounding)
+    share = np.divide(residual, total, out=np.full(total.shape, np.nan), where=total > rounding)
     return slope, y.mean(axis=0) - slope * x.mean(axis=0), 1.0 - share * (n - 1) / (n - 2)
 
 

@@ -30,7 +30,7 @@ _BLOCK = 2**16
 
 def write_wav(outgoing: Outgoing, path: Path) -> Facts:
     """Write the file."""
-    sample_bytes, whole = _KINDS[outgoing.choices[SAMPLES]]
+    sample_bytes, integer_kind = _KINDS[outgoing.choices[SAMPLES]]
     stimulus = outgoing.stimulus
     n_channels, n_times = stimulus.samples.shape
     if n_channels * n_times * sample_bytes > _MOST_BYTES or n_channels * sample_bytes > 0xFFFF:
@@ -40,23 +40,23 @@ def write_wav(outgoing: Outgoing, path: Path) -> Facts:
         )
     facts: Facts = {"samples": "float32"}
     values: NDArray[np.generic] = stimulus.samples
-    if whole:
-        quantised, facts = outgoing.whole_numbers(whole)
+    if integer_kind:
+        quantised, facts = outgoing.integers(integer_kind)
         values = quantised.values
     with steadily_written(path) as file:
         _write_head(file, outgoing, sample_bytes, n_times)
         for start in range(0, n_times, _BLOCK):
             stop_if(outgoing.stop)
-            file.write(_packed(values[:, start : start + _BLOCK], sample_bytes, whole))
+            file.write(_packed(values[:, start : start + _BLOCK], sample_bytes, integer_kind))
             outgoing.progress(min(start + _BLOCK, n_times), n_times, "Writing")
         if n_channels * n_times * sample_bytes % 2:
             file.write(b"\0")
     return {**facts, "container": outgoing.choices["container"]}
 
 
-def _packed(values: NDArray[np.generic], sample_bytes: int, whole: str) -> bytes:
+def _packed(values: NDArray[np.generic], sample_bytes: int, integer_kind: str) -> bytes:
     """Return samples as bytes: all channels of one time, then those of the next."""
-    if not whole:
+    if not integer_kind:
         return values.T.astype("<f4").tobytes()
     wide = np.ascontiguousarray(values.T.astype("<i4"))
     return wide.view(np.uint8).reshape(-1, 4)[:, :sample_bytes].tobytes()
@@ -153,7 +153,7 @@ def write_flac(outgoing: Outgoing, path: Path) -> Facts:
             f"FLAC knows no rate of {rate_hz} Hz, expected at most {_MOST_RATE_HZ} Hz. Choose a "
             "lower one, or WAV."
         )
-    quantised, facts = outgoing.whole_numbers("int24")
+    quantised, facts = outgoing.integers("int24")
     n_channels, n_times = quantised.values.shape
     # In memory: the library's own files report no full disk.
     content = io.BytesIO()

@@ -119,7 +119,7 @@ def write_drv2605l(outgoing: Outgoing, path: Path) -> Facts:
 
 def write_bos1901(outgoing: Outgoing, path: Path) -> Facts:
     """Write words for the FIFO: 12 bits, two's complement, in register 0."""
-    quantised_drives, facts = outgoing.whole_numbers("int12")
+    quantised_drives, facts = outgoing.integers("int12")
     fifo_words = _silent_ends(quantised_drives.values.astype(np.int32)) & 0x0FFF
     return {
         **facts,
@@ -144,7 +144,7 @@ def write_bos1901(outgoing: Outgoing, path: Path) -> Facts:
 
 def write_drv2665(outgoing: Outgoing, path: Path) -> Facts:
     """Write bytes for the FIFO: 8 bits, two's complement."""
-    quantised_drives, facts = outgoing.whole_numbers("int8")
+    quantised_drives, facts = outgoing.integers("int8")
     return {
         **facts,
         **_write_arrays(

@@ -64,7 +64,7 @@ class Outgoing:
         rate_hz = self.stimulus.sample_rate_hz
         return int(rate_hz) if rate_hz.is_integer() else rate_hz
 
-    def whole_numbers(self, kind: str) -> tuple[Quantised, Facts]:
+    def integers(self, kind: str) -> tuple[Quantised, Facts]:
         """Return the samples as whole numbers, and the facts about them for the sidecar."""
         result = quantised(self.stimulus.samples, kind, dither_seed=self.dither_seed)
         return result, {

@@ -191,7 +191,7 @@ def ascii_of(text: str) -> str:
 def write_c_header(outgoing: Outgoing, path: Path) -> Facts:
     """Write the file."""
     kind = outgoing.choices[SAMPLES]
-    quantised, facts = outgoing.whole_numbers(kind)
+    quantised, facts = outgoing.integers(kind)
     stimulus, rate_hz = outgoing.stimulus, outgoing.rate_hz
     names = [f"stim_{name}" for name in channel_names(stimulus)]
     n_bytes = write_header(

@@ -158,9 +158,7 @@ def write_prepared(
         # All are written before the first takes its place.
         for path, outgoing in ready.files:
             reporting = replace(outgoing, progress=progress, stop=stop)
-            (_write_folder if ready.format.folder else _write_file)(
-                ready, path, reporting, sentences, stack
-            )
+            _write_outgoing(ready, path, reporting, sentences, stack)
         stop_if(stop)
     return Exported(
         files=tuple(path for path, _ in ready.files),
@@ -174,46 +172,38 @@ def write_prepared(
     )
 
 
-def _write_file(
+def _write_outgoing(
     ready: PreparedStimulus,
     path: Path,
     outgoing: Outgoing,
     confirmed: tuple[str, ...],
     stack: ExitStack,
 ) -> None:
-    if path.is_dir():
+    """Write a file, or fill a folder, with its sidecar; it gets its name as ``stack`` closes."""
+    is_folder = ready.format.folder
+    if path.is_dir() and not is_folder:
         raise StorageError(f"{named(path)}: a folder stands there. Choose another name.")
-    temporary = stack.enter_context(replacing(path))
+    temporary = stack.enter_context(
+        replacing_folder(path, MARK, kept=LOGS) if is_folder else replacing(path)
+    )
     facts = ready.format.write(outgoing, temporary)
     stop_if(outgoing.stop)
+    files = [file for file in temporary.rglob("*") if file.is_file()] if is_folder else [temporary]
     content = sidecar_of(
         ready,
         outgoing,
         facts,
-        sha256=_sha256(temporary),
-        n_bytes=temporary.stat().st_size,
+        sha256=None if is_folder else _sha256(temporary),
+        n_bytes=sum(file.stat().st_size for file in files),
         confirmed=confirmed,
     )
+    if is_folder:
+        (temporary / MARK).write_bytes(content)
     # What is entered last is moved first: whoever finds the file finds its description.
     companion = ready.format.companion_path(path)
     if companion is not None:
-        stack.enter_context(replacing(companion)).write_bytes(ready.format.companion_content(facts))
-    stack.enter_context(replacing(sidecar_path(path))).write_bytes(content)
-
-
-def _write_folder(
-    ready: PreparedStimulus,
-    path: Path,
-    outgoing: Outgoing,
-    confirmed: tuple[str, ...],
-    stack: ExitStack,
-) -> None:
-    temporary = stack.enter_context(replacing_folder(path, MARK, kept=LOGS))
-    facts = ready.format.write(outgoing, temporary)
-    stop_if(outgoing.stop)
-    n_bytes = sum(file.stat().st_size for file in temporary.rglob("*") if file.is_file())
-    content = sidecar_of(ready, outgoing, facts, sha256=None, n_bytes=n_bytes, confirmed=confirmed)
-    (temporary / MARK).write_bytes(content)
+        companion_content = ready.format.companion_content(facts)
+        stack.enter_context(replacing(companion)).write_bytes(companion_content)
     stack.enter_context(replacing(sidecar_path(path))).write_bytes(content)
 
 

@@ -326,8 +326,8 @@ def _outgoing(
 
 def _exported_design(design: Design, stimulus: Stimulus, options: StimulusOptions) -> Design:
     """Return the design with those inputs and clips that are in ``stimulus``."""
-    there = {id for channel in stimulus.channels for id in channel.inputs}
-    inputs = [track for track in audible_inputs(design.inputs) if track.id in there]
+    ids = {id for channel in stimulus.channels for id in channel.inputs}
+    inputs = [track for track in audible_inputs(design.inputs) if track.id in ids]
     if options.clips is not None:
         chosen = set(options.clips)
         inputs = [

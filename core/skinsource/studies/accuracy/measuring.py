@@ -85,8 +85,8 @@ def _studio(problem: Convolution, *, edited: bool) -> Run:
         another = replace(recordings[0], name=str(next(numbers)))
         inputs[0] = track(problem.locations[0], another)
         design = Design(limb=limb.name, inputs=tuple(inputs), scaling="relative")
-        given = {**sources(design, view), "limb_data": limb}
-        traces: Floats = graph.evaluate({"axis_traces", "output_rms"}, given)["axis_traces"]
+        all_sources = {**sources(design, view), "limb_data": limb}
+        traces: Floats = graph.evaluate({"axis_traces", "output_rms"}, all_sources)["axis_traces"]
         return traces.reshape(-1, traces.shape[-1])
 
     return partial(show, new_graph()) if edited else lambda: show(new_graph())

@@ -48,11 +48,11 @@ def broken_conditions_text(opened: OpenedScene, *, maps: bool) -> str:
         finding for judged in _judgements(opened, maps=maps) for finding in judged.findings or ()
     ]
     # A synthetic limb has a larger note of its own.
-    left = dict.fromkeys(
+    broken = dict.fromkeys(
         finding.name for finding in findings if finding.state == "left" and finding.name != "limb"
     )
     heading = "Conditions of the measurement that are not kept (see the table)"
-    return f"{heading}: {', '.join(left)}." if left else ""
+    return f"{heading}: {', '.join(broken)}." if broken else ""
 
 
 def condition_lines(opened: OpenedScene, *, maps: bool) -> tuple[str, ...]:

@@ -128,8 +128,8 @@ def sweep(
     settings: dict[str, Any] = {"outputs": tuple(outputs), "axes": axes, "method": method}
     settings |= {**level_of(level), "level_db": level_db, "limits": limits or Limits()}
     plan = Plan(designs=named_designs(designs), variables=variables_of(vary), **settings)
-    wanted = Sweep(plan=plan, order=order, files=files, parquet=parquet)
-    return run(wanted, out, processes=processes, progress=progress, stop=stop)
+    planned = Sweep(plan=plan, order=order, files=files, parquet=parquet)
+    return run(planned, out, processes=processes, progress=progress, stop=stop)
 
 
 def run(
