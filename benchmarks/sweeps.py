@@ -20,14 +20,14 @@ from scipy.signal import fftconvolve
 import skinsource as ss
 from skinsource.base.allocation import keep_freed_memory
 from skinsource.studies.sweeps.measuring import Measurer
-from skinsource.studies.sweeps.plan import TOGETHER, Plan
+from skinsource.studies.sweeps.plan import BATCH_SIZE, Plan
 from skinsource.studies.sweeps.workers import measured
 
 RATE_HZ = 1300
 PLACES = (3, 7, 12, 18)
 PROMISED = {"all new": 6.0, "one varies": 20.0, "two processes": 1.7}
-_AT_A_TIME = 2 * TOGETHER
-_WARM = 2 * TOGETHER
+_AT_A_TIME = 2 * BATCH_SIZE
+_WARM = 2 * BATCH_SIZE
 
 
 def plan_of(which: str, count: int) -> Plan:
@@ -55,12 +55,12 @@ def ratio_to_plain(which: str, count: int) -> tuple[float, float, float]:
     limb = ss.load_limb("synthetic-1")
     drives = np.random.default_rng(1).standard_normal((len(PLACES), RATE_HZ))
     plain(limb, drives)
-    measurer = Measurer(plan_of(which, count + TOGETHER))
-    numbers = range(1, TOGETHER + count + 1)
-    for number in numbers[:TOGETHER]:
+    measurer = Measurer(plan_of(which, count + BATCH_SIZE))
+    numbers = range(1, BATCH_SIZE + count + 1)
+    for number in numbers[:BATCH_SIZE]:
         measurer.measure(number)
     times = []
-    for first in range(TOGETHER, len(numbers), _AT_A_TIME):
+    for first in range(BATCH_SIZE, len(numbers), _AT_A_TIME):
         these = numbers[first : first + _AT_A_TIME]
         start = process_time()
         for number in these:

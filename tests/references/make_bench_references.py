@@ -32,7 +32,7 @@ from tests.references.make_actuators import motion
 
 def convolved(problem: Convolution, samples: np.ndarray) -> np.ndarray:
     """Sums of products at some samples of the channels asked for."""
-    responses = [problem.asked_for(one)[:, ::-1] for one in problem.responses]
+    responses = [problem.solution(one)[:, ::-1] for one in problem.responses]
     n_taps = problem.limb.n_taps
     padded = np.pad(problem.drives, ((0, 0), (n_taps - 1, n_taps - 1)))
     drives = [[mpf(one) for one in row] for row in padded.tolist()]

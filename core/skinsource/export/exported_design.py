@@ -1,4 +1,8 @@
-"""A design that is being exported, with a graph of its own."""
+"""A design that is being exported: its quantities, lines about them, and the file that it goes to.
+
+Every table and picture says which limb it is of, what was played, how it was computed and how
+wrong it can be.
+"""
 
 import hashlib
 import math
@@ -44,14 +48,14 @@ _MOST_HELD_BYTES = 64 * 2**20
 
 
 class ExportedDesign:
-    """Computes what is exported of one design and view.
+    """Computes quantities of one design and view, with a graph of its own.
 
     Parameters
     ----------
     design, view
-        What is exported.
+        Sources of the quantities.
     progress
-        Told how far it is; a total of 0 while that is not known.
+        Called with (done, total, what is being done); a total of 0 while that is not known.
     stop
         Asked now and then; once true, `skinsource.base.errors.Stopped` is raised.
 
@@ -79,32 +83,32 @@ class ExportedDesign:
         self.n_times: int = basis["response_samples"]
         self.streamed: StreamedVibration | None = basis["streamed_vibration"]
 
-    def values(self, wanted: Collection[str], **changed: Any) -> dict[str, Any]:
-        """Return quantities, with some of what they start from ``changed``."""
-        given = {**sources(self.design, self.view), **changed}
-        return self._graph.evaluate(wanted, given, self.stop)
+    def values(self, names: Collection[str], **changed: Any) -> dict[str, Any]:
+        """Return quantities, with some of their sources ``changed``."""
+        all_sources = {**sources(self.design, self.view), **changed}
+        return self._graph.evaluate(names, all_sources, self.stop)
 
-    def value(self, wanted: str, **changed: Any) -> Any:
+    def value(self, name: str, **changed: Any) -> Any:
         """Return one quantity."""
-        return self.values({wanted}, **changed)[wanted]
+        return self.values({name}, **changed)[name]
 
     def holdable(self, outputs: tuple[int, ...], axes: Axes) -> tuple[int, ...]:
-        """The first of ``outputs``, as many as may be held from beginning to end; all if short."""
+        """Return the first of ``outputs``, as many as fit into memory; all of a short response."""
         n_axes = len(axes_of(self.limb.axes, axes))
         bytes_each = n_axes * self.n_times * np.dtype(np.float64).itemsize
         return outputs if self.streamed is None else outputs[: _MOST_HELD_BYTES // bytes_each]
 
     def error(self, outputs: tuple[int, ...], axes: Axes) -> TraceError | None:
-        """Error of the vibration at some outputs; None where there is none."""
-        found: TraceError | None = self.value("trace_error", outputs=outputs, axes=axes)
-        return found
+        """Return the error of the vibration at some outputs; None where nothing moves."""
+        error: TraceError | None = self.value("trace_error", outputs=outputs, axes=axes)
+        return error
 
     def error_of(self, field: Floats, outputs: tuple[int, ...]) -> TraceError | None:
-        """Error of ``field``, (n_outputs, n_axes, n_times), at some outputs."""
-        found: TraceError | None = self.value(
+        """Return the error of ``field``, (n_outputs, n_axes, n_times), at some outputs."""
+        error: TraceError | None = self.value(
             "trace_error", outputs=outputs, axes=ALL_AXES, axis_traces=field
         )
-        return found
+        return error
 
     def field_blocks(self) -> Iterator[Floats]:
         """Yield the field piece by piece, (n_outputs, n_axes, n) in m/s², silence included."""
@@ -124,9 +128,6 @@ class ExportedDesign:
             yield np.zeros((self.limb.n_outputs, self.limb.n_axes, min(PIECE_SAMPLES, end - start)))
 
 
-# What a file of signals or levels says of the design and the view that they belong to.
-
-
 def describe_played(
     limb: str,
     note: str,
@@ -134,7 +135,7 @@ def describe_played(
     inputs: Iterable[Input],
     actuated: Actuation | None = None,
 ) -> list[str]:
-    """Lines on the limb, by its name and what there is to note of it, and what it is driven by."""
+    """Return lines on the limb, its note, the scaling, the actuators and the inputs."""
     lines = [f"NOTE on the limb: {note}"] if note else []
     lines.append(
         f"limb: {limb_word(limb).title}, {limb}; scaling: {word_of(SCALINGS, scaling).both}"
@@ -144,53 +145,53 @@ def describe_played(
         lines.append(f"amplitudes: {meaning}")
     if actuated is not None:
         lines.append(f"predicted through: {actuated.words}")
-        lines += [f"  {_named(one)}: {one.model}" for one in actuated.actuators]
-    for one in inputs:
-        muted = ", muted" if one.muted else ""
-        solo = ", solo" if one.solo else ""
-        curve = f", gain curve {one.gain_curve}" if one.gain_curve else ""
+        lines += [
+            f"  {_actuator_label(actuator)}: {actuator.model}" for actuator in actuated.actuators
+        ]
+    for track in inputs:
+        muted = ", muted" if track.muted else ""
+        solo = ", solo" if track.solo else ""
+        curve = f", gain curve {track.gain_curve}" if track.gain_curve else ""
         lines.append(
-            f"input at place {one.location}: amplitude {one.amplitude!r}, "
-            f"{counted(len(one.clips), 'clip')}{curve}{muted}{solo}"
+            f"input at place {track.location}: amplitude {track.amplitude!r}, "
+            f"{counted(len(track.clips), 'clip')}{curve}{muted}{solo}"
         )
         lines += [
-            f"  clip of the input at place {one.location}: {clip_description(x)}" for x in one.clips
+            f"  clip of the input at place {track.location}: {clip_description(x)}"
+            for x in track.clips
         ]
     return lines
 
 
-def _named(one: ActuatorAt) -> str:
-    where = "all other places" if one.place is None else f"place {one.place}"
-    return f"{where}, {one.actuator}" if one.actuator else where
+def _actuator_label(actuator: ActuatorAt) -> str:
+    where = "all other places" if actuator.place is None else f"place {actuator.place}"
+    return f"{where}, {actuator.actuator}" if actuator.actuator else where
 
 
 def clip_description(clip: Clip) -> str:
-    """A clip in words: what it plays, from when on, through what."""
+    """Return a description of a clip: waveform, onset, gain and effects."""
     gain = "" if clip.gain == 1.0 else f", gain {clip.gain!r}"
-    through = "".join(f", {one}" for one in clip.effects if one.on)
+    through = "".join(f", {effect}" for effect in clip.effects if effect.on)
     muted = ", muted" if clip.muted else ""
     return f"{clip.waveform}, onset {clip.onset_s!r} s{gain}{through}{muted}"
 
 
 def describe_projection(axes: str, method: str) -> str:
-    """Line on the axes and how they become one signal."""
+    """Return a line on the axes and how they become one signal."""
     how = "" if len(axes) == 1 else f"; method: {word_of(METHODS, method).both}"
     return f"axes: {word_of(AXES, axes).both}{how}"
 
 
 def describe_levels(span: str) -> str:
-    """Line on what levels are the RMS over, which every file names, also those without levels.
+    """Return a line on the span that levels are the RMS over.
 
-    Who later puts a file of traces beside one of levels then sees whether they belong together.
+    Files without levels have it too: a reader sees whether traces and levels belong together.
     """
     return f"levels: RMS over the {word_of(SPANS, span).both.lower()}"
 
 
-# What an export says of itself: what it shows, how that was computed, how wrong it can be.
-
-
 def about_design(exported: ExportedDesign) -> list[str]:
-    """Lines on limb, scaling, and what is played."""
+    """Return lines on limb, scaling, inputs and validity."""
     design = exported.design
     lines = ["SkinSource studio"]
     if exported.limb.synthetic:
@@ -202,18 +203,18 @@ def about_design(exported: ExportedDesign) -> list[str]:
 
 
 def about_axes(exported: ExportedDesign) -> str:
-    """Line on the axes and how they become one signal."""
+    """Return a line on the axes and how they become one signal."""
     axes = axes_of(exported.limb.axes, exported.view.axes)
     return describe_projection(axes, exported.view.method)
 
 
 def about_levels(exported: ExportedDesign) -> str:
-    """Line on what levels are the RMS over."""
+    """Return a line on the span that levels are the RMS over."""
     return describe_levels(exported.view.span)
 
 
 def about_method(exported: ExportedDesign) -> list[str]:
-    """Lines on versions, method, and the data that went in."""
+    """Return lines on versions, method, and the responses that were used."""
     audible = audible_inputs(exported.design.inputs)
     how = (
         "cached spectra"
@@ -224,12 +225,12 @@ def about_method(exported: ExportedDesign) -> list[str]:
         f"computed by: skinsource {__version__}, numpy {np.__version__}, scipy {scipy.__version__}",
         f"precision and method: float64, {how}",
         f"inputs heard: {len(audible)} of {len(exported.design.inputs)}",
-        *_about_data(exported, sorted({one.location for one in audible})),
+        *_about_data(exported, sorted({track.location for track in audible})),
     ]
 
 
 def about_error(error: TraceError | None, what: str) -> str:
-    """Line on the error of ``what``, as far as it is known."""
+    """Return a line on the error of ``what``, as far as it is known."""
     if error is None:
         return f"error of {what}: there is nothing to check"
     return (
@@ -239,8 +240,22 @@ def about_error(error: TraceError | None, what: str) -> str:
     )
 
 
+def checked_error_line(exported: ExportedDesign, rms: Floats, largest_error: float) -> str:
+    """Return the line on the error at the loudest output, by the RMS of each, (n_outputs,).
+
+    Raises
+    ------
+    TooInaccurateError
+        The error is larger than ``largest_error``.
+    """
+    loudest = int(np.argmax(rms)) + 1
+    error = exported.error((loudest,), exported.view.axes)
+    check_accuracy(error, largest_error)
+    return about_error(error, f"the traces of output {loudest}, the loudest")
+
+
 def listed(outputs: tuple[int, ...]) -> str:
-    """Words for some outputs."""
+    """Return some outputs as text."""
     return f"outputs {', '.join(map(str, outputs))}"
 
 
@@ -263,14 +278,12 @@ def _about_data(exported: ExportedDesign, places: list[int]) -> list[str]:
     return [f"responses to places {numbers}: SHA-256 {digest.hexdigest()}"]
 
 
-# The file that an export is written to.
-
 _BYTES_BETWEEN_SYNCS = 8 * 2**20
 
 
 @contextmanager
 def output_file(path: Path, stop: Stop) -> Iterator[BinaryIO]:
-    """Give an open file that takes the place of ``path`` at the end, whole or not at all.
+    """Give an open file that replaces ``path`` at the end, whole or not at all.
 
     Raises
     ------
@@ -286,23 +299,23 @@ def output_file(path: Path, stop: Stop) -> Iterator[BinaryIO]:
             os.fsync(file.fileno())
             stop_if(stop)
         except BaseException:
-            # Gone at once: to give back a gigabyte, when the file is closed, can take a second.
-            # Systems that delete no open file do so when it is closed.
+            # Delete it at once: freeing a gigabyte, when the file is closed, can take a second.
+            # Systems that cannot delete an open file do so when it is closed.
             with suppress(OSError):
                 temporary.unlink()
             raise
 
 
 def steadily_written(path: Path) -> BinaryIO:
-    """Open ``path`` for writing; what is written goes to the disk now and then."""
+    """Open ``path`` for writing; the data is synchronised with the disk now and then."""
     return BufferedRandom(_SteadyFile(path, "w+b"))
 
 
 class _SteadyFile(FileIO):
-    """Sends what is written to the disk now and then.
+    """A file that is synchronised with the disk now and then.
 
-    At the end little is left to send, so that the user can stop it at any time: nothing stops the
-    flush of a gigabyte.
+    At the end little is left to synchronise, so that the user can stop it at any time: nothing
+    stops the flush of a gigabyte.
     """
 
     _unsynced = 0

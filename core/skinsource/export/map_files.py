@@ -1,4 +1,4 @@
-"""Pictures as PNG files, written with what Python has."""
+"""The map of levels as a table and as a PNG picture, written without a window and matplotlib."""
 
 import math
 import struct
@@ -18,10 +18,9 @@ from skinsource.export.exported_design import (
     ExportedDesign,
     about_axes,
     about_design,
-    about_error,
     about_levels,
     about_method,
-    check_accuracy,
+    checked_error_line,
     output_file,
 )
 from skinsource.export.tables import CsvTable
@@ -42,7 +41,7 @@ def write_png(file: BinaryIO, pixels: NDArray[np.uint8], texts: dict[str, str]) 
     pixels : (rows, columns, 3)
         Red, green and blue; the first row is the highest.
     texts
-        What the picture says of itself, by keyword.
+        Texts within the file, by keyword.
     """
     rows, columns, _ = pixels.shape
     # Each row begins with how it is filtered: not at all.
@@ -63,15 +62,14 @@ def _write_chunk(file: BinaryIO, kind: bytes, content: bytes) -> None:
     file.write(struct.pack(">I", zlib.crc32(kind + content)))
 
 
-# The map of levels, as a table and as a picture, without a window.
-
-# From the lowest level to the highest: lightness rises evenly, so that it reads in grey as well.
+# Colours from the lowest level to the highest; lightness rises evenly, so that a print in grey is
+# readable too.
 _ANCHORS = np.array(
     [[13, 8, 35], [72, 20, 92], [142, 38, 88], [208, 73, 58], [243, 139, 44], [252, 236, 160]]
 )
-_NOWHERE = 255
-# Pixels of the picture for each of the map, so that it can be looked at as it is.
-_MAGNIFIED = 3
+_OUTSIDE_VALUE = 255
+# Pixels of the picture, in each direction, for one pixel of the map.
+_MAGNIFICATION = 3
 
 
 def export_map(
@@ -85,11 +83,10 @@ def export_map(
 ) -> None:
     """Compute and write the map as a table: a row for each y, from the lowest, in mm; dB re 1 m/s².
 
-    Outside the outline of the limb stands ``nan``, and so it does in silence, which has no level.
-    Parameters and errors are those of
-    `export_traces`.
+    Values outside the outline of the limb, and those of silence, are ``nan``.  Parameters and
+    errors are those of `export_traces`.
     """
-    surface, levels_db, about = _map_of(design, view, progress, stop, largest_error)
+    surface, levels_db, about = _map_content(design, view, progress, stop, largest_error)
     header = ["y_mm", *(f"x_{x:g}_mm" for x in surface.x_mm)]
     with output_file(path, stop) as file:
         table = CsvTable(file, about, header, stop)
@@ -106,12 +103,12 @@ def export_map_picture(
     stop: Stop = never,
     largest_error: float = math.inf,
 ) -> None:
-    """Compute and write the map as a picture (PNG) that says within what its colours mean.
+    """Compute and write the map as a picture (PNG), with the meaning of its colours as a text.
 
     Colours go from the loudest output to `MAP_RANGE_DB` below it.  Parameters and errors are those
     of `export_traces`.
     """
-    _, levels_db, about = _map_of(design, view, progress, stop, largest_error)
+    _, levels_db, about = _map_content(design, view, progress, stop, largest_error)
     top_db = float(np.nanmax(levels_db))
     colours = (
         f"colours: {top_db - MAP_RANGE_DB:.1f} (darkest) to {top_db:.1f} (lightest) dB re 1 m/s²"
@@ -123,7 +120,7 @@ def export_map_picture(
 
 
 def picture_of(levels_db: Floats, top_db: float) -> NDArray[np.uint8]:
-    """Colours of a map, (magnified rows, magnified columns, 3), its highest row first.
+    """Return the colours of a map, (magnified rows, magnified columns, 3), its highest row first.
 
     Parameters
     ----------
@@ -136,24 +133,22 @@ def picture_of(levels_db: Floats, top_db: float) -> NDArray[np.uint8]:
     share = np.clip((np.where(inside, levels_db, top_db) - top_db) / MAP_RANGE_DB + 1.0, 0.0, 1.0)
     at = np.linspace(0.0, 1.0, len(_ANCHORS))
     colours = np.stack([np.interp(share, at, channel) for channel in _ANCHORS.T], axis=-1)
-    pixels = np.where(inside[..., None], np.rint(colours), _NOWHERE).astype(np.uint8)
-    return pixels[::-1].repeat(_MAGNIFIED, axis=0).repeat(_MAGNIFIED, axis=1)
+    pixels = np.where(inside[..., None], np.rint(colours), _OUTSIDE_VALUE).astype(np.uint8)
+    return pixels[::-1].repeat(_MAGNIFICATION, axis=0).repeat(_MAGNIFICATION, axis=1)
 
 
-def _map_of(
+def _map_content(
     design: Design, view: View, progress: Progress, stop: Stop, largest_error: float
 ) -> tuple[SurfaceOperator, Floats, list[str]]:
-    """Return the map's pixels, its levels, and what a file says of them."""
+    """Return the pixels of the map, their levels, and the lines about them."""
     exported = ExportedDesign(design, view, progress, stop)
-    wanted = exported.values({"surface", "surface_levels_db", "output_rms"})
-    loudest = int(np.argmax(wanted["output_rms"])) + 1
-    error = exported.error((loudest,), view.axes)
-    check_accuracy(error, largest_error)
+    results = exported.values({"surface", "surface_levels_db", "output_rms"})
+    error_line = checked_error_line(exported, results["output_rms"], largest_error)
     about = [
         *about_design(exported),
         about_axes(exported),
         f"{about_levels(exported)}, in dB re 1 m/s²",
         *about_method(exported),
-        about_error(error, f"the traces of output {loudest}, the loudest"),
+        error_line,
     ]
-    return wanted["surface"], wanted["surface_levels_db"], about
+    return results["surface"], results["surface_levels_db"], about

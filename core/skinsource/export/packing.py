@@ -1,4 +1,4 @@
-"""What to cite, with what a design rests on."""
+"""A design with all that belongs to it as one zip file, and what to cite for it."""
 
 import hashlib
 import importlib
@@ -9,7 +9,6 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
 
 import numpy as np
 import scipy
@@ -43,9 +42,9 @@ _DATASET = (
 
 
 def citation(design: Design) -> str:
-    """What to cite for a design, as lines of text: the paper, the dataset, program and limb.
+    """Return what to cite for a design, as lines of text: paper, dataset, program and limb.
 
-    The dataset is named where its limbs are used: one of a lab's own is told by its digest.
+    The dataset is named where its limbs are used; an imported limb is identified by its digest.
     """
     limb, data = limb_word(design.limb).title, data_of(design)
     published = bool(data["dataset_doi"])
@@ -63,12 +62,12 @@ def citation(design: Design) -> str:
 
 
 def data_of(design: Design) -> dict[str, str]:
-    """Where the responses of a design's limb come from: name, DOI and SHA-256 of the file.
+    """Return where the responses of a design's limb come from: name, DOI and SHA-256 of the file.
 
-    And a note where it is not known to be the published one.  Of a limb that a lab imported: the
+    A note says so where the file is not known to be the published one.  An imported limb has the
     SHA-256 of its numbers.  What is not known here, or is computed, is empty.
     """
-    found = {
+    data = {
         "limb": design.limb,
         "dataset_doi": "",
         "source_name": "",
@@ -77,14 +76,14 @@ def data_of(design: Design) -> dict[str, str]:
         "limb_sha256": design.limb_digest or facts_of(design.limb).digest,
     }
     if not design.limb.startswith("measured"):
-        return found
-    found["dataset_doi"] = DATASET_DOI
+        return data
+    data["dataset_doi"] = DATASET_DOI
     try:
         store = describe()
     except SkinSourceError:
-        return found
+        return data
     return {
-        **found,
+        **data,
         "source_name": store.source_name,
         "source_note": f"not verified as published: {store.note}" if store.note else "",
         "source_sha256": store.source_sha256,
@@ -98,9 +97,7 @@ def _kind_of(limb: str) -> str:
     return "imported here" if facts.own else "not known here"
 
 
-# A design with all that belongs to it, as one zip file.
-
-# What is packed twice is the same file twice: no clock has a part in it.
+# A fixed date: packing a design twice gives the same bytes.
 _DATE = (1980, 1, 1, 0, 0, 0)
 _RATE_HZ = 48_000
 _FIGURES = ("svg", "pdf")
@@ -116,11 +113,6 @@ rig.skinrig            what was wired to what, where that was said
 citation.txt           what to cite
 about.json             versions, limb, digests of the data and of each of these files
 """
-
-
-def _stimuli() -> Any:
-    # Imported when something is packed: the studio starts without it.
-    return importlib.import_module("skinsource.export.stimulus_export")
 
 
 def pack(
@@ -141,11 +133,11 @@ def pack(
     path
         The zip file; what stands there is replaced, at the end.
     design, view
-        What is packed; of the traces, the selected outputs.
+        Design and view to pack; traces are those of the selected outputs.
     rig
-        What its places are wired to, if that is known.
+        Wiring of its places, if that is known.
     progress, stop
-        As of a job.
+        As those of a job.
 
     Raises
     ------
@@ -161,8 +153,7 @@ def pack(
             stop_if(stop)
             progress(number, len(writers), f"Writing {file_name}")
             write(folder / file_name)
-        files = sorted(folder.iterdir())
-        about = _about(design, files)
+        about = _about(design, sorted(folder.iterdir()))
         (folder / "about.json").write_text(json.dumps(about, indent=2) + "\n", "utf-8")
         with replacing(path) as temporary:
             with zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
@@ -178,7 +169,7 @@ def pack(
 def _writers(
     design: Design, view: View, rig: Rig | None, stop: Stop
 ) -> dict[str, Callable[[Path], object]]:
-    found: dict[str, Callable[[Path], object]] = {
+    writers: dict[str, Callable[[Path], object]] = {
         "design.skinsource": lambda path: save_design(path, design, view),
         "levels.csv": lambda path: export_levels(path, design, view, stop=stop),
         "map.csv": lambda path: export_map(path, design, view, stop=stop),
@@ -187,23 +178,21 @@ def _writers(
         "README.txt": lambda path: path.write_text(_READ_ME, "utf-8"),
     }
     if view.outputs:
-        found["traces.csv"] = lambda path: export_traces(path, design, view, stop=stop)
+        writers["traces.csv"] = lambda path: export_traces(path, design, view, stop=stop)
     if _can_draw():
         for kind in _FIGURES:
-            found[f"figure.{kind}"] = partial(_write_figure, design=design, view=view, kind=kind)
+            writers[f"figure.{kind}"] = partial(_write_figure, design=design, view=view, kind=kind)
     if audible_inputs(design.inputs):
-        # Full scale is the largest sample: nothing clips. What the rate loses is in the sidecar.
-        found["stimulus.wav"] = lambda path: _stimuli().export_stimulus(
-            design,
-            path,
-            "wav",
-            _RATE_HZ,
-            options=_stimuli().StimulusOptions(accept_loss=True),
-            stop=stop,
+        # Imported when something is packed: the studio starts without it.
+        stimuli = importlib.import_module("skinsource.export.stimulus_export")
+        # Full scale is the largest sample: nothing clips. The sidecar says what the rate loses.
+        options = stimuli.StimulusOptions(accept_loss=True)
+        writers["stimulus.wav"] = lambda path: stimuli.export_stimulus(
+            design, path, "wav", _RATE_HZ, options=options, stop=stop
         )
     if rig is not None:
-        found["rig.skinrig"] = lambda path: save_rig(path, rig)
-    return found
+        writers["rig.skinrig"] = lambda path: save_rig(path, rig)
+    return writers
 
 
 def _can_draw() -> bool:
@@ -215,11 +204,9 @@ def _can_draw() -> bool:
 
 
 def _write_figure(path: Path, *, design: Design, view: View, kind: str) -> None:
-    figure = importlib.import_module("skinsource.export.plot").map(
-        design, view=view, outputs=view.outputs
-    )
-    content = importlib.import_module("skinsource.export.plot").figure_content(figure, kind)
-    path.write_bytes(content)
+    plot = importlib.import_module("skinsource.export.plot")
+    figure = plot.map(design, view=view, outputs=view.outputs)
+    path.write_bytes(plot.figure_content(figure, kind))
 
 
 def _about(design: Design, files: list[Path]) -> dict[str, object]:

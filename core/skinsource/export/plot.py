@@ -1,4 +1,15 @@
-"""What is drawn on: figures of matplotlib that know neither a window nor Qt."""
+"""Drawings of designs and of predicted levels, with matplotlib and without a window.
+
+Each function draws into ``ax``, axes of matplotlib, or makes a figure of its own, and returns the
+figure: it shows itself in a notebook, and `savefig` writes PNG, SVG and PDF with real text.  They
+need the extra ``plot``.
+
+>>> import skinsource as ss
+>>> tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
+>>> figure = ss.plot.map(ss.Design(limb="synthetic-1", inputs=(tone,)))
+>>> len(figure.axes)
+2
+"""
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -33,11 +44,10 @@ from skinsource.signals.map_range import map_range_db
 from skinsource.signals.resampling import extremes_between, finer
 from skinsource.signals.spectra import mean_of_bins as moving_mean
 
-EXTRA = "plot"
 MM_PER_INCH = 25.4
-#: Ink for lines and words, and for what stands back.
+#: Colours of lines and text, and of secondary text.
 INK, DIM = "#222222", "#666666"
-#: Colours of curves; told apart with any colour vision (Okabe and Ito).
+#: Colours of curves, which differ with any colour vision (Okabe and Ito).
 COLOURS = ("#0072B2", "#D55E00", "#000000", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 SYNTHETIC = "SYNTHETIC LIMB: computed responses, not measured ones"
 
@@ -53,7 +63,7 @@ _STYLE = {
     "font.size": 7.0,
     "legend.frameon": False,
     "lines.linewidth": 0.8,
-    # Letters stay letters, and nothing random enters the file.
+    # Text stays text, and nothing random enters the file.
     "pdf.fonttype": 42,
     "svg.fonttype": "none",
     "svg.hashsalt": "skinsource",
@@ -73,18 +83,18 @@ def module(name: str) -> Any:
     MissingExtraError
         It is not installed; the message names the extra.
     """
-    return package_of_extra(name, EXTRA)
+    return package_of_extra(name, "plot")
 
 
 @contextmanager
 def style() -> Iterator[None]:
-    """Draw, or save, as all drawings of this package look."""
+    """Draw or save in the common style of this package."""
     with module("matplotlib").rc_context(_STYLE):
         yield
 
 
 def new_figure(width_mm: float, height_mm: float) -> Any:
-    """An empty figure that shows itself in a notebook."""
+    """Return an empty figure that shows itself in a notebook."""
     module("matplotlib.backends.backend_agg")
     size = (width_mm / MM_PER_INCH, height_mm / MM_PER_INCH)
     with style():
@@ -92,7 +102,7 @@ def new_figure(width_mm: float, height_mm: float) -> Any:
 
 
 def axes_of(ax: Any, width_mm: float, height_mm: float) -> tuple[Any, bool]:
-    """Axes to draw into, and whether they are alone in a figure of their own."""
+    """Return axes to draw into, and whether their figure is new."""
     if ax is not None:
         return ax, False
     with style():
@@ -104,10 +114,10 @@ def _figure_class() -> Any:
     figure: Any = module("matplotlib.figure").Figure
 
     class Drawing(figure):  # type: ignore[misc]
-        """A figure that is saved with real text, whatever else is set."""
+        """A figure that is saved with real text, whatever the settings of matplotlib are."""
 
         def savefig(self, *args: Any, **kwargs: Any) -> None:
-            """Save it; see matplotlib."""
+            """Save the figure; see matplotlib."""
             with style():
                 super().savefig(*args, **kwargs)
 
@@ -119,11 +129,9 @@ def _figure_class() -> Any:
     return Drawing
 
 
-# Figures as the content of files: the same drawing gives the same bytes.
-
-#: Of pixels; what journals ask for.
+#: Resolution of pixels; journals ask for it.
 DOTS_PER_INCH = 300
-#: By kind, what the file says of itself: no clock has a part in it.
+#: Metadata of a file, by its kind.  They hold no date: the same drawing gives the same bytes.
 METADATA = {
     "png": {"Software": None},
     "svg": {"Date": None, "Creator": "SkinSource studio"},
@@ -132,7 +140,7 @@ METADATA = {
 
 
 def figure_content(figure: Any, kind: str) -> bytes:
-    """Bytes of a file that holds a figure of this package.
+    """Return the bytes of a file that holds a figure of this package.
 
     Parameters
     ----------
@@ -146,8 +154,6 @@ def figure_content(figure: Any, kind: str) -> bytes:
     return content.getvalue()
 
 
-# What a map shows, from a design or from levels.
-
 Range = tuple[float, float]
 
 
@@ -158,14 +164,14 @@ class Levels:
     Attributes
     ----------
     limb, surface
-        Where the outputs are, and how levels are spread between them.
+        Places of the outputs, and how levels are interpolated between them.
     values : (n_outputs,)
         In dB, or signed accelerations.
     places
         Input places that play.
     noisy
-        Outputs that are mostly noise, see `skinsource.perception.validity`; none where that is not
-        known.
+        Outputs that are mostly noise, see `skinsource.perception.validity`; empty where that is
+        not known.
     """
 
     limb: Limb
@@ -176,7 +182,7 @@ class Levels:
 
 
 def levels_of(shown: Design | ArrayLike, limb: Limb | str | None, view: View | None) -> Levels:
-    """Return what a map shows.
+    """Return the levels that a map of a design, or of levels of ``limb``, shows.
 
     Raises
     ------
@@ -184,54 +190,54 @@ def levels_of(shown: Design | ArrayLike, limb: Limb | str | None, view: View | N
         Levels come without a limb, or do not fit it.
     """
     if isinstance(shown, Design):
-        found = evaluate(shown, "output_levels_db", "limb_data", "surface", "validity", view=view)
-        places = sorted({one.location for one in audible_inputs(shown.inputs)})
+        results = evaluate(shown, "output_levels_db", "limb_data", "surface", "validity", view=view)
+        places = sorted({track.location for track in audible_inputs(shown.inputs)})
         return Levels(
-            limb=found["limb_data"],
-            surface=found["surface"],
-            values=found["output_levels_db"],
+            limb=results["limb_data"],
+            surface=results["surface"],
+            values=results["output_levels_db"],
             places=tuple(places),
-            noisy=next(one.outputs for one in found["validity"] if one.name == "noise"),
+            noisy=next(
+                finding.outputs for finding in results["validity"] if finding.name == "noise"
+            ),
         )
     if limb is None:
         raise InvalidInputError(
             "levels need the limb that they belong to: map(levels_db, limb=...); a Design knows it"
         )
-    whose = load_limb(limb) if isinstance(limb, str) else limb
-    if not isinstance(whose, Limb):
+    loaded = load_limb(limb) if isinstance(limb, str) else limb
+    if not isinstance(loaded, Limb):
         raise InvalidInputError(f"limb is {quoted(limb)}, expected a Limb or the name of one")
     values = finite_array("levels", shown)
-    if values.shape != (whose.n_outputs,):
+    if values.shape != (loaded.n_outputs,):
         raise InvalidInputError(
-            f"levels have shape {values.shape}, expected one for each of the {whose.n_outputs} "
-            f"outputs of {whose.name}"
+            f"levels have shape {values.shape}, expected one for each of the {loaded.n_outputs} "
+            f"outputs of {loaded.name}"
         )
-    return Levels(limb=whose, surface=surface_operator(whose), values=values)
+    return Levels(limb=loaded, surface=surface_operator(loaded), values=values)
 
 
 def common_range(*levels_db: Floats) -> Range:
-    """Colours for maps of all of these: see `skinsource.signals.map_range.map_range_db`."""
+    """Return the colour range of maps of all levels, see `signals.map_range.map_range_db`."""
     return map_range_db(np.concatenate(levels_db, axis=None))
 
-
-# Maps of the back of hand and arm.
 
 Bar = Literal["drawn", "room", "none"]
 Part = Literal["arm", "hand"]
 _COLOUR_MAP, _SIGNED_COLOUR_MAP = "viridis", "RdBu_r"
 # Beside the wrist there is less room than below the arm.
 _BAR_MM: dict[Part, float] = {"arm": 50.0, "hand": 20.0}
-# Room for it and its words below the limb.
+# Room for the bar and its label below the limb.
 _BELOW_MM = 24.0
 # The hand and a little of the wrist, in hand lengths.
 _HAND_PART = 1.06
 # Around an output, about half of the way to its neighbours, in hand lengths.
 _NOISE_REACH = 0.08
-# Seen on dark and on light colours.
+# Visible on dark and on light colours.
 _STROKES, _STROKE_COLOUR = "//////", "#B0B0B0"
 #: What strokes over a map mean.
 HATCHED = f"Hatched: less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise of the measurement"
-_ALONE_MM = (75.0, 115.0)
+_MAP_FIGURE_MM = (75.0, 115.0)
 
 
 def map(
@@ -282,16 +288,22 @@ def map(
     """
     levels = levels_of(shown, limb, view)
     colours = common_range(levels.values) if range_db is None else range_db
-    on, alone = axes_of(ax, *_ALONE_MM)
+    target, is_new = axes_of(ax, *_MAP_FIGURE_MM)
     with style():
-        image = draw_map(on, levels, colours, outputs=outputs, title=title)
-        if alone:
-            colour_bar(on.figure, image, [on], "dB re 1 m/s²")
-            # A synthetic limb has no noise: there is one of them to be said, or neither.
-            words = SYNTHETIC if levels.limb.synthetic else HATCHED if levels.noisy else ""
-            if words:
-                on.figure.text(0.5, 0.01, words, ha="center", color=DIM, fontsize=6)
-    return on.figure
+        image = draw_map(target, levels, colours, outputs=outputs, title=title)
+        if is_new:
+            bar = target.figure.colorbar(image, ax=[target], shrink=0.55, aspect=18, pad=0.02)
+            bar.set_label("dB re 1 m/s²")
+            bar.outline.set_linewidth(0.5)
+            note = _map_note(levels.limb, bool(levels.noisy))
+            if note:
+                target.figure.text(0.5, 0.01, note, ha="center", color=DIM, fontsize=6)
+    return target.figure
+
+
+def _map_note(limb: Limb, noisy: bool) -> str:
+    """Return the note below a map; a synthetic limb has no noise."""
+    return SYNTHETIC if limb.synthetic else HATCHED if noisy else ""
 
 
 def draw_map(
@@ -318,12 +330,12 @@ def draw_map(
     outputs, title
         As of `map`.
     signed
-        Whether values have a sign, and 0 in the middle of the colours.
+        Whether values have a sign, with 0 in the middle of the colours.
     bar
-        Whether a bar beside the limb says how long 50 mm are, 20 mm of a hand; ``"room"`` leaves
-        room for it, so that maps side by side are alike.
+        Whether a bar beside the limb shows 50 mm, or 20 mm of a hand; ``"room"`` leaves room for
+        it, so that maps side by side have the same size.
     part
-        ``"arm"``: all of it; ``"hand"``: down to the wrist.
+        ``"arm"``: the whole limb; ``"hand"``: down to the wrist.
 
     Outputs of ``levels`` that are mostly noise are hatched.
     """
@@ -348,12 +360,12 @@ def draw_map(
 
 
 def _draw_field(ax: Any, levels: Levels, colours: Range, colour_map: str) -> tuple[Any, Any]:
-    """Draw the interpolated map, cut by the outline; return both."""
+    """Draw the interpolated map, clipped to the outline; return image and outline."""
     surface, limb = levels.surface, levels.limb
     half = (surface.x_mm[1] - surface.x_mm[0]) / 2.0
     x, y = surface.x_mm, surface.y_mm
     image = ax.imshow(
-        _beyond(surface, levels.values),
+        _extended_map(surface, levels.values),
         origin="lower",
         extent=(x[0] - half, x[-1] + half, y[0] - half, y[-1] + half),
         cmap=colour_map,
@@ -376,13 +388,13 @@ def _draw_field(ax: Any, levels: Levels, colours: Range, colour_map: str) -> tup
 def _hatch(
     ax: Any, positions: Floats, noisy: tuple[int, ...], reach_mm: float, outline: Any
 ) -> None:
-    """Strokes around outputs that are mostly noise, cut by the outline."""
-    places = [positions[number - 1] for number in noisy]
-    shown = [place for place in places if np.isfinite(place).all()]
-    if not shown:
+    """Hatch discs around outputs that are mostly noise, clipped to the outline."""
+    centres = [positions[number - 1] for number in noisy]
+    on_map = [centre for centre in centres if np.isfinite(centre).all()]
+    if not on_map:
         return
     path = module("matplotlib.path").Path
-    discs = path.make_compound_path(*(path.circle(place, reach_mm) for place in shown))
+    discs = path.make_compound_path(*(path.circle(centre, reach_mm) for centre in on_map))
     strokes = module("matplotlib.patches").PathPatch(
         discs, fill=False, hatch=_STROKES, edgecolor=_STROKE_COLOUR, linewidth=0.0
     )
@@ -391,7 +403,7 @@ def _hatch(
 
 
 def _bounds(limb: Limb, part: Part) -> tuple[Floats, Floats]:
-    """Lower left and upper right corner of what is shown, mm."""
+    """Return the lower left and upper right corner of a part of the limb, mm."""
     outline = limb.map.outline * (limb.hand_length_mm / limb.map.hand_length_px)
     if part == "hand":
         wrist = outline[:, 1].max() - _HAND_PART * limb.hand_length_mm
@@ -399,16 +411,8 @@ def _bounds(limb: Limb, part: Part) -> tuple[Floats, Floats]:
     return outline.min(axis=0), outline.max(axis=0)
 
 
-def colour_bar(figure: Any, image: Any, axes: list[Any], label: str) -> Any:
-    """Add a colour bar beside ``axes``."""
-    bar = figure.colorbar(image, ax=axes, shrink=0.55, aspect=18, pad=0.02)
-    bar.set_label(label)
-    bar.outline.set_linewidth(0.5)
-    return bar
-
-
-def _beyond(surface: SurfaceOperator, values: Floats) -> Floats:
-    """The map, (rows, columns), carried on beyond the outline, which cuts it."""
+def _extended_map(surface: SurfaceOperator, values: Floats) -> Floats:
+    """Return the map, (rows, columns), extended beyond the outline, which clips it later."""
     inside = surface.interpolate(values)
     outside = np.isnan(inside)
     rows, columns = scipy.ndimage.distance_transform_edt(
@@ -443,28 +447,24 @@ def _millimetre_bar(ax: Any, right_mm: float, bottom_mm: float, long_mm: float) 
     ax.text(sum(x) / 2, y - 3.0, f"{long_mm:g} mm", ha="center", va="top", fontsize=6)
 
 
-# Curves in rows under each other.
-
-# A row is so high that curves of neighbours do not touch.
-_ROOM = 2.3
-# Height of a legend, as a part of a row.
-_LEGEND = 0.3
+# Height of a row in units of its curves: curves of adjacent rows do not touch.
+_ROW_HEIGHT = 2.3
+# Height of a legend, as a share of a row.
+_LEGEND_SHARE = 0.3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class PlotRow:
-    """One row of a drawing.
+    """One row of a drawing: curves over each other.
 
     Attributes
     ----------
-    label
-        Beside it.
     x : (n,)
         Times in ms or frequencies in Hz.
     curves : (n_curves, n)
-        What is drawn over each other.
+        Values of each curve.
     unit_size
-        What fills the row; None: the largest of its own curves.
+        Value that fills the row; None: the largest value of its own curves.
     """
 
     label: str
@@ -474,14 +474,14 @@ class PlotRow:
 
     @property
     def size(self) -> float:
-        """What fills the row; 1 where nothing moves."""
+        """Value that fills the row; 1 where nothing moves."""
         size = float(np.abs(self.curves).max(initial=0.0))
         return (size if self.unit_size is None else self.unit_size) or 1.0
 
 
 def common_size(rows: Sequence[Floats]) -> float:
-    """What fills every row where they have one scale."""
-    return max((float(np.abs(one).max(initial=0.0)) for one in rows), default=0.0)
+    """Return the value that fills every row where all have one scale."""
+    return max((float(np.abs(row).max(initial=0.0)) for row in rows), default=0.0)
 
 
 def draw_rows(
@@ -492,7 +492,7 @@ def draw_rows(
     colours: Sequence[str] = COLOURS,
     from_zero: bool = False,
     title: str = "",
-    legend_apart: bool = False,
+    legend_above: bool = False,
 ) -> None:
     """Draw rows into ``ax``, the first one on top.
 
@@ -501,19 +501,19 @@ def draw_rows(
     ax
         Axes of matplotlib.
     rows
-        What is drawn.
+        Rows, from top to bottom.
     labels
-        Of the curves of a row, for a legend; none: no legend.
+        Labels of the curves of a row, for a legend; empty: no legend.
     colours
-        Of the curves of a row.
+        Colours of the curves of a row.
     from_zero
         Whether curves are never negative, and stand on the line of their row.
     title
-        Stands above.
-    legend_apart
-        Whether there is room for the legend above the first row, so that it lies on no curve.
+        Title of the axes.
+    legend_above
+        Whether the legend has room above the first row, so that it covers no curve.
     """
-    room = 1.15 if from_zero else _ROOM
+    room = 1.15 if from_zero else _ROW_HEIGHT
     for rank, row in enumerate(rows):
         base = -room * rank
         ax.axhline(base, color="#DDDDDD", lw=0.5, zorder=0)
@@ -524,7 +524,7 @@ def draw_rows(
     ax.set_yticks([-room * rank for rank in range(len(rows))], [row.label for row in rows])
     ax.tick_params(axis="y", length=0)
     ax.spines["left"].set_visible(False)
-    top = 1.15 + (_LEGEND * room if labels and legend_apart else 0.0)
+    top = 1.15 + (_LEGEND_SHARE * room if labels and legend_above else 0.0)
     ax.set_ylim(-room * (len(rows) - 1) - (0.1 if from_zero else 1.15), top)
     if rows:
         ax.set_xlim(float(rows[0].x[0]), float(rows[0].x[-1]))
@@ -534,10 +534,10 @@ def draw_rows(
         ax.set_title(title)
 
 
-def say_scale(ax: Any, words: str) -> None:
-    """Say above ``ax`` what the height of a row means."""
+def annotate_scale(ax: Any, text: str) -> None:
+    """Write above ``ax`` what the height of a row means."""
     ax.annotate(
-        words,
+        text,
         (0.0, 1.0),
         xycoords="axes fraction",
         xytext=(0, 3),
@@ -547,12 +547,10 @@ def say_scale(ax: Any, words: str) -> None:
     )
 
 
-# Traces and spectra of outputs.
-
 _WIDTH_MM, _ROW_MM, _AROUND_MM = 130.0, 13.0, 26.0
-_NEEDS = "response_time_s", "axis_traces", "selected_projection"
-# Of more samples a page shows no single wave, but how far waves reach: in more columns than a page
-# of two columns has dots of 600 in an inch.
+_TRACE_QUANTITIES = "response_time_s", "axis_traces", "selected_projection"
+# With more samples a page shows no single wave, only how far waves reach: in more columns than a
+# page of two columns has dots at 600 dots per inch.
 _MOST_JOINED, _N_COLUMNS = 20_000, 4096
 
 
@@ -566,10 +564,10 @@ def traces(
     title: str = "",
     ax: Any = None,
 ) -> Any:
-    """Draw what outputs do over time, a row for each.
+    """Draw the signals of outputs over time, a row for each.
 
     Up to 20 000 samples are joined by the band-limited wave through them, not by straight lines;
-    of more, how far that wave reaches is drawn in 4096 columns.
+    with more samples, the lowest and highest value of that wave are drawn in 4096 columns.
 
     Parameters
     ----------
@@ -599,17 +597,19 @@ def traces(
     MissingExtraError
         matplotlib is not installed.
     """
-    designs, looked = _designs(shown, labels), _looked(view, outputs)
-    found = [evaluate(one, *_NEEDS, view=looked) for one in designs]
-    time_s, curves = _waves(found, looked.time_range_s)
-    rows = _rows(1e3 * time_s, curves, looked.outputs, normalised)
-    on, alone = axes_of(ax, _WIDTH_MM, _ROW_MM * len(rows) + _AROUND_MM)
+    designs, view = _designs(shown, labels), _checked_view(view, outputs)
+    results = [evaluate(design, *_TRACE_QUANTITIES, view=view) for design in designs]
+    time_s, curves = _waves(results, view.time_range_s)
+    rows = _rows(1e3 * time_s, curves, view.outputs, normalised)
+    target, is_new = axes_of(ax, _WIDTH_MM, _ROW_MM * len(rows) + _AROUND_MM)
     with style():
-        draw_rows(on, rows, labels=labels, title=title, legend_apart=True)
-        on.set_xlabel(_time_words(looked))
-        say_scale(on, _scale_words(rows, normalised, looked))
-        _finish(on, designs, alone)
-    return on.figure
+        draw_rows(target, rows, labels=labels, title=title, legend_above=True)
+        removed = ", pre-trigger delay removed" if view.delay_removed else ""
+        target.set_xlabel(f"Time (ms){removed}")
+        annotate_scale(target, _scale_label(rows, normalised, view))
+        if is_new:
+            _finish(target.figure, designs)
+    return target.figure
 
 
 def spectra(
@@ -643,58 +643,58 @@ def spectra(
     MissingExtraError
         matplotlib is not installed.
     """
-    designs, looked = _designs(shown, labels), _looked(view, outputs)
-    found = [evaluate(one, "selected_spectra", view=looked)["selected_spectra"] for one in designs]
-    if len({frequency.size for frequency, _ in found}) > 1:
+    designs, view = _designs(shown, labels), _checked_view(view, outputs)
+    results = [
+        evaluate(design, "selected_spectra", view=view)["selected_spectra"] for design in designs
+    ]
+    if len({frequency.size for frequency, _ in results}) > 1:
         raise InvalidInputError(
             "the designs differ in length, so their spectra have other frequencies; draw each in "
             "axes of its own"
         )
-    frequency = found[0][0]
+    frequency = results[0][0]
     low_hz, high_hz = facts_of(designs[0].limb).band_hz or (0.0, np.inf)
     within = (frequency >= low_hz) & (frequency <= high_hz)
-    curves = [moving_mean(magnitude, mean_of_bins)[:, within] for _, magnitude in found]
-    rows = _rows(frequency[within], curves, looked.outputs, normalised)
-    on, alone = axes_of(ax, _WIDTH_MM, _ROW_MM * len(rows) + _AROUND_MM)
+    curves = [moving_mean(magnitude, mean_of_bins)[:, within] for _, magnitude in results]
+    rows = _rows(frequency[within], curves, view.outputs, normalised)
+    target, is_new = axes_of(ax, _WIDTH_MM, _ROW_MM * len(rows) + _AROUND_MM)
     with style():
-        draw_rows(on, rows, labels=labels, title=title, from_zero=True, legend_apart=True)
-        on.set_xlabel("Frequency (Hz)")
-        words = _scale_words(rows, normalised, looked)
-        say_scale(on, f"{words}; mean of {mean_of_bins} bins" if mean_of_bins > 1 else words)
-        _finish(on, designs, alone)
-    return on.figure
+        draw_rows(target, rows, labels=labels, title=title, from_zero=True, legend_above=True)
+        target.set_xlabel("Frequency (Hz)")
+        averaged = f"; mean of {mean_of_bins} bins" if mean_of_bins > 1 else ""
+        annotate_scale(target, _scale_label(rows, normalised, view) + averaged)
+        if is_new:
+            _finish(target.figure, designs)
+    return target.figure
 
 
 def _designs(shown: Design | Sequence[Design], labels: Sequence[str]) -> list[Design]:
     designs = [shown] if isinstance(shown, Design) else list(shown)
-    if not designs or not all(isinstance(one, Design) for one in designs):
+    if not designs or not all(isinstance(design, Design) for design in designs):
         raise InvalidInputError(f"shown is {quoted(shown)}, expected a Design, or several")
     if labels and len(labels) != len(designs):
         raise InvalidInputError(f"{len(labels)} labels for {len(designs)} designs: one for each")
     return designs
 
 
-def _looked(view: View | None, outputs: Sequence[int] | None) -> View:
-    looked = View() if view is None else view
-    looked = looked if outputs is None else replace(looked, outputs=tuple(outputs))
-    if not looked.outputs:
+def _checked_view(view: View | None, outputs: Sequence[int] | None) -> View:
+    view = View() if view is None else view
+    view = view if outputs is None else replace(view, outputs=tuple(outputs))
+    if not view.outputs:
         raise InvalidInputError("no output is selected; name some: outputs=(19, 21)")
-    return looked
+    return view
 
 
 def _filled(traces: Floats, n_times: int) -> Floats:
-    """Shorter responses are silent at the end."""
+    """Return traces with silence at the end, so that all designs have ``n_times`` samples."""
     return np.pad(traces, ((0, 0), (0, 0), (0, n_times - traces.shape[-1])))
 
 
 def _waves(
-    found: Sequence[Mapping[str, Any]], range_s: tuple[float, float] | None
+    results: Sequence[Mapping[str, Any]], range_s: tuple[float, float] | None
 ) -> tuple[Floats, list[Floats]]:
-    """Instants in a range, all unless given, and projected signals of designs at them.
-
-    The wave runs along the axes: a magnitude is its length.
-    """
-    time_s = max(found, key=lambda one: one["response_time_s"].size)["response_time_s"]
+    """Return times in a range, all unless given, and the projected signals of designs at them."""
+    time_s = max(results, key=lambda result: result["response_time_s"].size)["response_time_s"]
     low, high = range_s or (float(time_s[0]), float(time_s[-1]))
     within = np.flatnonzero((time_s >= low) & (time_s <= high))
     if not within.size:
@@ -703,21 +703,28 @@ def _waves(
             f"{time_s[0]:g} and {time_s[-1]:g} s"
         )
     first, end = int(within[0]), int(within[-1]) + 1
-    drawn = _joined if end - first <= _MOST_JOINED else _reached
-    each = [drawn(one, time_s, first, end) for one in found]
-    return each[0][0], [curves for _, curves in each]
+    points_of = _wave_points if end - first <= _MOST_JOINED else _wave_extremes
+    points = [points_of(result, time_s, first, end) for result in results]
+    return points[0][0], [curves for _, curves in points]
 
 
-def _joined(one: Mapping[str, Any], time_s: Floats, first: int, end: int) -> tuple[Floats, Floats]:
-    """Points of the waves between samples."""
-    axes = _filled(one["axis_traces"], time_s.size)
+def _wave_points(
+    result: Mapping[str, Any], time_s: Floats, first: int, end: int
+) -> tuple[Floats, Floats]:
+    """Return times and points of the waves between samples.
+
+    The wave runs along the axes, and the projection follows: a magnitude is its length.
+    """
+    axes = _filled(result["axis_traces"], time_s.size)
     instants, axes = finer(time_s, axes, first, end)
-    return instants, one["selected_projection"].signals(axes)
+    return instants, result["selected_projection"].signals(axes)
 
 
-def _reached(one: Mapping[str, Any], time_s: Floats, first: int, end: int) -> tuple[Floats, Floats]:
-    """Lowest and highest value of the waves in columns, in turn."""
-    axes, projection = _filled(one["axis_traces"], time_s.size), one["selected_projection"]
+def _wave_extremes(
+    result: Mapping[str, Any], time_s: Floats, first: int, end: int
+) -> tuple[Floats, Floats]:
+    """Return times and the lowest and highest value of the waves in columns, in turn."""
+    axes, projection = _filled(result["axis_traces"], time_s.size), result["selected_projection"]
     # A magnitude is the length of the wave along the axes.
     waves = axes if projection.directions is None else projection.signals(axes)
     starts = np.arange(_N_COLUMNS) * (end - first) // _N_COLUMNS
@@ -734,38 +741,30 @@ def _rows(
         PlotRow(
             label=f"Output {number}",
             x=x,
-            curves=np.stack([one[rank] for one in curves]),
+            curves=np.stack([curve[rank] for curve in curves]),
             unit_size=size,
         )
         for rank, number in enumerate(outputs)
     ]
 
 
-def _time_words(view: View) -> str:
-    return "Time (ms), pre-trigger delay removed" if view.delay_removed else "Time (ms)"
-
-
-def _scale_words(rows: Sequence[PlotRow], normalised: bool, view: View) -> str:
-    what = signal_label(view.axes, view.method)
+def _scale_label(rows: Sequence[PlotRow], normalised: bool, view: View) -> str:
+    label = signal_label(view.axes, view.method)
     if normalised:
-        return f"{what}; each row relative to its peak"
-    return f"{what}; a row is {rows[0].size:.3g} m/s² high"
+        return f"{label}; each row relative to its peak"
+    return f"{label}; a row is {rows[0].size:.3g} m/s² high"
 
 
-def _finish(ax: Any, designs: Sequence[Design], alone: bool) -> None:
-    if not alone:
-        return
-    if any(facts_of(one.limb).synthetic for one in designs):
-        ax.figure.text(0.99, 0.01, SYNTHETIC, ha="right", color=DIM, fontsize=6)
-    ax.figure.subplots_adjust(left=0.14, right=0.97, bottom=0.17, top=0.88)
+def _finish(figure: Any, designs: Sequence[Design]) -> None:
+    if any(facts_of(design.limb).synthetic for design in designs):
+        figure.text(0.99, 0.01, SYNTHETIC, ha="right", color=DIM, fontsize=6)
+    figure.subplots_adjust(left=0.14, right=0.97, bottom=0.17, top=0.88)
 
 
-# Maps of windows that follow each other, and how far the vibration reaches in each.
-
-_USUAL_COUNT = 5
+_DEFAULT_COUNT = 5
 _MAP_MM, _LEFT_MM, _RIGHT_MM, _HEIGHT_MM = 28.0, 17.0, 20.0, 95.0
 _STRIPS_AROUND_MM = _LEFT_MM + _RIGHT_MM
-_QUANTITIES = (
+_WINDOW_QUANTITIES = (
     "limb_data",
     "surface",
     "windows",
@@ -775,7 +774,7 @@ _QUANTITIES = (
     "noisy_outputs_of_windows",
     "windows_in_noise",
 )
-#: More maps side by side cannot be read.
+#: More maps side by side are too small to read.
 MOST_MAPS = 12
 
 
@@ -786,13 +785,13 @@ class WindowedLevels:
     Attributes
     ----------
     limb, surface
-        Where the outputs are.
+        Places of the outputs, and how levels are interpolated between them.
     places
         Input places that play.
     windows
-        Where the windows lie.
+        Samples of the windows.
     sample_rate_hz
-        Of the response.
+        Rate of the response.
     rms : (n_windows, n_outputs)
         In m/s².
     extents
@@ -815,29 +814,29 @@ class WindowedLevels:
 def windowed_levels(
     design: Design, view: View | None = None, *, count: int | None, window_s: float | None
 ) -> WindowedLevels:
-    """Return RMS and extent in each window of what ``view`` projects."""
+    """Return RMS and extent in each window of the signals that ``view`` projects."""
     if not isinstance(design, Design):
         raise InvalidInputError(f"design is {quoted(design)}, expected a Design")
     if (count is None) == (window_s is None):
         raise InvalidInputError(
             f"count is {count} and window_s is {window_s}: expected one of them, and no other"
         )
-    looked = View(method="mag") if view is None else view
+    view = View(method="mag") if view is None else view
     if window_s is not None:
-        looked = replace(looked, windows_cut="length", window_s=window_s)
+        view = replace(view, windows_cut="length", window_s=window_s)
     elif count is not None:
-        looked = replace(looked, windows_cut="count", window_count=count)
-    found = evaluate(design, *_QUANTITIES, view=looked)
+        view = replace(view, windows_cut="count", window_count=count)
+    results = evaluate(design, *_WINDOW_QUANTITIES, view=view)
     return WindowedLevels(
-        limb=found["limb_data"],
-        surface=found["surface"],
-        places=tuple(sorted({one.location for one in audible_inputs(design.inputs)})),
-        windows=found["windows"],
-        sample_rate_hz=found["sample_rate_hz"],
-        rms=found["rms_of_windows"],
-        extents=found["extents_of_windows"],
-        noisy=found["noisy_outputs_of_windows"],
-        in_noise=found["windows_in_noise"],
+        limb=results["limb_data"],
+        surface=results["surface"],
+        places=tuple(sorted({track.location for track in audible_inputs(design.inputs)})),
+        windows=results["windows"],
+        sample_rate_hz=results["sample_rate_hz"],
+        rms=results["rms_of_windows"],
+        extents=results["extents_of_windows"],
+        noisy=results["noisy_outputs_of_windows"],
+        in_noise=results["windows_in_noise"],
     )
 
 
@@ -887,18 +886,18 @@ def strip(
     >>> figure = ss.plot.strip(ss.Design(limb="synthetic-4", inputs=(train,)), window_s=0.12)
     """
     if count is None and window_s is None:
-        count = _USUAL_COUNT
-    found = windowed_levels(design, view, count=count, window_s=window_s)
-    n = min(found.windows.count, MOST_MAPS)
+        count = _DEFAULT_COUNT
+    windowed = windowed_levels(design, view, count=count, window_s=window_s)
+    n = min(windowed.windows.count, MOST_MAPS)
     if n == 0:
         raise InvalidInputError(
             "no whole window fits into the response; choose a shorter one, or a longer stimulus"
         )
-    return _drawn(found, n, range_db, title)
+    return _strip_figure(windowed, n, range_db, title)
 
 
-def _drawn(found: WindowedLevels, n: int, range_db: Range | None, title: str) -> Any:
-    """A figure of the first ``n`` windows."""
+def _strip_figure(windowed: WindowedLevels, n: int, range_db: Range | None, title: str) -> Any:
+    """Return a figure of the first ``n`` windows."""
     width_mm = _MAP_MM * n + _STRIPS_AROUND_MM
     figure = new_figure(width_mm, _HEIGHT_MM)
     with style():
@@ -906,7 +905,7 @@ def _drawn(found: WindowedLevels, n: int, range_db: Range | None, title: str) ->
             2,
             n,
             height_ratios=(4.0, 1.0),
-            # Words beside the axes take as much room in a narrow figure as in a wide one.
+            # Text beside the axes takes as much room in a narrow figure as in a wide one.
             left=_LEFT_MM / width_mm,
             right=1.0 - _RIGHT_MM / width_mm,
             top=0.88,
@@ -914,31 +913,33 @@ def _drawn(found: WindowedLevels, n: int, range_db: Range | None, title: str) ->
             wspace=0.05,
         )
         maps = [figure.add_subplot(grid[0, k]) for k in range(n)]
-        draw_strip(figure, maps, found, range_db)
-        draw_extent(figure.add_subplot(grid[1, :]), found, n)
+        draw_strip(figure, maps, windowed, range_db)
+        draw_extent(figure.add_subplot(grid[1, :]), windowed, n)
         if title:
             figure.suptitle(title, fontsize=9)
-        words = SYNTHETIC if found.limb.synthetic else HATCHED if any(found.noisy[:n]) else ""
-        if words:
-            figure.text(0.99, 0.01, words, ha="right", color=DIM, fontsize=6)
+        note = _map_note(windowed.limb, any(windowed.noisy[:n]))
+        if note:
+            figure.text(0.99, 0.01, note, ha="right", color=DIM, fontsize=6)
     return figure
 
 
-def draw_strip(figure: Any, maps: list[Any], found: WindowedLevels, range_db: Range | None) -> None:
+def draw_strip(
+    figure: Any, maps: list[Any], windowed: WindowedLevels, range_db: Range | None
+) -> None:
     """Draw the first windows into ``maps``, and a colour bar beside the last one."""
-    levels_db = decibels(found.rms)
+    levels_db = decibels(windowed.rms)
     colours = common_range(levels_db) if range_db is None else range_db
-    bounds = found.windows.bounds_s(found.sample_rate_hz)
+    bounds = windowed.windows.bounds_s(windowed.sample_rate_hz)
     image = None
     for k, ax in enumerate(maps):
         levels = Levels(
-            limb=found.limb,
-            surface=found.surface,
+            limb=windowed.limb,
+            surface=windowed.surface,
             values=levels_db[k],
-            places=found.places,
-            noisy=found.noisy[k],
+            places=windowed.places,
+            noisy=windowed.noisy[k],
         )
-        begin, end = (1e3 * one for one in bounds[k])
+        begin, end = (1e3 * bound for bound in bounds[k])
         title = f"{begin:.0f} to {end:.0f} ms"
         image = draw_map(
             ax, levels, colours, title=title, bar="room" if k < len(maps) - 1 else "drawn"
@@ -949,46 +950,30 @@ def draw_strip(figure: Any, maps: list[Any], found: WindowedLevels, range_db: Ra
     bar.set_frame_on(False)
 
 
-def draw_extent(ax: Any, found: WindowedLevels, n: int) -> None:
+def draw_extent(ax: Any, windowed: WindowedLevels, n: int) -> None:
     """Draw mean distance and the distance of 90 % of the energy over the first ``n`` windows."""
-    nothing = Extent(
-        mean_distance_mm=np.nan,
-        share_above_12_db=np.nan,
-        share_above_20_db=np.nan,
-        d90_mm=np.nan,
-        participation=np.nan,
-    )
     # How noise is spread says nothing of what is played.
-    pairs = zip(found.extents[:n], found.in_noise, strict=False)
-    extents = [nothing if one is None or in_noise else one for one, in_noise in pairs]
-    middles = np.arange(n) + 0.5
-    curves = (
-        ("mean distance", [one.mean_distance_mm for one in extents]),
-        ("90 % of the energy within", [one.d90_mm for one in extents]),
+    pairs = zip(windowed.extents[:n], windowed.in_noise, strict=False)
+    distances_mm = np.array(
+        [
+            (np.nan, np.nan)
+            if extent is None or in_noise
+            else (extent.mean_distance_mm, extent.d90_mm)
+            for extent, in_noise in pairs
+        ]
     )
-    for (label, values), colour in zip(curves, COLOURS, strict=False):
-        ax.plot(middles, values, "o-", ms=3, color=colour, label=label)
+    labels = ("mean distance", "90 % of the energy within")
+    for values, label, colour in zip(distances_mm.T, labels, COLOURS, strict=False):
+        ax.plot(np.arange(n) + 0.5, values, "o-", ms=3, color=colour, label=label)
     ax.set_xlim(0.0, n)
     ax.set_ylim(0.0, 1.1 * ax.dataLim.y1 if ax.dataLim.y1 > 0.0 else 1.0)
     ax.set_xticks([])
     ax.set_ylabel("mm from\nthe input")
-    # Above, where no curve runs; over few windows there is no room for both side by side.
+    # The legend stands above the curves; over few windows its entries have no room side by side.
     columns = 2 if n > 2 else 1
     ax.legend(
         fontsize=6, loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.1, ncols=columns
     )
 
-
-# Drawings of designs and of predicted levels, with matplotlib and without a window.
-#
-# Each function draws into ``ax``, axes of matplotlib, or makes a figure of its own, and returns the
-# figure: it shows itself in a notebook, and `savefig` writes PNG, SVG and PDF with real text.  They
-# need the extra ``plot``.
-#
-# >>> import skinsource as ss
-# >>> tone = ss.track(7, ss.waveforms.Tone(frequency_hz=100.0))
-# >>> figure = ss.plot.map(ss.Design(limb="synthetic-1", inputs=(tone,)))
-# >>> len(figure.axes)
-# 2
 
 __all__ = ["map", "spectra", "strip", "traces"]

@@ -1,4 +1,8 @@
-"""Tables as CSV: comment lines, one header line, then numbers that read back exactly."""
+"""Traces, levels and windows as CSV, and the whole field as an archive of arrays.
+
+A table has comment lines, one header line, then numbers that read back exactly.  The archive is
+written piece by piece: the field of a long design does not fit into memory.
+"""
 
 import math
 import shutil
@@ -30,6 +34,7 @@ from skinsource.export.exported_design import (
     about_levels,
     about_method,
     check_accuracy,
+    checked_error_line,
     listed,
     output_file,
 )
@@ -37,8 +42,8 @@ from skinsource.limbs.extent import Extent
 from skinsource.limbs.locations import output_name
 from skinsource.perception.validity import listed as judging_listed
 
-# So many are written in a few milliseconds.
-_CELLS_AT_ONCE = 8192
+# Writing so many cells takes a few milliseconds.
+_CELLS_PER_PIECE = 8192
 
 
 class CsvTable:
@@ -47,7 +52,7 @@ class CsvTable:
     Parameters
     ----------
     file
-        Where to; it stays open.
+        The file to write to; it stays open.
     about
         Comment lines.
     header
@@ -64,15 +69,15 @@ class CsvTable:
 
     def add(self, rows: Floats, texts: Sequence[Sequence[str]] = ()) -> None:
         """Write ``rows``, (n_rows, n_columns), each followed by its ``texts``, if there are any."""
-        step = max(_CELLS_AT_ONCE // max(rows.shape[1], 1), 1)
+        step = max(_CELLS_PER_PIECE // max(rows.shape[1], 1), 1)
         for first in range(0, len(rows), step):
             stop_if(self._stop)
             piece = rows[first : first + step].tolist()
-            words = [list(map(_quoted, row)) for row in texts[first : first + step]]
+            quoted = [list(map(_quoted, row)) for row in texts[first : first + step]]
             self._write(
                 [
                     ",".join([*map(_exact, row), *more])
-                    for row, more in zip_longest(piece, words, fillvalue=())
+                    for row, more in zip_longest(piece, quoted, fillvalue=())
                 ]
             )
 
@@ -87,9 +92,6 @@ def _quoted(text: str) -> str:
 def _exact(value: float) -> str:
     # The shortest digits that read back as the same number.
     return str(int(value)) if value.is_integer() and abs(value) < 2**53 else repr(value)
-
-
-# Traces and levels as CSV.
 
 
 def export_traces(
@@ -108,7 +110,7 @@ def export_traces(
     path
         The table.
     design, view
-        What is shown.
+        The design, and axes, method and outputs of the traces.
     progress
         Called with (done, total, what is being done); a total of 0 while that is not known.
     stop
@@ -166,32 +168,30 @@ def export_levels(
     of `export_traces`.
     """
     exported = ExportedDesign(design, view, progress, stop)
-    wanted = exported.values({"output_rms", "output_levels_db"})
-    loudest = int(np.argmax(wanted["output_rms"])) + 1
-    error = exported.error((loudest,), view.axes)
-    check_accuracy(error, largest_error)
+    results = exported.values({"output_rms", "output_levels_db"})
+    error_line = checked_error_line(exported, results["output_rms"], largest_error)
     about = [
         *about_design(exported),
         about_axes(exported),
         about_levels(exported),
         *about_method(exported),
-        about_error(error, f"the traces of output {loudest}, the loudest"),
+        error_line,
     ]
     header = ["output", "rms_m_per_s2", "level_db_re_1_m_per_s2", "side", "place"]
     with output_file(path, stop) as file:
         table = CsvTable(file, about, header, stop)
-        levels_db = in_tables(wanted["output_levels_db"])
+        levels_db = in_tables(results["output_levels_db"])
         table.add(
-            np.vstack((exported.all_outputs, wanted["output_rms"], levels_db)).T,
+            np.vstack((exported.all_outputs, results["output_rms"], levels_db)).T,
             [_side_and_place(output, exported.design.limb) for output in exported.all_outputs],
         )
         progress(1, 1, "Writing")
 
 
 def _side_and_place(output: int, limb: str) -> tuple[str, str]:
-    """Side and place of an output; no side where a limb has outputs of its own."""
-    words = output_name(output, limb)
-    return {"volar": "palm", "dorsal": "back"}.get(words.kind, ""), words.name
+    """Return side and place of an output; no side where a limb has outputs of its own."""
+    name = output_name(output, limb)
+    return {"volar": "palm", "dorsal": "back"}.get(name.kind, ""), name.name
 
 
 def _trace_blocks(exported: ExportedDesign) -> Iterator[Floats]:
@@ -208,9 +208,8 @@ def _trace_blocks(exported: ExportedDesign) -> Iterator[Floats]:
         yield projection.signals(block[chosen])
 
 
-# RMS in consecutive windows as CSV.
-
-_MEASURES = (
+#: Fields of `Extent`, in the order of their columns in tables.
+EXTENT_COLUMNS = (
     "mean_distance_mm",
     "d90_mm",
     "share_above_12_db",
@@ -235,30 +234,29 @@ def export_windows(
     errors are those of `export_traces`.
     """
     exported = ExportedDesign(design, view, progress, stop)
-    wanted = exported.values(
+    results = exported.values(
         {"windows", "rms_of_windows", "extents_of_windows", "windows_in_noise"}
     )
-    rms, extents = wanted["rms_of_windows"], wanted["extents_of_windows"]
-    loudest = int(np.argmax(rms.max(axis=0, initial=0.0))) + 1
-    error = exported.error((loudest,), view.axes)
-    check_accuracy(error, largest_error)
-    windows = wanted["windows"]
+    windows, rms = results["windows"], results["rms_of_windows"]
+    error_line = checked_error_line(exported, rms.max(axis=0, initial=0.0), largest_error)
     about = [
         *about_design(exported),
         about_axes(exported),
         f"windows: {windows.window_samples} samples each, the first from sample "
         f"{windows.first_sample} of the response on",
         "extent: over the outputs with a place on the map, from the nearest input that is heard",
-        *_about_noise(wanted["windows_in_noise"]),
+        *_about_noise(results["windows_in_noise"]),
         *about_method(exported),
-        about_error(error, f"the traces of output {loudest}, the loudest"),
+        error_line,
     ]
-    header = ["from_s", "to_s", *_MEASURES]
+    header = ["from_s", "to_s", *EXTENT_COLUMNS]
     header += [f"output_{number}_rms_m_per_s2" for number in exported.all_outputs]
     bounds = windows.bounds_s(exported.sample_rate_hz)
     rows = [
-        [*span, *_measures(one), *values]
-        for span, one, values in zip(bounds, extents, rms.tolist(), strict=True)
+        [*span, *extent_values(extent), *values]
+        for span, extent, values in zip(
+            bounds, results["extents_of_windows"], rms.tolist(), strict=True
+        )
     ]
     with output_file(path, stop) as file:
         table = CsvTable(file, about, header, stop)
@@ -267,30 +265,29 @@ def export_windows(
 
 
 def _about_noise(in_noise: Sequence[bool]) -> list[str]:
-    noisy = [number for number, one in enumerate(in_noise, start=1) if one]
+    noisy = [number for number, is_noisy in enumerate(in_noise, start=1) if is_noisy]
     if not noisy:
         return []
-    words = f"{'window' if len(noisy) == 1 else 'windows'} {judging_listed(noisy)}"
-    return [f"validity, windows: CAUTION: {words}: mostly noise, and so is the extent"]
+    windows = f"{'window' if len(noisy) == 1 else 'windows'} {judging_listed(noisy)}"
+    return [f"validity, windows: CAUTION: {windows}: mostly noise, and so is the extent"]
 
 
-def _measures(extent: Extent | None) -> list[float]:
+def extent_values(extent: Extent | None) -> list[float]:
+    """Return the values of an extent by `EXTENT_COLUMNS`; NaN where nothing moves."""
     if extent is None:
-        return [math.nan] * len(_MEASURES)
-    return [getattr(extent, name) for name in _MEASURES]
+        return [math.nan] * len(EXTENT_COLUMNS)
+    return [getattr(extent, name) for name in EXTENT_COLUMNS]
 
 
-# Archives of arrays that ``numpy.load`` reads, written piece by piece.
-
-# The date that stands for none: an archive tells of its content, not of when it was made.
+# A fixed date: the same content gives the same bytes, whenever it is written.
 _NO_DATE = (1980, 1, 1, 0, 0, 0)
 
 
 class GrowingArray:
     """A float64 array that grows along time, its last axis.
 
-    It is stored column by column ("Fortran order"): samples of one time lie together, so that it
-    can be written time by time and is read as (..., n_times) all the same.
+    It is stored column by column ("Fortran order"): samples of one time follow each other in the
+    file, so that it can be written time by time, and is read as (..., n_times).
     """
 
     def __init__(self, member: IO[bytes], shape: tuple[int, ...]) -> None:
@@ -310,12 +307,12 @@ class GrowingArray:
 
 
 class NpzArchive:
-    """An archive that is being written: neither packed nor dated.
+    """An archive that ``numpy.load`` reads, written without compression and date.
 
     Parameters
     ----------
     file
-        Where to; it stays open.
+        The file to write to; it stays open.
     """
 
     def __init__(self, file: BinaryIO) -> None:
@@ -344,10 +341,8 @@ class NpzArchive:
         return self._zip.open(ZipInfo(f"{name}.npy", _NO_DATE), "w", force_zip64=True)
 
 
-# The whole predicted field, all outputs and axes, as an archive of arrays.
-
 # Headers, the text and the table of contents take less.
-_BYTES_BESIDE_FIELD = 2**20
+_HEADER_BYTES = 2**20
 
 
 def export_field(
@@ -374,53 +369,54 @@ def export_field(
     """
     exported = ExportedDesign(design, view, progress, stop)
     shape = exported.limb.n_outputs, exported.limb.n_axes, exported.n_times
-    # What is checked is what was written, at some outputs.
-    looked_at = view.outputs if exported.streamed is not None else ()
-    checked = exported.holdable(looked_at or exported.all_outputs, ALL_AXES)
+    # The written samples themselves are checked, of a long field those of some outputs.
+    selected = view.outputs if exported.streamed is not None else ()
+    checked = exported.holdable(selected or exported.all_outputs, ALL_AXES)
     rows = [output - 1 for output in checked]
-    kept = np.empty((len(checked), *shape[1:]))
+    written = np.empty((len(checked), *shape[1:]))
     with output_file(path, stop) as file:
-        _refuse_without_room(path, math.prod(shape) * np.dtype(np.float64).itemsize)
+        _check_free_space(path, math.prod(shape) * np.dtype(np.float64).itemsize)
         with NpzArchive(file) as archive:
             archive.put("sample_rate_hz", np.array(exported.sample_rate_hz))
             with archive.growing("acceleration_m_per_s2", shape) as array:
                 for block in exported.field_blocks():
                     stop_if(stop)
-                    kept[..., array.n_times : array.n_times + block.shape[-1]] = block[rows]
+                    written[..., array.n_times : array.n_times + block.shape[-1]] = block[rows]
                     array.add(block)
-            error = exported.error_of(kept, checked)
+            error = exported.error_of(written, checked)
             check_accuracy(error, largest_error)
             what = (
                 "the field"
                 if checked == exported.all_outputs
                 else f"the field at {listed(checked)}"
             )
-            about = [*_about(exported), about_error(error, what)]
+            about = [*_about_field(exported), about_error(error, what)]
             archive.put("about", np.array("\n".join(about)))
 
 
-def _about(exported: ExportedDesign) -> list[str]:
+def _about_field(exported: ExportedDesign) -> list[str]:
     return [
         *about_design(exported),
         f"acceleration_m_per_s2: {counted(exported.limb.n_outputs, 'output')}, "
         f"{counted(exported.limb.n_axes, 'axis', 'axes')} ({', '.join(exported.limb.axes)}), "
         f"{counted(exported.n_times, 'time')}, in m/s²",
-        f"times: sample k at {_first(exported)}k / {exported.sample_rate_hz:g} s; pre-trigger "
-        f"delay of {exported.limb.pre_trigger_delay_s * 1e3:g} ms: contained in the times",
+        f"times: sample k at {_first_sample_text(exported)}k / {exported.sample_rate_hz:g} s; "
+        f"pre-trigger delay of {exported.limb.pre_trigger_delay_s * 1e3:g} ms: contained in the "
+        "times",
         about_levels(exported),
         *about_method(exported),
     ]
 
 
-def _first(exported: ExportedDesign) -> str:
-    """What stands before k: responses through actuators may begin before time 0."""
+def _first_sample_text(exported: ExportedDesign) -> str:
+    """Return the time before sample k: responses through actuators may begin before time 0."""
     first_s = float(exported.value("response_time_s")[0]) if exported.design.actuated else 0.0
     return f"{first_s:.9g} s + " if first_s else ""
 
 
-def _refuse_without_room(path: Path, n_bytes: int) -> None:
+def _check_free_space(path: Path, n_bytes: int) -> None:
     free_bytes = shutil.disk_usage(path.resolve().parent).free
-    if free_bytes < n_bytes + _BYTES_BESIDE_FIELD:
+    if free_bytes < n_bytes + _HEADER_BYTES:
         raise StorageError(
             f"{path}: the whole field takes {n_bytes / 1e9:.2f} GB, and {free_bytes / 1e9:.2f} GB "
             "are free there. Free some space, choose another disk, or shorten the design."

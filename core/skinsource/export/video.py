@@ -1,4 +1,4 @@
-"""A file of frames, written whole or not at all; needs the extra ``video``."""
+"""A film as MP4, WebM or GIF, written whole or not at all; it needs the extra ``video``."""
 
 from collections.abc import Callable, Generator, Iterator
 from contextlib import contextmanager, suppress
@@ -16,7 +16,7 @@ from skinsource.base.job import Stop, stop_if
 from skinsource.base.quoting import printable, quoted
 
 #: Adds one frame, (rows, columns, 3) of uint8.
-Add = Callable[[NDArray[np.uint8]], None]
+AddFrame = Callable[[NDArray[np.uint8]], None]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,7 +30,7 @@ class _Kind:
 
 
 _KINDS = {
-    # Plays everywhere; what moves first is at the beginning, so that it starts at once.
+    # Plays everywhere; the index is at the beginning of the file, so that it starts at once.
     ".mp4": _Kind(
         frames_per_s=60,
         format="mp4",
@@ -43,8 +43,8 @@ _KINDS = {
         codec="libvpx-vp9",
         options=("-crf", "24", "-b:v", "0", "-row-mt", "1", "-cpu-used", "4"),
     ),
-    # A GIF counts in hundredths of a second.  Its colours are those of its first second, in which
-    # the colour bar stands: of all frames, an encoder would hold them all until the end.
+    # A GIF counts in hundredths of a second.  Its colours are those of its first second, which
+    # shows the colour bar: for colours of all frames the encoder would hold all until the end.
     ".gif": _Kind(
         frames_per_s=50,
         format="gif",
@@ -56,12 +56,12 @@ _KINDS = {
         ),
     ),
 }
-#: What a file may end in.
+#: Endings of file names.
 ENDINGS = tuple(_KINDS)
 
 
 def frames_per_s(path: Path) -> int:
-    """Frames per second of a file of this ending.
+    """Return the frames per second of a file with this ending.
 
     Raises
     ------
@@ -72,17 +72,17 @@ def frames_per_s(path: Path) -> int:
 
 
 @contextmanager
-def video_file(path: Path, size: tuple[int, int], about: str, stop: Stop) -> Iterator[Add]:
-    """Give a function that adds frames to what takes the place of ``path`` at the end.
+def video_file(path: Path, size: tuple[int, int], about: str, stop: Stop) -> Iterator[AddFrame]:
+    """Give a function that adds frames to a film, which replaces ``path`` at the end.
 
     Parameters
     ----------
     path
-        The file; its ending says what it is: ``.mp4``, ``.webm`` or ``.gif``.
+        The file; its ending is ``.mp4``, ``.webm`` or ``.gif``.
     size
         Width and height of all frames, px, even numbers.
     about
-        What the file says of itself.
+        Comment within the file.
     stop
         Asked at each frame; once true, `skinsource.base.errors.Stopped` is raised.
 
@@ -112,13 +112,13 @@ def video_file(path: Path, size: tuple[int, int], about: str, stop: Stop) -> Ite
             yield add
             writer.close()
         except OSError as error:
-            raise _failed(path, error) from error
+            raise _write_error(path, error) from error
         finally:
             with suppress(OSError):
                 writer.close()
         stop_if(stop)
         if temporary.stat().st_size == 0:
-            raise _failed(path, OSError("the encoder wrote nothing"))
+            raise _write_error(path, OSError("the encoder wrote nothing"))
 
 
 def _writer(
@@ -126,8 +126,8 @@ def _writer(
 ) -> Generator[None, Any, None]:
     encoder = package_of_extra("imageio_ffmpeg", "video")
     pixels = () if kind.format == "gif" else ("-pix_fmt", "yuv420p")
-    words = printable(about)[:500]
-    found: Generator[None, Any, None] = encoder.write_frames(
+    comment = printable(about)[:500]
+    writer: Generator[None, Any, None] = encoder.write_frames(
         str(path),
         size,
         fps=kind.frames_per_s,
@@ -136,9 +136,16 @@ def _writer(
         macro_block_size=1,
         quality=None,
         ffmpeg_log_level="error",
-        output_params=[*kind.options, *pixels, "-metadata", f"comment={words}", "-f", kind.format],
+        output_params=[
+            *kind.options,
+            *pixels,
+            "-metadata",
+            f"comment={comment}",
+            "-f",
+            kind.format,
+        ],
     )
-    return found
+    return writer
 
 
 def _kind_of(path: Path) -> _Kind:
@@ -151,7 +158,7 @@ def _kind_of(path: Path) -> _Kind:
     return kind
 
 
-def _failed(path: Path, error: OSError) -> StorageError:
+def _write_error(path: Path, error: OSError) -> StorageError:
     reason = " ".join(printable(error).split())[-300:]
     return StorageError(
         f"{path}: the animation could not be written ({reason}). Free some space, or choose "

@@ -1,4 +1,8 @@
-"""A report on agreement and checks as one HTML page, with box plots drawn in it."""
+"""Checks of designs: linearity, superposition, agreement with recordings, and a report in HTML.
+
+A linear model predicts output in proportion to input, and the sum of what inputs cause alone.
+Both are checked in the prediction of one design, and in designs that are snapshots of each other.
+"""
 
 import math
 from collections.abc import Iterable, Sequence
@@ -50,9 +54,9 @@ _STYLE = (
     "svg{display:block;margin:1em 0}.note{color:#57606a}"
 )
 _WIDTH, _HEIGHT, _LEFT, _FOOT = 620.0, 220.0, 64.0, 40.0
-# An axis has so many steps at least; what is so much of a step beyond a tick is on it.
+# Least number of steps of an axis; part of a step by which a limit may lie beyond a tick.
 _LEAST_STEPS, _ROUNDING = 3.0, 1e-9
-#: Titles of the figures, their units, and what the paper reports.
+#: Titles of the figures of agreement, their units, and the values in the paper.
 FIGURES = (
     ("Normalised mean absolute error", "", "near the noise"),
     ("Difference in amplitude", "%", "below 30 %"),
@@ -60,9 +64,9 @@ FIGURES = (
 )
 
 
-#: Whose noise tells which channels count.
+#: Source of the noise that decides which channels count.
 NoiseOf = Literal["recording", "limb", "nothing"]
-_NOISE_WORDS: dict[NoiseOf, str] = {
+_NOISE_TEXTS: dict[NoiseOf, str] = {
     "recording": "noise from before the response in the recording",
     "limb": "noise of the sensors of the limb, as the recording has none before its response",
     "nothing": "noise not known, so every channel counts",
@@ -71,21 +75,21 @@ _NOISE_WORDS: dict[NoiseOf, str] = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Condition:
-    """One design.
+    """Results of the checks of one design.
 
     Attributes
     ----------
     name, frequency_hz
-        Its file, and its main frequency; NaN: silent.
+        Name of its file, and its main frequency; NaN: silent.
     linear, superposed
         Smallest adjusted R² over levels of the prediction, and smallest Pearson's r between the
-        sum of its inputs and all together; NaN where there is nothing to check.
+        sum of the responses to its inputs and the response to all; NaN: there is nothing to check.
     agreement, shift_samples
-        With its measurement, and by how much that was shifted; None: nothing was measured.
+        Agreement with its recording, None: there is none; samples that the recording was shifted.
     noise_of
-        What told the noise that channels are held against.
+        Source of the noise that decides which channels count.
     details
-        Lines on what was checked: recording, limb, scaling, inputs, cautions.
+        Lines on recording, limb, scaling, inputs and cautions.
     """
 
     name: str
@@ -99,8 +103,8 @@ class Condition:
 
     @property
     def noise_words(self) -> str:
-        """What told the noise, in words."""
-        return _NOISE_WORDS[self.noise_of]
+        """Source of the noise, as text."""
+        return _NOISE_TEXTS[self.noise_of]
 
 
 def html_of(conditions: Sequence[Condition], limbs: Iterable[str]) -> str:
@@ -111,19 +115,19 @@ def html_of(conditions: Sequence[Condition], limbs: Iterable[str]) -> str:
     conditions
         In the order of the table.
     limbs
-        Names of the limbs that the designs are on.
+        Names of the limbs of the designs.
     """
     titles = ", ".join(limb_word(limb).title for limb in sorted(set(limbs)))
     written = f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC"
     about = f"skinsource {__version__}; limb: {titles}; written on {written}"
-    measured = [one for one in conditions if one.agreement is not None]
+    measured = [condition for condition in conditions if condition.agreement is not None]
     parts = [
         "<!doctype html><html lang='en'><head><meta charset='utf-8'>",
         f"<title>SkinSource: check</title><style>{_STYLE}</style></head><body>",
         "<h1>Predictions, checked</h1>",
         f"<p class='note'>{escape(about)}</p>",
         _table(conditions),
-        *([f"<p class='note'>{escape(_DEFINED)}</p>"] if measured else []),
+        *([f"<p class='note'>{escape(_DEFINITIONS)}</p>"] if measured else []),
         *(_plots(measured) if measured else ["<p>No measurement was given.</p>"]),
         *_details(conditions),
         "</body></html>",
@@ -132,7 +136,7 @@ def html_of(conditions: Sequence[Condition], limbs: Iterable[str]) -> str:
 
 
 def write_report(path: Path, conditions: Sequence[Condition], limbs: Iterable[str]) -> None:
-    """Write the report; a file that is there is replaced once all of it is written.
+    """Write the report; an existing file is replaced once all of it is written.
 
     Raises
     ------
@@ -146,23 +150,23 @@ def write_report(path: Path, conditions: Sequence[Condition], limbs: Iterable[st
 def summary_lines(conditions: Sequence[Condition]) -> list[str]:
     """Return a line for each condition, for a terminal."""
     lines = []
-    for one in conditions:
-        said = f"{one.name}: {_hertz(one.frequency_hz)}; linear: adjusted R² {_text(one.linear)}; "
-        said += f"superposition: r {_text(one.superposed)}"
-        if one.agreement is not None:
-            error, amplitude, correlation = one.agreement.medians
-            counted = f"{int(one.agreement.counted.sum())} of {one.agreement.counted.size}"
-            said += (
-                f"; measured: {counted} channels above twice the noise, error {_text(error)}, "
-                f"amplitude {_text(amplitude)} %, r {_text(correlation)} ({one.noise_words})"
+    for condition in conditions:
+        line = f"{condition.name}: {_frequency_text(condition.frequency_hz)}; "
+        line += f"linear: adjusted R² {_number_text(condition.linear)}; "
+        line += f"superposition: r {_number_text(condition.superposed)}"
+        if condition.agreement is not None:
+            error, amplitude, correlation = map(_number_text, condition.agreement.medians)
+            line += (
+                f"; measured: {condition.agreement.counted_text} channels above twice the noise, "
+                f"error {error}, amplitude {amplitude} %, r {correlation} ({condition.noise_words})"
             )
-        lines.append(said)
+        lines.append(line)
     return lines
 
 
 def quartiles(values: Floats) -> tuple[float, float, float, float, float]:
-    """Return whisker, quartile, median, quartile, whisker; these end at data within 1.5 boxes."""
-    low, middle, high = (float(one) for one in np.percentile(values, (25, 50, 75)))
+    """Return whisker, quartile, median, quartile, whisker; whiskers end at data in 1.5 boxes."""
+    low, middle, high = (float(quartile) for quartile in np.percentile(values, (25, 50, 75)))
     reach = 1.5 * (high - low)
     inside = values[(values >= low - reach) & (values <= high + reach)]
     return float(inside.min()), low, middle, high, float(inside.max())
@@ -178,12 +182,12 @@ def round_ticks(low: float, high: float) -> Floats:
         factor for factor in (1.0, 2.0, 5.0) if (high - low) / (factor * step) >= _LEAST_STEPS
     )
     first, last = floor(low / step + _ROUNDING), ceil(high / step - _ROUNDING)
-    # Of whole numbers of steps the digits that rounding adds are taken off again.
+    # Multiples of the step have digits that rounding added; these are removed.
     digits = max(-floor(log10(step)), 0)
     return np.round(np.arange(first, last + 1) * step, digits)
 
 
-_DEFINED = (
+_DEFINITIONS = (
     "Error: mean over time of |p/P - m/M|, the normalised mean absolute error. Amplitude %: "
     "100 |RMS(p/P) - RMS(m/M)| / RMS(m/M). p: predicted, m: measured; P and M: their RMS, mean "
     "over all channels. Both are medians over the channels that count."
@@ -194,33 +198,38 @@ def _table(conditions: Sequence[Condition]) -> str:
     head = "<tr><th>Design</th><th>Hz</th><th>Linear, adj. R²</th><th>Superposition, r</th>"
     head += "<th>Channels</th><th>Error</th><th>Amplitude %</th><th>r</th><th>Shift</th></tr>"
     rows = []
-    for one in conditions:
-        cells = [_hertz(one.frequency_hz).removesuffix(" Hz"), _text(one.linear)]
-        cells.append(_text(one.superposed))
-        if one.agreement is None:
+    for condition in conditions:
+        cells = [
+            _frequency_text(condition.frequency_hz).removesuffix(" Hz"),
+            _number_text(condition.linear),
+        ]
+        cells.append(_number_text(condition.superposed))
+        if condition.agreement is None:
             cells += ["–"] * 5
         else:
-            cells.append(f"{int(one.agreement.counted.sum())} of {one.agreement.counted.size}")
-            cells += [_text(value) for value in one.agreement.medians]
-            cells.append(str(one.shift_samples))
+            cells.append(condition.agreement.counted_text)
+            cells += [_number_text(value) for value in condition.agreement.medians]
+            cells.append(str(condition.shift_samples))
         inner = "".join(f"<td>{cell}</td>" for cell in cells)
-        rows.append(f"<tr><td>{escape(one.name)}</td>{inner}</tr>")
+        rows.append(f"<tr><td>{escape(condition.name)}</td>{inner}</tr>")
     notes = ["Medians over the channels above twice the noise; shift in samples."]
-    measured = [one for one in conditions if one.agreement is not None]
-    for words in dict.fromkeys(one.noise_words for one in measured):
-        names = ", ".join(one.name for one in measured if one.noise_words == words)
-        notes.append(f"{names}: {words}.")
-    said = "".join(f"<p class='note'>{escape(one)}</p>" for one in notes)
-    return f"<table>{head}{''.join(rows)}</table>{said}"
+    measured = [condition for condition in conditions if condition.agreement is not None]
+    for noise in dict.fromkeys(condition.noise_words for condition in measured):
+        names = ", ".join(
+            condition.name for condition in measured if condition.noise_words == noise
+        )
+        notes.append(f"{names}: {noise}.")
+    paragraphs = "".join(f"<p class='note'>{escape(note)}</p>" for note in notes)
+    return f"<table>{head}{''.join(rows)}</table>{paragraphs}"
 
 
 def _details(conditions: Sequence[Condition]) -> list[str]:
-    """What was checked, so that a report can be told from one on something else."""
+    """Return a paragraph on the setup of each design, so that reports can be distinguished."""
     parts = []
-    for one in conditions:
-        if one.details:
-            lines = "<br>".join(escape(line) for line in one.details)
-            parts.append(f"<h2>{escape(one.name)}</h2><p class='note'>{lines}</p>")
+    for condition in conditions:
+        if condition.details:
+            lines = "<br>".join(escape(line) for line in condition.details)
+            parts.append(f"<h2>{escape(condition.name)}</h2><p class='note'>{lines}</p>")
     return parts
 
 
@@ -230,7 +239,7 @@ def by_frequency(conditions: Sequence[Condition], figure: int) -> list[tuple[str
     Parameters
     ----------
     conditions
-        Those without a measurement are left out.
+        Results; those without a recording are left out.
     figure
         Number of the figure in `FIGURES`.
 
@@ -238,38 +247,38 @@ def by_frequency(conditions: Sequence[Condition], figure: int) -> list[tuple[str
     -------
     Frequency in Hz as text, and the values, (n,), for each frequency, ascending.
     """
-    measured = [one for one in conditions if one.agreement is not None]
+    measured = [condition for condition in conditions if condition.agreement is not None]
     groups = []
-    for frequency in sorted({round(one.frequency_hz, 1) for one in measured}):
+    for frequency in sorted({round(condition.frequency_hz, 1) for condition in measured}):
         values = [
-            _figure(one.agreement, figure)
-            for one in measured
-            if round(one.frequency_hz, 1) == frequency
+            _figure_values(condition.agreement, figure)
+            for condition in measured
+            if round(condition.frequency_hz, 1) == frequency
         ]
-        together = np.concatenate(values)
-        groups.append((f"{frequency:g}", together[np.isfinite(together)]))
+        all_values = np.concatenate(values)
+        groups.append((f"{frequency:g}", all_values[np.isfinite(all_values)]))
     return groups
 
 
 def _plots(measured: Sequence[Condition]) -> list[str]:
-    """A box plot of each figure, a box for each frequency."""
+    """Return a box plot of each figure, with a box for each frequency."""
     parts = []
     for k, (title, unit, reported) in enumerate(FIGURES):
         of_unit = f" ({unit})" if unit else ""
         parts.append(f"<h2>{title}{of_unit}</h2><p class='note'>The paper reports: {reported}.</p>")
-        parts.append(_boxes(by_frequency(measured, k)))
+        parts.append(_box_plot(by_frequency(measured, k)))
     return parts
 
 
-def _figure(found: Agreement | None, k: int) -> Floats:
-    if found is None:
+def _figure_values(agreement: Agreement | None, k: int) -> Floats:
+    if agreement is None:
         return np.zeros(0)
-    chosen = (found.error, found.amplitude_percent, found.correlation)[k]
-    return chosen[found.counted]
+    chosen = (agreement.error, agreement.amplitude_percent, agreement.correlation)[k]
+    return chosen[agreement.counted]
 
 
-def _boxes(groups: Sequence[tuple[str, Floats]]) -> str:
-    """Box plots over frequency as SVG."""
+def _box_plot(groups: Sequence[tuple[str, Floats]]) -> str:
+    """Return a box plot over frequency as SVG."""
     known = [values for _, values in groups if values.size]
     if not known:
         return "<p>No channel is above twice the noise.</p>"
@@ -293,8 +302,7 @@ def _boxes(groups: Sequence[tuple[str, Floats]]) -> str:
         shapes.append(f"<text x='{x:.1f}' y='{_HEIGHT - 20}' text-anchor='middle'>{label}</text>")
         if not values.size:
             continue
-        ends = quartiles(values)
-        first, bottom, middle, top, last = (y(one) for one in ends)
+        first, bottom, middle, top, last = map(y, quartiles(values))
         shapes.append(
             f"<line x1='{x:.1f}' x2='{x:.1f}' y1='{first:.1f}' y2='{last:.1f}' stroke='#57606a'/>"
             f"<rect x='{x - wide / 2:.1f}' y='{top:.1f}' width='{wide:.1f}' "
@@ -308,12 +316,12 @@ def _boxes(groups: Sequence[tuple[str, Floats]]) -> str:
     )
     return (
         f"<svg width='{_WIDTH:g}' height='{_HEIGHT:g}' font-size='12' font-family='sans-serif' "
-        f"fill='#1b1f24'>{''.join(shapes)}</svg>{_beyond(known, drawn)}"
+        f"fill='#1b1f24'>{''.join(shapes)}</svg>{_outlier_note(known, drawn)}"
     )
 
 
-def _beyond(known: Sequence[Floats], drawn: Floats) -> str:
-    """What is not drawn: values beyond the whiskers, which would flatten the boxes."""
+def _outlier_note(known: Sequence[Floats], drawn: Floats) -> str:
+    """Return a note on values beyond the whiskers: drawn, they would flatten the boxes."""
     everything = np.concatenate(known)
     count = sum(
         int(((values < ends[0]) | (values > ends[-1])).sum())
@@ -327,34 +335,32 @@ def _beyond(known: Sequence[Floats], drawn: Floats) -> str:
     )
 
 
-def _text(value: float) -> str:
+def _number_text(value: float) -> str:
     return f"{value:.3g}" if np.isfinite(value) else "–"
 
 
-def _hertz(value: float) -> str:
+def _frequency_text(value: float) -> str:
     return f"{value:.1f} Hz" if np.isfinite(value) else "silent"
 
-
-# One design, checked: whether it is linear, and how well it agrees with its recording.
 
 _LEVELS = (0.25, 0.5, 1.0, 2.0)
 # A recording may start this much earlier or later than the prediction.
 _MOST_SHIFT_S = 0.2
-# More, 20 000 samples of a published limb, would take gigabytes: all channels are held, at several
-# levels.
+# More values, 20 000 samples of a published limb, would take gigabytes: all channels are in memory,
+# at several levels.
 _MOST_VALUES = 20_000 * N_OUTPUTS * N_AXES
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Recorded:
-    """Where a recording is.
+    """A file with a recording.
 
     Attributes
     ----------
     path
         A file of responses, see `skinsource.studies.validation.open_recorded`.
     rate_hz
-        Its rate, where the file says none; None: that of the limb.
+        Rate of a file that states none; None: that of the limb.
     """
 
     path: Path
@@ -371,20 +377,20 @@ def condition_of(
     progress: Progress = silent,
     stop: Stop = never,
 ) -> Condition:
-    """Check a design, alone and against a recording.
+    """Check a design by itself, and against a recording.
 
     Parameters
     ----------
     design, name
-        The design, and what the report calls it.
+        The design, and its name in the report.
     recorded
-        What was measured of it; None: nothing was.
+        Its recording; None: there is none.
     axes
-        Axes that are looked at, and recorded; empty: all of the limb.
+        Axes that are checked, and recorded; empty: all axes of the limb.
     process
-        Reads the recording; one of its own unless given.
+        Reads the recording; a new one unless given.
     progress, stop
-        As for all long work.
+        As those of a job.
 
     Raises
     ------
@@ -396,55 +402,56 @@ def condition_of(
         ``stop`` said so.
     """
     chosen = axes or facts_of(design.limb).axes
-    seen = View(axes=chosen)
+    view = View(axes=chosen)
     progress(0, 3, f"Predicting {name}")
-    # What is compared is the prediction through the graph of the studio, not one made for it.
-    basis = _values(design, seen, stop, "limb_data", "response_samples", "stimulus_start_s")
+    # The recording is compared with the prediction of the studio's graph, which people use.
+    basis = _evaluate(design, view, stop, "limb_data", "response_samples", "stimulus_start_s")
     limb = basis["limb_data"]
-    _refuse_too_much(name, limb, len(chosen), basis["response_samples"])
-    every = replace(seen, outputs=tuple(range(1, limb.n_outputs + 1)))
-    predicted = _values(design, every, stop, "axis_traces", "validity")
+    _check_length(name, limb, len(chosen), basis["response_samples"])
+    view = replace(view, outputs=tuple(range(1, limb.n_outputs + 1)))
+    predicted = _evaluate(design, view, stop, "axis_traces", "validity")
     field = predicted["axis_traces"]
     progress(1, 3, f"Checking {name}")
-    linear, superposed = _checks(design, every, field, limb.sample_rate_hz, stop)
-    main_hz = _main_frequency(field, limb.sample_rate_hz)
-    details = _condition_details(design, limb, chosen, recorded, predicted["validity"])
-    found = Condition(
-        name=name, frequency_hz=main_hz, linear=linear, superposed=superposed, details=details
+    linear, superposed = _linearity_checks(design, view, field, limb.sample_rate_hz, stop)
+    condition = Condition(
+        name=name,
+        frequency_hz=_main_frequency(field, limb.sample_rate_hz),
+        linear=linear,
+        superposed=superposed,
+        details=_condition_details(design, limb, chosen, recorded, predicted["validity"]),
     )
     if recorded is None:
-        return found
-    _refuse_silence(name, field)
-    measured = _read(recorded, limb, len(chosen), process, progress, stop)
-    shifted, shift = aligned(measured, field, round(_MOST_SHIFT_S * limb.sample_rate_hz))
-    quiet = _quiet(measured, shift, basis["stimulus_start_s"], limb)
-    noise, noise_of = _noise(quiet, design, limb, chosen)
-    agrees = agreement(field, shifted, noise)
-    return replace(found, agreement=agrees, shift_samples=shift, noise_of=noise_of)
-
-
-def _refuse_silence(name: str, field: Floats) -> None:
+        return condition
     if not field.any():
         raise InvalidInputError(
             f"{name}: what is predicted of it is silent throughout, so there is nothing to compare "
             "a recording with. Let it play something, or check it without a recording."
         )
+    measured = _read_recording(recorded, limb, len(chosen), process, progress, stop)
+    shifted, shift = aligned(measured, field, round(_MOST_SHIFT_S * limb.sample_rate_hz))
+    quiet = _before_response(measured, shift, basis["stimulus_start_s"], limb)
+    noise, noise_of = _noise_rms(quiet, design, limb, chosen)
+    return replace(
+        condition,
+        agreement=agreement(field, shifted, noise),
+        shift_samples=shift,
+        noise_of=noise_of,
+    )
 
 
 def _condition_details(
     design: Design, limb: Limb, axes: str, recorded: Recorded | None, findings: Findings
 ) -> tuple[str, ...]:
-    """What files say of a design, and which recording it was held against."""
-    played = design.limb, limb.note, design.scaling, design.inputs, design.actuated
+    """Return lines on the recording and the design."""
     return (
         f"recording: {'none' if recorded is None else printable(recorded.path.name)}",
-        *describe_played(*played),
+        *describe_played(design.limb, limb.note, design.scaling, design.inputs, design.actuated),
         f"axes: {word_of(AXES, axes).both}",
         *findings_lines(findings),
     )
 
 
-def _read(
+def _read_recording(
     recorded: Recorded,
     limb: Limb,
     n_axes: int,
@@ -453,11 +460,17 @@ def _read(
     stop: Stop,
 ) -> Floats:
     progress(2, 3, f"Reading {recorded.path.name}")
-    size = limb.n_outputs, n_axes, limb.sample_rate_hz
-    how: dict[str, Any] = {"rate_hz": recorded.rate_hz, "process": process, "stop": stop}
-    measured = open_recorded(recorded.path, *size, **how)
+    measured = open_recorded(
+        recorded.path,
+        limb.n_outputs,
+        n_axes,
+        limb.sample_rate_hz,
+        rate_hz=recorded.rate_hz,
+        process=process,
+        stop=stop,
+    )
     if not measured.any():
-        # Here it is known which file of many it is.
+        # `agreement` would not name the file, which may be one of many.
         raise RecordingError(
             f"{named(Path(recorded.path.name))}: it is silent throughout, so there is nothing to "
             "compare. Choose another recording."
@@ -465,30 +478,35 @@ def _read(
     return measured
 
 
-def _quiet(measured: Floats, shift: int, start_s: float, limb: Limb) -> Floats:
-    """What a recording, brought onto the prediction by ``shift``, holds before its response."""
+def _before_response(measured: Floats, shift: int, start_s: float, limb: Limb) -> Floats:
+    """Return the samples of a recording before its response; ``shift`` aligns it."""
     until_s = start_s + QUIET_SHARE * limb.pre_trigger_delay_s
     return measured[..., : max(round(until_s * limb.sample_rate_hz) - shift, 0)]
 
 
-def _noise(quiet: Floats, design: Design, limb: Limb, axes: str) -> tuple[Floats | float, NoiseOf]:
-    """RMS of the noise of a recording, (n_outputs, n_axes), and what tells it; 0: nothing does.
+def _noise_rms(
+    quiet: Floats, design: Design, limb: Limb, axes: str
+) -> tuple[Floats | float, NoiseOf]:
+    """Return the RMS of the noise of a recording, (n_outputs, n_axes), and its source.
 
-    Where there is too little that is ``quiet`` in it, that with which the limb was measured.
+    It is the noise of the limb's measurement where too little of the recording is ``quiet``, and
+    0 where neither is known.
     """
     rms = quiet_rms(quiet)
     if rms is not None:
         return rms, "recording"
-    places = sorted({one.location for one in audible_inputs(design.inputs)})
-    found = [one for one in (place_noise(limb, place) for place in places) if one is not None]
-    if not found:
+    places = sorted({track.location for track in audible_inputs(design.inputs)})
+    noises = [
+        noise for noise in (place_noise(limb, place) for place in places) if noise is not None
+    ]
+    if not noises:
         return 0.0, "nothing"
     numbers = [limb.axes.index(axis) for axis in axes]
-    noise: Floats = np.sqrt(np.mean(np.square(found), axis=0))[:, numbers]
+    noise: Floats = np.sqrt(np.mean(np.square(noises), axis=0))[:, numbers]
     return noise, "limb"
 
 
-def _refuse_too_much(name: str, limb: Limb, n_axes: int, n_times: int) -> None:
+def _check_length(name: str, limb: Limb, n_axes: int, n_times: int) -> None:
     most = _MOST_VALUES // (limb.n_outputs * n_axes)
     if n_times > most:
         raise InvalidInputError(
@@ -497,73 +515,71 @@ def _refuse_too_much(name: str, limb: Limb, n_axes: int, n_times: int) -> None:
         )
 
 
-def _checks(
+def _linearity_checks(
     design: Design, view: View, field: Floats, rate: float, stop: Stop
 ) -> tuple[float, float]:
-    """Smallest adjusted R² over levels, and smallest r between the sum of inputs and all."""
+    """Return the smallest adjusted R² over levels, and r between the sum of inputs and all."""
     if not field.any():
         return math.nan, math.nan
     at_levels = [
-        _values(louder(design, k), view, stop, "axis_traces")["axis_traces"] for k in _LEVELS
+        _evaluate(louder(design, k), view, stop, "axis_traces")["axis_traces"] for k in _LEVELS
     ]
     channels = np.stack(at_levels).reshape(len(_LEVELS), -1, field.shape[-1])
     fit = linear_fit(_LEVELS, channels, rate, facts_of(design.limb).band_hz)[1]
-    heard = audible_inputs(design.inputs)
-    if len(heard) < 2:
-        return _least(fit), math.nan
+    audible = audible_inputs(design.inputs)
+    if len(audible) < 2:
+        return _smallest(fit), math.nan
     parts = []
-    for one in heard:
-        alone = tuple(replace(each, muted=each.id != one.id, solo=False) for each in design.inputs)
-        trace = _values(replace(design, inputs=alone), view, stop, "axis_traces")["axis_traces"]
-        whole = np.zeros(field.shape)
-        whole[..., : trace.shape[-1]] = trace[..., : field.shape[-1]]
-        parts.append(whole.reshape(-1, field.shape[-1]))
-    r = superposition_correlation(np.stack(parts), field.reshape(-1, field.shape[-1]))
-    return _least(fit), _least(r)
+    for track in audible:
+        alone = tuple(
+            replace(each, muted=each.id != track.id, solo=False) for each in design.inputs
+        )
+        trace = _evaluate(replace(design, inputs=alone), view, stop, "axis_traces")["axis_traces"]
+        parts.append(trace.reshape(-1, trace.shape[-1]))
+    joint = field.reshape(-1, field.shape[-1])
+    return _smallest(fit), _smallest(superposition(parts, joint).correlation)
 
 
-def _least(values: Floats) -> float:
-    """The smallest of those that are known; NaN where none is, as of a response without a bin."""
+def _smallest(values: Floats) -> float:
+    """Return the smallest finite value; NaN: there is none, as of a response without a bin."""
     known = values[np.isfinite(values)]
     return float(known.min()) if known.size else math.nan
 
 
 def _main_frequency(field: Floats, rate: float) -> float:
-    """Frequency with the most power over all channels; NaN for silence."""
+    """Return the frequency with the most power over all channels; NaN for silence."""
     power = np.sum(np.square(np.abs(np.fft.rfft(field, axis=-1))), axis=(0, 1))
     return float(dominant_frequency(power, rate / field.shape[-1]))
 
 
-def _values(design: Design, view: View, stop: Stop, *names: str) -> dict[str, Any]:
+def _evaluate(design: Design, view: View, stop: Stop, *names: str) -> dict[str, Any]:
     return new_graph().evaluate(names, sources(design, view), stop)
 
 
-# What a linear model rests on, seen in designs that are kept: proportion, and sums.
-
-#: Fewer strengths make no line that could be bent.
+#: Two strengths always lie on a line.
 LEAST_STRENGTHS = 3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Proportion:
-    """The same stimulus at several strengths.
+    """Responses to the same stimulus at several strengths.
 
     Attributes
     ----------
     strengths : (n_strengths,)
-        Amplitudes of the first input, rising.
+        Amplitudes of the first input, ascending.
     divided : (n_strengths, n_channels, n_times)
         Responses divided by them.
     apart
-        How far these are from each other at most, as a part of their peak; NaN: all are silent.
+        Largest difference of these, as a part of their peak; NaN: all are silent.
     rms, line : (n_strengths, n_channels)
-        Of the responses, and the straight line through them by least squares.
+        RMS of the responses, and the straight line through them by least squares.
     frequency_hz : (n_bins,)
         Middles of bands of 2 Hz.
     band_rms, band_line : (n_strengths, n_channels, n_bins)
-        Of what the responses hold there, and the straight line through them.
+        RMS of the responses in these bands, and the straight line through them.
     adjusted_r2 : (n_channels, n_bins)
-        Of these lines; NaN: nothing is heard.
+        Adjusted R² of these lines; NaN: the band is silent.
     """
 
     strengths: Floats
@@ -579,14 +595,14 @@ class Proportion:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Straightness:
-    """How straight outputs are over the strengths of an input, those that nobody selected too.
+    """Straightness of all outputs over the strengths of an input.
 
     Attributes
     ----------
     frequency_hz : (n_bins,)
         Middles of bands of 2 Hz.
     adjusted_r2 : (n_outputs, n_axes, n_bins)
-        Of straight lines by least squares; NaN: nothing is heard.
+        Adjusted R² of straight lines by least squares; NaN: the band is silent.
     """
 
     frequency_hz: Floats
@@ -595,14 +611,14 @@ class Straightness:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Superposition:
-    """Inputs alone, and all of them together.
+    """Responses to inputs alone, and to all of them.
 
     Attributes
     ----------
     separate, joint : (n_channels, n_times)
-        Sum of the responses to each, and the response to all.
+        Sum of the responses to each input, and the response to all.
     apart
-        How far these are from each other at most, as a part of the peak; NaN: all are silent.
+        Largest difference of the two, as a part of the peak; NaN: all are silent.
     correlation : (n_channels,)
         Pearson's r of the two; NaN where a channel is silent.
     """
@@ -614,39 +630,42 @@ class Superposition:
 
 
 def strengths_of(designs: Sequence[Design]) -> tuple[float, ...]:
-    """Amplitudes of the first input of designs that differ in strength alone; none: they do not.
+    """Return the amplitudes of the first input of designs that differ in strength alone.
 
-    Three different ones or more; words about them, markers and loops do not matter.
+    Three of them must be different, else the result is empty.  Titles, markers and loops do not
+    matter.
     """
-    plain = [_plain(one) for one in designs]
-    if not plain or not all(one.inputs and one.inputs[0].amplitude > 0.0 for one in plain):
+    plain = [_plain_design(design) for design in designs]
+    if not plain or not all(design.inputs and design.inputs[0].amplitude > 0.0 for design in plain):
         return ()
-    found = tuple(one.inputs[0].amplitude for one in plain)
+    strengths = tuple(design.inputs[0].amplitude for design in plain)
     try:
-        scaled = [louder(plain[0], one / found[0]) for one in found]
+        scaled = [louder(plain[0], strength / strengths[0]) for strength in strengths]
     except InvalidInputError:
         return ()
-    if not all(same_but_rounding(one, other) for one, other in zip(scaled, plain, strict=True)):
+    if not all(
+        same_but_rounding(design, other) for design, other in zip(scaled, plain, strict=True)
+    ):
         return ()
-    ordered = sorted(found)
+    ordered = sorted(strengths)
     different = 1 + sum(
         not math.isclose(low, high, rel_tol=1e-9) for low, high in pairwise(ordered)
     )
-    return found if different >= LEAST_STRENGTHS else ()
+    return strengths if different >= LEAST_STRENGTHS else ()
 
 
 def joint_of(designs: Sequence[Design]) -> int | None:
-    """Which of the designs plays what all the others play, each once; None: none does."""
+    """Return the index of the design that plays the inputs of all others; None: none does."""
     if len(designs) < 3:
         return None
-    plain = [_plain(one) for one in designs]
-    # Ids that a design gave tell the same inputs apart.
-    played = [[_bare(one) for one in each.inputs] for each in plain]
-    if not all(played) or len({replace(one, inputs=()) for one in plain}) > 1:
+    plain = [_plain_design(design) for design in designs]
+    # A design gives ids of its own to the same inputs.
+    played = [[_plain_track(track) for track in each.inputs] for each in plain]
+    if not all(played) or len({replace(design, inputs=()) for design in plain}) > 1:
         return None
-    for k, whole in enumerate(played):
-        others = [one for n, each in enumerate(played) if n != k for one in each]
-        if _are_the_same(others, whole):
+    for k, tracks in enumerate(played):
+        others = [track for n, each in enumerate(played) if n != k for track in each]
+        if _same_tracks(others, tracks):
             return k
     return None
 
@@ -654,7 +673,7 @@ def joint_of(designs: Sequence[Design]) -> int | None:
 def proportion(
     strengths: Sequence[float], responses: Floats, sample_rate_hz: float, band_hz: Band | None
 ) -> Proportion:
-    """Hold responses, (n_strengths, n_channels, n_times), against the strengths of the input."""
+    """Compare responses, (n_strengths, n_channels, n_times), with the strengths of the input."""
     order = np.argsort(strengths, kind="stable")
     x, y = np.asarray(strengths, float)[order], responses[order]
     divided = y / x[:, None, None]
@@ -667,7 +686,7 @@ def proportion(
     return Proportion(
         strengths=x,
         divided=divided,
-        apart=_apart(divided),
+        apart=_largest_difference(divided),
         rms=rms,
         line=offset + slope * x[:, None],
         frequency_hz=frequency_hz,
@@ -680,7 +699,7 @@ def proportion(
 def straightness(
     strengths: Sequence[float], in_bands: Sequence[tuple[Floats, Floats]]
 ) -> Straightness:
-    """Fit lines over strengths to the quantity ``output_band_rms`` of each of them."""
+    """Fit lines over strengths to the quantity ``output_band_rms`` of each strength."""
     frequency_hz = in_bands[0][0]
     y = np.stack([rms for _, rms in in_bands])
     x = np.asarray(strengths, float).reshape(-1, 1, 1, 1)
@@ -688,26 +707,26 @@ def straightness(
 
 
 def superposition(parts: Sequence[Floats], joint: Floats) -> Superposition:
-    """Hold the sum of responses, (n_channels, n_times) each, against the one to all together.
+    """Compare the sum of responses, (n_channels, n_times) each, with the response to all inputs.
 
-    None is longer than that one.
+    That one is the longest.
     """
-    found = np.zeros((len(parts), *joint.shape))
-    for whole, part in zip(found, parts, strict=True):
-        # A part may end sooner: it is silent after that.
-        whole[:, : part.shape[-1]] = part
-    separate = found.sum(axis=0)
+    responses = np.zeros((len(parts), *joint.shape))
+    for response, part in zip(responses, parts, strict=True):
+        # A response that ends sooner is silent after that.
+        response[:, : part.shape[-1]] = part
+    separate = responses.sum(axis=0)
     return Superposition(
         separate=separate,
         joint=joint,
-        apart=_apart(np.stack((separate, joint))),
-        correlation=superposition_correlation(found, joint),
+        apart=_largest_difference(np.stack((separate, joint))),
+        correlation=superposition_correlation(responses, joint),
     )
 
 
-def _plain(design: Design) -> Design:
-    """What is played and where, whatever it is called and however it looks."""
-    inputs = tuple(_bare(one) for one in audible_inputs(design.inputs))
+def _plain_design(design: Design) -> Design:
+    """Return a design without its texts, markers, loop, colours and muted inputs."""
+    inputs = tuple(_plain_track(track) for track in audible_inputs(design.inputs))
     return replace(
         design,
         title="",
@@ -720,21 +739,21 @@ def _plain(design: Design) -> Design:
     )
 
 
-def _bare(one: Input) -> Input:
-    clips = tuple(replace(each, id=0) for each in one.clips)
-    return replace(one, id=0, colour=0, solo=False, clips=clips)
+def _plain_track(track: Input) -> Input:
+    clips = tuple(replace(each, id=0) for each in track.clips)
+    return replace(track, id=0, colour=0, solo=False, clips=clips)
 
 
-def _are_the_same(some: Sequence[Input], others: Sequence[Input]) -> bool:
-    """Whether both are the same inputs, in any order, each as often."""
-    left = list(others)
-    for one in some:
-        if one not in left:
+def _same_tracks(some: Sequence[Input], others: Sequence[Input]) -> bool:
+    """Return whether both hold the same inputs, in any order."""
+    missing = list(others)
+    for track in some:
+        if track not in missing:
             return False
-        left.remove(one)
-    return not left
+        missing.remove(track)
+    return not missing
 
 
-def _apart(curves: Floats) -> float:
+def _largest_difference(curves: Floats) -> float:
     peak = float(np.abs(curves).max())
     return float(np.ptp(curves, axis=0).max()) / peak if peak > 0.0 else math.nan

@@ -1,4 +1,8 @@
-"""How well a prediction agrees with a measurement: the figures of the SkinSource paper's Fig. 4."""
+"""Comparison of predictions with recordings, as in Fig. 4 of the SkinSource paper.
+
+It has the figures of agreement, the fits that a linear model rests on, and a reader of recorded
+responses from files of other programs.
+"""
 
 import os
 from collections.abc import Sequence
@@ -27,7 +31,7 @@ from skinsource.readers.timestamps import sample_clock
 from skinsource.signals.analysis.statistics import band_rms
 from skinsource.signals.resampling import resample
 
-#: Channels count whose measured RMS is this many times that of the noise, or more.
+#: A channel counts if its measured RMS is at least so many times that of the noise.
 LEAST_OVER_NOISE = 2.0
 
 
@@ -53,28 +57,33 @@ class Agreement:
     correlation: Floats
 
     @property
-    def medians(self) -> tuple[float, float, float]:
-        """Of error, amplitude and correlation over the channels that count; NaN: there is none.
+    def counted_text(self) -> str:
+        """Number of the channels that count, and of all, as text."""
+        return f"{int(self.counted.sum())} of {self.counted.size}"
 
-        A channel of which silence is predicted counts, but has no correlation.
+    @property
+    def medians(self) -> tuple[float, float, float]:
+        """Medians of error, amplitude and correlation over the channels that count, or NaN.
+
+        A channel with a silent prediction counts, but has no correlation.
         """
         parts = (self.error, self.amplitude_percent, self.correlation)
-        error, amplitude, correlation = (_median(one[self.counted]) for one in parts)
+        error, amplitude, correlation = (_median(figure[self.counted]) for figure in parts)
         return error, amplitude, correlation
 
 
 def agreement(predicted: ArrayLike, measured: ArrayLike, noise_rms: ArrayLike) -> Agreement:
-    """Return how well two fields agree, channel by channel.
+    """Return the agreement of two fields, channel by channel.
 
-    Each field is divided by the mean RMS of its channels first, as in the paper: what is compared
-    is shape and distribution, not the strength of the actuator.
+    Each field is divided by the mean RMS of its channels first, as in the paper: the comparison is
+    about shape and distribution, not about the strength of the actuator.
 
     Parameters
     ----------
     predicted, measured : (n_outputs, n_axes, n_times)
         At the same rate and from the same instant, see `aligned`.
     noise_rms : (n_outputs, n_axes) or a number
-        Of the measurement, in its unit.
+        RMS of the noise of the measurement, in its unit.
 
     Raises
     ------
@@ -92,7 +101,7 @@ def agreement(predicted: ArrayLike, measured: ArrayLike, noise_rms: ArrayLike) -
     measured_rms = _rms(theirs)
     counted = (measured_rms >= LEAST_OVER_NOISE * noise) & (measured_rms > 0.0)
     ours, theirs = (
-        _divided(name, one) for name, one in (("predicted", ours), ("measured", theirs))
+        _normalised(name, field) for name, field in (("predicted", ours), ("measured", theirs))
     )
     ours_rms, theirs_rms = _rms(ours), _rms(theirs)
     amplitude = np.full(counted.shape, np.nan)
@@ -111,31 +120,31 @@ def _median(values: Floats) -> float:
     return float(np.median(known)) if known.size else np.nan
 
 
-def pearson(one: Floats, other: Floats) -> Floats:
-    """Pearson's r over the last axis; NaN where a signal does not change."""
-    a, b = (x - x.mean(axis=-1, keepdims=True) for x in (one, other))
+def pearson(left: Floats, right: Floats) -> Floats:
+    """Return Pearson's r over the last axis; NaN where a signal does not change."""
+    a, b = (x - x.mean(axis=-1, keepdims=True) for x in (left, right))
     size = np.sqrt(np.sum(a * a, axis=-1) * np.sum(b * b, axis=-1))
-    whole = np.full(size.shape, np.nan)
-    found: Floats = np.divide(np.sum(a * b, axis=-1), size, out=whole, where=size > 0.0)
-    return found
+    r = np.full(size.shape, np.nan)
+    np.divide(np.sum(a * b, axis=-1), size, out=r, where=size > 0.0)
+    return r
 
 
 def aligned(measured: ArrayLike, predicted: ArrayLike, most: int) -> tuple[Floats, int]:
-    """Return the measured field shifted onto the predicted one, and by how many samples.
+    """Return the measured field aligned with the predicted one, and the shift in samples.
 
-    By the lag at which the sum of the cross-correlations of all channels is largest; silence comes
-    in at the end that opens, and what is left over is cut off.
+    The shift is the lag at which the sum of the cross-correlations of all channels is largest.
+    Missing samples are silence, surplus samples are cut off.
 
     Parameters
     ----------
     measured, predicted : (n_outputs, n_axes, n_times)
         Lengths in time may differ.
     most
-        Samples that it may be shifted by, to either side.
+        Largest shift in samples, to either side.
 
     Returns
     -------
-    (n_outputs, n_axes, n_times of the predicted), and the shift; positive: it came too early.
+    (n_outputs, n_axes, n_times of the predicted), and the shift; positive: the recording is early.
     """
     theirs = finite_array("measured", measured, "(n_outputs, n_axes, n_times)")
     ours = finite_array("predicted", predicted, "(n_outputs, n_axes, n_times)")
@@ -148,14 +157,14 @@ def aligned(measured: ArrayLike, predicted: ArrayLike, most: int) -> tuple[Float
     n_fft = scipy.fft.next_fast_len(n_times + theirs.shape[-1], real=True)
     cross = scipy.fft.rfft(ours, n_fft) * np.conj(scipy.fft.rfft(theirs, n_fft))
     sums = scipy.fft.irfft(cross.sum(axis=(0, 1)), n_fft)
-    # At others the two do not meet: a short response, a long search.
+    # At larger lags the two do not overlap.
     lags = np.arange(-min(most, theirs.shape[-1] - 1), min(most, n_times - 1) + 1)
     shift = int(lags[np.argmax(sums[lags])])
-    found = np.zeros(ours.shape)
+    shifted = np.zeros(ours.shape)
     first = max(-shift, 0)
     piece = theirs[..., first : first + n_times - max(shift, 0)]
-    found[..., max(shift, 0) : max(shift, 0) + piece.shape[-1]] = piece
-    return found, shift
+    shifted[..., max(shift, 0) : max(shift, 0) + piece.shape[-1]] = piece
+    return shifted, shift
 
 
 def _rms(field: Floats) -> Floats:
@@ -163,14 +172,11 @@ def _rms(field: Floats) -> Floats:
     return rms
 
 
-def _divided(name: str, field: Floats) -> Floats:
+def _normalised(name: str, field: Floats) -> Floats:
     mean = float(_rms(field).mean())
     if mean == 0.0:
         raise InvalidInputError(f"{name} is silent throughout, so there is nothing to compare")
     return field / mean
-
-
-# Checks that a linear model rests on: output in proportion to input, and sums of inputs.
 
 
 def linear_fit(
@@ -179,7 +185,7 @@ def linear_fit(
     sample_rate_hz: float,
     band_hz: Band | None = BAND_HZ,
 ) -> tuple[Floats, Floats]:
-    """Return how well output is in proportion to input, by frequency.
+    """Return the adjusted R² of output over input, by frequency.
 
     In each bin of 2 Hz within the measured band the RMS of the output, see `band_rms`, is fitted
     with a straight line over the level of the input.
@@ -187,11 +193,11 @@ def linear_fit(
     Parameters
     ----------
     levels : (n_levels,)
-        Of the input, three or more different ones.
+        Levels of the input, three or more different ones.
     responses : (n_levels, n_channels, n_times)
         To the same stimulus at these levels.
     sample_rate_hz
-        Their rate.
+        Sample rate of the responses.
     band_hz
         The measured band; None: it is not known, and all frequencies count.
 
@@ -200,7 +206,7 @@ def linear_fit(
     frequency_hz : (n_bins,)
         Middles of the bins that hold a frequency.
     adjusted_r2 : (n_channels, n_bins)
-        1 for a straight line; NaN where nothing is heard.
+        1 for a straight line; NaN where the bin is silent.
 
     Raises
     ------
@@ -227,25 +233,25 @@ def superposition_correlation(separate: ArrayLike, joint: ArrayLike) -> Floats:
     separate : (n_inputs, n_channels, n_times)
         Responses to each input alone.
     joint : (n_channels, n_times)
-        To all together.
+        Response to all inputs.
     """
     parts = finite_array("separate", separate, "(n_inputs, n_channels, n_times)")
-    whole = finite_array("joint", joint, "(n_channels, n_times)")
-    if parts.ndim != 3 or parts.shape[1:] != whole.shape:
+    response = finite_array("joint", joint, "(n_channels, n_times)")
+    if parts.ndim != 3 or parts.shape[1:] != response.shape:
         raise InvalidInputError(
-            f"separate has shape {parts.shape}, joint {whole.shape}; expected (n_inputs, "
+            f"separate has shape {parts.shape}, joint {response.shape}; expected (n_inputs, "
             "n_channels, n_times) and (n_channels, n_times)"
         )
-    return pearson(parts.sum(axis=0), whole)
+    return pearson(parts.sum(axis=0), response)
 
 
 def straight_lines(x: Floats, y: Floats) -> tuple[Floats, Floats, Floats]:
-    """Slopes, offsets and adjusted R² of straight lines over the first axis, by least squares.
+    """Return slopes, offsets and adjusted R² of lines over the first axis, by least squares.
 
     Parameters
     ----------
     x, y : (n, ...)
-        Shapes that broadcast, with three levels or more; ``y`` has the whole one.
+        Shapes that broadcast, with three levels or more; ``y`` has the broadcast shape.
 
     Returns
     -------
@@ -254,15 +260,13 @@ def straight_lines(x: Floats, y: Floats) -> tuple[Floats, Floats, Floats]:
     n = len(x)
     away, rest = x - x.mean(axis=0), y - y.mean(axis=0)
     slope = np.sum(away * rest, axis=0) / np.sum(away**2, axis=0)
-    left = np.sum(np.square(rest - slope * away), axis=0)
+    residual = np.sum(np.square(rest - slope * away), axis=0)
     total = np.sum(np.square(rest), axis=0)
-    # The mean of equal levels may be rounded: what is left of them then is no change.
+    # The mean of equal levels may be rounded: the rest is then no change.
     rounding = n * np.square(np.finfo(np.float64).eps * np.abs(y).max(axis=0))
-    share = np.divide(left, total, out=np.full(total.shape, np.nan), where=total > rounding)
+    share = np.divide(residual, total, out=np.full(total.shape, np.nan), where=total > rounding)
     return slope, y.mean(axis=0) - slope * x.mean(axis=0), 1.0 - share * (n - 1) / (n - 2)
 
-
-# Recorded responses from files of others.
 
 # Rates that differ by less are the same.
 _SAME_HZ = 1e-3
@@ -293,13 +297,13 @@ def open_recorded(
     path
         The file.
     n_outputs, n_axes
-        What it has to hold; with a single column for each output ``n_axes`` is 1.
+        Expected outputs and axes; with a single column for each output ``n_axes`` is 1.
     sample_rate_hz
-        Rate of what is returned.
+        Rate of the returned responses.
     rate_hz
-        Rate of the file, where it says none itself; ``sample_rate_hz`` unless given.
+        Rate of a file that states none; ``sample_rate_hz`` unless given.
     process
-        Reads it; one of its own unless given.
+        Reads the file; a new one unless given.
     stop
         Asked now and then whether to give up.
 
@@ -316,16 +320,16 @@ def open_recorded(
     file = Path(path)
     with ExitStack() as stack:
         reader = process or stack.enter_context(ReadingProcess())
-        field, stated_hz = _read(reader, file, n_outputs, n_axes, stop)
+        field, stated_hz = _read_responses(reader, file, n_outputs, n_axes, stop)
     if not np.isfinite(field).all():
-        raise _refusal(file, "it holds values that are no finite numbers, expected m/s²")
-    return _at_rate(file, field, stated_hz or rate_hz or sample_rate_hz, sample_rate_hz)
+        raise _recording_error(file, "it holds values that are no finite numbers, expected m/s²")
+    return _resampled(file, field, stated_hz or rate_hz or sample_rate_hz, sample_rate_hz)
 
 
-def _read(
+def _read_responses(
     reader: ReadingProcess, file: Path, n_outputs: int, n_axes: int, stop: Stop
 ) -> tuple[Floats, float | None]:
-    """The responses, and their rate as far as the file says it."""
+    """Return the responses, and their rate; None: the file states none."""
     offered = reader.ask(file, {"do": "arrays"}, stop=stop)
     for array in offered["arrays"]:
         order = _order_of([int(n) for n in array["shape"]], n_outputs, n_axes)
@@ -333,22 +337,22 @@ def _read(
             rate_hz = array["rate_hz"] or offered["rate_hz"]
             field = _from_array(reader, file, array, order, stop)
             return field, None if rate_hz is None else float(rate_hz)
-    shapes = ", ".join(" × ".join(map(str, one["shape"])) for one in offered["arrays"][:5])
+    shapes = ", ".join(" × ".join(map(str, array["shape"])) for array in offered["arrays"][:5])
     try:
-        found = reader.look(file, stop=stop)
+        contents = reader.look(file, stop=stop)
     except RecordingError:
         if not shapes:
             raise
-        raise _refusal(
+        raise _recording_error(
             file,
             f"its arrays are {shapes}, expected times × {counted(n_outputs, 'output')} × "
             f"{counted(n_axes, 'axis', 'axes')}",
         ) from None
-    return _from_columns(reader, file, found, (n_outputs, n_axes), stop)
+    return _from_columns(reader, file, contents, n_outputs, n_axes, stop)
 
 
 def _order_of(shape: Sequence[int], n_outputs: int, n_axes: int) -> str:
-    """Which dimension is time, outputs and axes; empty where none fits."""
+    """Return which dimension is time, outputs and axes; empty where none fits."""
     for order in _ORDERS:
         if shape[order.index("o")] == n_outputs and shape[order.index("a")] == n_axes:
             return order
@@ -360,46 +364,45 @@ def _from_array(
 ) -> Floats:
     shape = [int(n) for n in array["shape"]]
     if prod(shape) * 8 > limits.MOST_BYTES:
-        raise _refusal(
+        raise _recording_error(
             file, f"{prod(shape)} samples are too many, expected at most {limits.MOST_BYTES // 8}"
         )
     # One axis after another, as the responses of a limb come: input by input.
     request = {"do": "responses", "array": array["name"], "order": order.replace("a", "i")}
     along_each = list(reader.stream(file, request, stop=stop))
     if len(along_each) != shape[order.index("a")]:
-        raise _refusal(file, "it ends too early, expected all axes")
+        raise _recording_error(file, "it ends too early, expected all axes")
     return np.stack(along_each, axis=1)
 
 
 def _from_columns(
-    reader: ReadingProcess, file: Path, found: Found, size: tuple[int, int], stop: Stop
+    reader: ReadingProcess, file: Path, contents: Found, n_outputs: int, n_axes: int, stop: Stop
 ) -> tuple[Floats, float | None]:
-    n_outputs, n_axes = size
-    signals = [one for one in found.series if not one.is_time]
+    signals = [series for series in contents.series if not series.is_time]
     expected = n_outputs * n_axes
     if _are_instants(signals, expected):
-        return _from_instants(reader, file, found, (signals, size), stop)
-    if len(signals) != expected or len({one.n_samples for one in signals}) != 1:
+        return _from_instants(reader, file, contents, signals, n_outputs, n_axes, stop)
+    if len(signals) != expected or len({signal.n_samples for signal in signals}) != 1:
         one_axis = f", or choose one axis (x, y or z), which takes {counted(n_outputs, 'signal')}"
         advice = one_axis if n_axes > 1 else ""
-        raise _refusal(
+        raise _recording_error(
             file,
             f"{counted(len(signals), 'signal')}, expected {expected} of one length: "
             f"{counted(n_outputs, 'output')} along {counted(n_axes, 'axis', 'axes')}, output "
             f"by output. Save the responses as an array of times by outputs by axes{advice}",
         )
-    keys, n_times = [one.key for one in signals], signals[0].n_samples
+    keys, n_times = [signal.key for signal in signals], signals[0].n_samples
     values = reader.read(file, keys, 0, n_times, stop=stop).astype(np.float64)
-    rate_hz = found.rate_of(signals[0])
-    times = found.time_of(signals[0])
+    rate_hz = contents.rate_of(signals[0])
+    times = contents.time_of(signals[0])
     if rate_hz is None and times is not None:
         rate_hz = _rate_of_times(reader, file, times, stop)
     return values.reshape(n_outputs, n_axes, -1), rate_hz
 
 
 def _are_instants(signals: Sequence[Series], expected: int) -> bool:
-    """Whether what was taken for signals are instants: there are fewer of them than channels."""
-    shapes = {one.shape for one in signals}
+    """Return whether the signals are instants: each holds a value of every channel."""
+    shapes = {signal.shape for signal in signals}
     return len(signals) != expected and shapes in (
         {(len(signals), expected)},
         {(expected, len(signals))},
@@ -409,40 +412,44 @@ def _are_instants(signals: Sequence[Series], expected: int) -> bool:
 def _from_instants(
     reader: ReadingProcess,
     file: Path,
-    found: Found,
-    what: tuple[Sequence[Series], tuple[int, int]],
+    contents: Found,
+    instants: Sequence[Series],
+    n_outputs: int,
+    n_axes: int,
     stop: Stop,
 ) -> tuple[Floats, float | None]:
-    instants, (n_outputs, n_axes) = what
-    keys = [one.key for one in instants]
+    keys = [instant.key for instant in instants]
     rows = reader.read(file, keys, 0, n_outputs * n_axes, stop=stop).astype(np.float64)
-    rate_hz = found.rate_of(instants[0])
-    stamps = (one for one in found.series if one.is_time and one.n_samples == len(instants))
-    times = next(stamps, None)
+    rate_hz = contents.rate_of(instants[0])
+    candidates = (
+        series for series in contents.series if series.is_time and series.n_samples == len(instants)
+    )
+    times = next(candidates, None)
     if rate_hz is None and times is not None:
         rate_hz = _rate_of_times(reader, file, times, stop)
     return rows.T.reshape(n_outputs, n_axes, -1), rate_hz
 
 
 def _rate_of_times(reader: ReadingProcess, file: Path, times: Series, stop: Stop) -> float:
-    stamps = reader.read(file, [times.key], 0, times.n_samples, stop=stop).astype(np.float64)[0]
+    timestamps = reader.read(file, [times.key], 0, times.n_samples, stop=stop)[0]
     try:
-        pace = sample_clock(stamps * times.time_unit_s)
+        clock = sample_clock(timestamps.astype(np.float64) * times.time_unit_s)
     except InvalidInputError as error:
-        raise _refusal(file, str(error)) from error
-    if not pace.steady:
-        raise _refusal(
-            file, "its time stamps are not steady, expected steps of one length. Resample it before"
+        raise _recording_error(file, str(error)) from error
+    if not clock.steady:
+        raise _recording_error(
+            file,
+            "its time stamps are not steady, expected steps of one length. Resample it before",
         )
-    return float(pace.rate_hz)
+    return float(clock.rate_hz)
 
 
-def _at_rate(file: Path, field: Floats, from_hz: float, to_hz: float) -> Floats:
+def _resampled(file: Path, field: Floats, from_hz: float, to_hz: float) -> Floats:
     if abs(from_hz - to_hz) <= _SAME_HZ:
         return field
     rates = [round(from_hz), round(to_hz)]
     if max(abs(rates[0] - from_hz), abs(rates[1] - to_hz)) > _SAME_HZ:
-        raise _refusal(
+        raise _recording_error(
             file,
             f"{from_hz:g} Hz, expected a whole number of hertz, or the rate of the limb, "
             f"{to_hz:g} Hz. Resample it before",
@@ -450,5 +457,5 @@ def _at_rate(file: Path, field: Floats, from_hz: float, to_hz: float) -> Floats:
     return resample(field, *rates)
 
 
-def _refusal(file: Path, reason: str) -> RecordingError:
+def _recording_error(file: Path, reason: str) -> RecordingError:
     return RecordingError(f"{named(Path(file.name))}: {reason.rstrip('.')}.")

@@ -164,10 +164,10 @@ def test_whiskers_end_at_data_within_one_and_a_half_boxes():
     values = np.array([0.0, 1.0, 2.0, 3.0, 4.0, 100.0])
     assert quartiles(values) == (0.0, 1.25, 2.5, 3.75, 4.0)
     # What is not drawn is said: not the one at the end of a whisker.
-    drawn = checking._boxes([("100 Hz", values), ("200 Hz", values[:5])])
+    drawn = checking._box_plot([("100 Hz", values), ("200 Hz", values[:5])])
     assert "1 of 11 channels lie beyond the whiskers" in drawn
     assert "all lie from 0 to 100" in drawn
-    assert "beyond" not in checking._boxes([("200 Hz", values[:5])])
+    assert "beyond" not in checking._box_plot([("200 Hz", values[:5])])
 
 
 @pytest.mark.parametrize(

@@ -87,7 +87,7 @@ def test_figure_2b_on_the_measured_limb_holds_the_known_levels(measured, tmp_pat
 def test_lines_are_those_of_least_squares():
     opened = ss.scenes.open_scene("5D", available=())
     fits = lines_of(opened)
-    x, y = fits.played[:, 37], fits.felt[:, 19, 37]
+    x, y = fits.input_rms[:, 37], fits.output_rms[:, 19, 37]
     slope, offset = np.polyfit(x, y, 1)
     assert fits.slope[19, 37] == pytest.approx(slope)
     assert fits.offset[19, 37] == pytest.approx(offset, abs=1e-12)

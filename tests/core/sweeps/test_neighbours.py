@@ -10,7 +10,7 @@ from skinsource.studies.sweeps import neighbours
 from skinsource.studies.sweeps.measuring import METRICS, Measurer
 from skinsource.studies.sweeps.metrics import Preparing, main_axes
 from skinsource.studies.sweeps.neighbours import Batch
-from skinsource.studies.sweeps.plan import TOGETHER, Plan
+from skinsource.studies.sweeps.plan import BATCH_SIZE, Plan
 
 PLACES = (3, 7, 7, 18)
 FREQUENCIES = (40.0, 75.0, 110.0, 240.0, 390.0)
@@ -77,10 +77,10 @@ def test_moments_are_those_of_the_prediction(name):
 
 
 def test_what_the_next_neighbours_have_in_common_is_looked_at_anew():
-    frequencies = tuple(np.linspace(40.0, 400.0, TOGETHER).tolist())
+    frequencies = tuple(np.linspace(40.0, 400.0, BATCH_SIZE).tolist())
     variables = (("1.amplitude", (1.0, -3.0)), ("2.frequency_hz", frequencies))
     together = Measurer(Plan(designs=(("one", four_inputs()),), variables=variables))
-    for number in (1, TOGETHER + 1):
+    for number in (1, BATCH_SIZE + 1):
         alone = Plan(designs=(("one", together.plan.design_of(number)),))
         expected, found = Measurer(alone).measure(1), together.measure(number)
         assert found["rms"] == pytest.approx(expected["rms"], rel=1e-10)

@@ -93,7 +93,7 @@ def test_the_copied_bands_are_those_of_the_printed_figure(window, qtbot):
     for level, strength in enumerate((0.75, 1.5, 3.0, 6.0)):
         for output in (20, 26):
             column = head.index(f"band_rms_{output}_z_m_per_s2 at strength {strength:g}")
-            expected = fits.felt[level, output - 1]
+            expected = fits.output_rms[level, output - 1]
             assert numbers[:, column] == pytest.approx(expected, rel=1e-6)
     assert numbers[:, head.index("adjusted_r2_26_z")] == pytest.approx(1.0)
     assert "RMS over all bands" not in window.document.design.notes

@@ -1,12 +1,11 @@
-"""WAV: one channel per actuator, and no speakers.
+"""Sound files with one channel per actuator: WAV, and FLAC of 24 bits.
 
-What says which channel is which loudspeaker ("mask") makes mixers filter and fold channels down;
-the plain form has none, the extensible one gets the mask 0.
+A WAV file names no loudspeakers: a "mask" that names them makes mixers filter channels and fold
+them down.  The plain header has none, the extensible one gets the mask 0.
 """
 
 import io
 import struct
-from collections.abc import Mapping
 from pathlib import Path
 from typing import BinaryIO
 
@@ -21,7 +20,7 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource.version import __version__
 
 _PCM, _FLOAT, _EXTENSIBLE = 1, 3, 0xFFFE
-#: Bytes of a sample; whole numbers, if it is one.
+#: Bytes of a sample, and the kind of whole numbers; "": floating point.
 _KINDS = {"float32": (4, ""), "pcm24": (3, "int24"), "pcm16": (2, "int16")}
 _MOST_BYTES = 2**32 - 2**12
 #: Rest of the identifier of a kind of samples in the extensible form.
@@ -31,7 +30,7 @@ _BLOCK = 2**16
 
 def write_wav(outgoing: Outgoing, path: Path) -> Facts:
     """Write the file."""
-    sample_bytes, whole = _KINDS[outgoing.choices[SAMPLES]]
+    sample_bytes, integer_kind = _KINDS[outgoing.choices[SAMPLES]]
     stimulus = outgoing.stimulus
     n_channels, n_times = stimulus.samples.shape
     if n_channels * n_times * sample_bytes > _MOST_BYTES or n_channels * sample_bytes > 0xFFFF:
@@ -41,23 +40,23 @@ def write_wav(outgoing: Outgoing, path: Path) -> Facts:
         )
     facts: Facts = {"samples": "float32"}
     values: NDArray[np.generic] = stimulus.samples
-    if whole:
-        found, facts = outgoing.whole_numbers(whole)
-        values = found.values
+    if integer_kind:
+        quantised, facts = outgoing.integers(integer_kind)
+        values = quantised.values
     with steadily_written(path) as file:
         _write_head(file, outgoing, sample_bytes, n_times)
         for start in range(0, n_times, _BLOCK):
             stop_if(outgoing.stop)
-            file.write(_packed(values[:, start : start + _BLOCK], sample_bytes, whole))
+            file.write(_packed(values[:, start : start + _BLOCK], sample_bytes, integer_kind))
             outgoing.progress(min(start + _BLOCK, n_times), n_times, "Writing")
         if n_channels * n_times * sample_bytes % 2:
             file.write(b"\0")
     return {**facts, "container": outgoing.choices["container"]}
 
 
-def _packed(values: NDArray[np.generic], sample_bytes: int, whole: str) -> bytes:
-    """Samples of all channels of one time, then those of the next, as bytes."""
-    if not whole:
+def _packed(values: NDArray[np.generic], sample_bytes: int, integer_kind: str) -> bytes:
+    """Return samples as bytes: all channels of one time, then those of the next."""
+    if not integer_kind:
         return values.T.astype("<f4").tobytes()
     wide = np.ascontiguousarray(values.T.astype("<i4"))
     return wide.view(np.uint8).reshape(-1, 4)[:, :sample_bytes].tobytes()
@@ -91,7 +90,7 @@ def _write_head(file: BinaryIO, outgoing: Outgoing, sample_bytes: int, n_times: 
 
 
 def _info(outgoing: Outgoing) -> bytes:
-    """Title, what wrote the file, and the digest of the design."""
+    """Return title, name of this program, and digest of the design, as chunks."""
     texts = (
         (b"INAM", outgoing.design.title),
         (b"ISFT", f"SkinSource studio {__version__}"),
@@ -104,29 +103,15 @@ def _chunk(name: bytes, content: bytes) -> bytes:
     return name + struct.pack("<I", len(content)) + content + b"\0" * (len(content) % 2)
 
 
-def _bytes_of(n_channels: int, n_times: int, choices: Mapping[str, str]) -> int:
-    return 200 + n_channels * n_times * _KINDS[choices[SAMPLES]][0]
-
-
-def _loses(choices: Mapping[str, str]) -> str:
-    return {
-        "pcm16": "16 bits: rounding adds noise 98 dB below full scale, 93 dB with dither.",
-        "pcm24": "",
-        "float32": "",
-    }[choices[SAMPLES]]
-
-
-def _rounds(choices: Mapping[str, str]) -> bool:
-    return choices[SAMPLES] != "float32"
-
-
 WAV = StimulusFormat(
     name="wav",
     title="WAV",
     suffix=".wav",
     hint="Sound cards and players: one channel per actuator, no loudspeakers named",
     write=write_wav,
-    bytes_of=_bytes_of,
+    bytes_of=lambda n_channels, n_times, choices: (
+        200 + n_channels * n_times * _KINDS[choices[SAMPLES]][0]
+    ),
     choices={
         SAMPLES: ChoiceSpec(
             label="Samples",
@@ -144,14 +129,16 @@ WAV = StimulusFormat(
             "channels",
         ),
     },
-    rounds=_rounds,
-    loses=_loses,
+    rounds=lambda choices: choices[SAMPLES] != "float32",
+    loses=lambda choices: (
+        "16 bits: rounding adds noise 98 dB below full scale, 93 dB with dither."
+        if choices[SAMPLES] == "pcm16"
+        else ""
+    ),
 )
 
 
-# FLAC of 24 bits: as WAV, in half the bytes.
-
-#: Of libsndfile.
+#: Largest rate of libsndfile.
 _MOST_RATE_HZ = 655_350
 
 
@@ -166,22 +153,18 @@ def write_flac(outgoing: Outgoing, path: Path) -> Facts:
             f"FLAC knows no rate of {rate_hz} Hz, expected at most {_MOST_RATE_HZ} Hz. Choose a "
             "lower one, or WAV."
         )
-    found, facts = outgoing.whole_numbers("int24")
-    n_channels, n_times = found.values.shape
-    # In memory: what a full disk says reaches nobody through the library's own files.
-    held = io.BytesIO()
-    with soundfile.SoundFile(held, "w", rate_hz, n_channels, "PCM_24", format="FLAC") as file:
+    quantised, facts = outgoing.integers("int24")
+    n_channels, n_times = quantised.values.shape
+    # In memory: the library's own files report no full disk.
+    content = io.BytesIO()
+    with soundfile.SoundFile(content, "w", rate_hz, n_channels, "PCM_24", format="FLAC") as file:
         for start in range(0, n_times, _BLOCK):
             stop_if(outgoing.stop)
-            part = found.values[:, start : start + _BLOCK].T
+            part = quantised.values[:, start : start + _BLOCK].T
             file.write(np.ascontiguousarray(part.astype(np.int32) << 8))
             outgoing.progress(min(start + _BLOCK, n_times), n_times, "Writing")
-    path.write_bytes(held.getbuffer())
+    path.write_bytes(content.getbuffer())
     return facts
-
-
-def _flac_bytes_of(n_channels: int, n_times: int, _: Mapping[str, str]) -> int:
-    return 200 + 3 * n_channels * n_times
 
 
 FLAC = StimulusFormat(
@@ -190,7 +173,7 @@ FLAC = StimulusFormat(
     suffix=".flac",
     hint="As WAV of 24 bits, packed without loss; up to 8 channels",
     write=write_flac,
-    bytes_of=_flac_bytes_of,
+    bytes_of=lambda n_channels, n_times, _: 200 + 3 * n_channels * n_times,
     rounds=lambda _: True,
     most_channels=8,
 )

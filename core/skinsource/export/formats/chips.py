@@ -1,4 +1,8 @@
-"""How strong a drive is, and at which frequency, point by point: for devices without waveforms."""
+"""Arrays for driver chips, and the envelope of a drive, for devices that play no waveform.
+
+Sources: Texas Instruments, DRV2605L data sheet (real-time playback) and DRV2665 data sheet (FIFO);
+Boréas Technologies, BOS1901 data sheet and help pages (FIFO, waveforms near 0 V).
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,8 +18,8 @@ from skinsource.export.formats.text import write_header
 from skinsource.signals.quantising import quantised
 from skinsource.specs.spec import ChoiceSpec
 
-# What is this far below the largest amplitude has no frequency of its own.
-_SILENT = 1e-3
+# A point whose amplitude is a smaller share of the largest one has no frequency of its own.
+_SILENT_SHARE = 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -27,10 +31,10 @@ class Envelope:
     time_s : (n_points,)
         Middles of the stretches; the first is 0, the last the end.
     amplitude : (n_points,)
-        Of a sine that is as strong as the drive in that stretch, in parts of full scale.
+        Amplitude of a sine that is as strong as the drive in that stretch, in parts of full scale.
     frequency_hz : (n_points,)
         Mean of the instantaneous frequency, weighted by power; that of the point before where
-        it is silent.
+        the drive is silent.
     """
 
     time_s: Floats
@@ -39,10 +43,11 @@ class Envelope:
 
 
 def envelope_of(samples: Floats, rate_hz: float, step_s: float) -> Envelope:
-    """Amplitude and frequency of a drive, every ``step_s`` and at its end.
+    """Return amplitude and frequency of a drive, every ``step_s`` and at its end.
 
-    From the analytic signal: the root mean square of its length, and the mean turn from sample to
-    sample, over one step about each point.  A steady sine has its own amplitude and frequency.
+    They follow from the analytic signal: the root mean square of its length, and the mean turn
+    from sample to sample, over one step about each point.  A steady sine has its own amplitude
+    and frequency.
 
     Parameters
     ----------
@@ -52,7 +57,7 @@ def envelope_of(samples: Floats, rate_hz: float, step_s: float) -> Envelope:
         Its rate; at least one sample.
     """
     n = samples.size
-    # Room for it: the transform goes round.
+    # Zeros after it: the transform is circular.
     analytic = scipy.signal.hilbert(np.concatenate((samples, np.zeros(n))))[:n]
     power = np.concatenate(([0.0], np.cumsum(np.abs(analytic) ** 2)))
     turns = np.concatenate(([0.0, 0.0], np.cumsum(analytic[1:] * analytic[:-1].conj())))
@@ -64,22 +69,17 @@ def envelope_of(samples: Floats, rate_hz: float, step_s: float) -> Envelope:
     amplitude = np.sqrt(np.maximum(power[last] - power[first], 0.0) / (last - first))
     turn = turns[last] - turns[np.minimum(first + 1, last)]
     frequency_hz = np.abs(np.angle(turn)) * rate_hz / (2.0 * np.pi)
-    heard = amplitude > _SILENT * max(float(amplitude.max(initial=0.0)), 1e-300)
-    if heard.any():
-        # The first one that is heard, until another is.
-        places = np.maximum.accumulate(np.where(heard, np.arange(n_points), -1))
-        frequency_hz = frequency_hz[np.where(places < 0, int(np.argmax(heard)), places)]
+    audible = amplitude > _SILENT_SHARE * max(float(amplitude.max(initial=0.0)), 1e-300)
+    if audible.any():
+        # Silent points take the frequency of the audible one before, the first ones that after.
+        latest = np.maximum.accumulate(np.where(audible, np.arange(n_points), -1))
+        frequency_hz = frequency_hz[np.where(latest < 0, int(np.argmax(audible)), latest)]
     return Envelope(time_s=time_s, amplitude=amplitude, frequency_hz=frequency_hz)
 
 
-# Arrays for driver chips: DRV2605L, BOS1901, DRV2665.
-#
-# Sources: Texas Instruments, DRV2605L data sheet (real-time playback) and DRV2665 data sheet
-# (FIFO); Boréas Technologies, BOS1901 data sheet and help pages (FIFO, waveforms near 0 V).
-
 _FIFO_HZ = 8000
 _UPDATES = "updates"
-#: What the evaluation kit of the BOS1901 plays at full scale.
+#: Full scale of the evaluation kit of the BOS1901.
 _BOS_VOLTS = 95
 
 
@@ -95,13 +95,13 @@ def write_drv2605l(outgoing: Outgoing, path: Path) -> Facts:
     )
     # The last value holds until another comes.
     amplitudes[:, -1] = 0.0
-    found = quantised(np.clip(amplitudes, 0.0, 1.0), "int8")
-    return _written(
+    amplitude_steps = quantised(np.clip(amplitudes, 0.0, 1.0), "int8")
+    return _write_arrays(
         outgoing,
         path,
-        found.values,
+        amplitude_steps.values,
         kind="int8_t",
-        words=(
+        comment=(
             "DRV2605L, real-time playback: write 0x05 to register 0x01, clear bit 3 of 0x1D (data",
             "with sign), then one value to 0x02 at each update. Amplitude only: the chip chooses",
             "the frequency, the resonance of the actuator. I2C address 0x5A.",
@@ -119,23 +119,23 @@ def write_drv2605l(outgoing: Outgoing, path: Path) -> Facts:
 
 def write_bos1901(outgoing: Outgoing, path: Path) -> Facts:
     """Write words for the FIFO: 12 bits, two's complement, in register 0."""
-    found, facts = outgoing.whole_numbers("int12")
-    words = _silent_ends(found.values.astype(np.int32)) & 0x0FFF
+    quantised_drives, facts = outgoing.integers("int12")
+    fifo_words = _silent_ends(quantised_drives.values.astype(np.int32)) & 0x0FFF
     return {
         **facts,
-        **_written(
+        **_write_arrays(
             outgoing,
             path,
-            words,
+            fifo_words,
             kind="uint16_t",
-            words=(
+            comment=(
                 "BOS1901: words for register 0x0, the FIFO of 64; PLAY of CONFIG: 8 kHz.",
                 f"Full scale is {_BOS_VOLTS} V on the evaluation kit. First and last word are 0 V;",
                 "a wave that stays within about 3 V of 0 without reaching it may stop it.",
             ),
             defines={
                 "STIM_FS_HZ": f"{_FIFO_HZ}UL",
-                "STIM_FULL_SCALE": f"{found.full_scale}",
+                "STIM_FULL_SCALE": f"{quantised_drives.full_scale}",
                 "STIM_ZERO": "0",
             },
         ),
@@ -144,21 +144,21 @@ def write_bos1901(outgoing: Outgoing, path: Path) -> Facts:
 
 def write_drv2665(outgoing: Outgoing, path: Path) -> Facts:
     """Write bytes for the FIFO: 8 bits, two's complement."""
-    found, facts = outgoing.whole_numbers("int8")
+    quantised_drives, facts = outgoing.integers("int8")
     return {
         **facts,
-        **_written(
+        **_write_arrays(
             outgoing,
             path,
-            _silent_ends(found.values),
+            _silent_ends(quantised_drives.values),
             kind="int8_t",
-            words=(
+            comment=(
                 "DRV2665: bytes for the FIFO of 100, which plays 8000 of them a second. First and",
                 "last byte are 0.",
             ),
             defines={
                 "STIM_FS_HZ": f"{_FIFO_HZ}UL",
-                "STIM_FULL_SCALE": f"{found.full_scale}",
+                "STIM_FULL_SCALE": f"{quantised_drives.full_scale}",
                 "STIM_ZERO": "0",
             },
         ),
@@ -166,24 +166,24 @@ def write_drv2665(outgoing: Outgoing, path: Path) -> Facts:
 
 
 def _silent_ends(values: NDArray[np.integer]) -> NDArray[np.integer]:
-    """The values, with a 0 before and after them."""
+    """Return the values with a 0 before and after them."""
     return np.pad(values, ((0, 0), (1, 1)))
 
 
-def _written(
+def _write_arrays(
     outgoing: Outgoing,
     path: Path,
     values: NDArray[np.integer],
     *,
     kind: str,
-    words: tuple[str, ...],
+    comment: tuple[str, ...],
     defines: dict[str, str],
 ) -> dict[str, object]:
     names = [f"stim_{name}" for name in channel_names(outgoing.stimulus)]
     n_bytes = write_header(
         path,
         outgoing,
-        words=words,
+        comment=comment,
         defines=defines,
         kind=kind,
         arrays=dict(zip(names, values, strict=True)),
@@ -195,11 +195,6 @@ def _written(
 def _bytes_per_update(n_channels: int, n_times: int, choices: Mapping[str, str]) -> int:
     return n_channels * (n_times * int(choices[_UPDATES]) // _FIFO_HZ + 2)
 
-
-_EIGHT_BITS = (
-    "8 bits: each sample is rounded, by at most 48 dB below full scale. What lies above 3.7 kHz is "
-    "left out."
-)
 
 DRV2605L = StimulusFormat(
     name="drv2605l",
@@ -247,5 +242,8 @@ DRV2665 = StimulusFormat(
     rounds=lambda _: True,
     rate_hz=_FIFO_HZ,
     fixed_rate=True,
-    loses=lambda _: _EIGHT_BITS,
+    loses=lambda _: (
+        "8 bits: each sample is rounded, by at most 48 dB below full scale. What lies "
+        "above 3.7 kHz is left out."
+    ),
 )

@@ -1,10 +1,9 @@
-"""BIDS: a stimulus beside recordings of the brain, as that standard lays it out."""
+"""Formats for experiments: BIDS for recordings of the brain, and a folder for PsychoPy."""
 
 import csv
 import gzip
 import io
 import json
-from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -15,14 +14,14 @@ from skinsource.export.formats.format import SAMPLES, Facts, Outgoing, StimulusF
 from skinsource.export.formats.text import number
 
 _BLOCK = 4096
-_ENDING = ".tsv.gz"
+_TABLE_SUFFIX = ".tsv.gz"
 
 
 def write_bids(outgoing: Outgoing, path: Path) -> Facts:
     """Write the table, packed and without a header; the names are in the sidecar."""
     stimulus = outgoing.stimulus
     names = channel_names(stimulus)
-    # Neither name nor time of the file: the same stimulus gives the same bytes.
+    # Without name and time of the file the same stimulus gives the same bytes.
     with path.open("wb") as raw, gzip.GzipFile("", "wb", 6, raw, mtime=0) as file:
         for start in range(0, stimulus.n_times, _BLOCK):
             stop_if(outgoing.stop)
@@ -36,30 +35,26 @@ def write_bids(outgoing: Outgoing, path: Path) -> Facts:
         "Columns": names,
         **{
             name: {
-                "Description": f"Drive at {one.title}" if one.place else one.title,
+                "Description": f"Drive at {channel.title}" if channel.place else channel.title,
                 "Units": "parts of full scale",
             }
-            for name, one in zip(names, stimulus.channels, strict=True)
+            for name, channel in zip(names, stimulus.channels, strict=True)
         },
     }
 
 
-def _place_of_description(path: Path) -> Path | None:
-    """Where BIDS looks for what it asks for; nowhere where ``path`` has no name of BIDS."""
-    if not path.name.endswith(_ENDING):
+def _description_path(path: Path) -> Path | None:
+    """Return the path of the description that BIDS requires; None: ``path`` is no BIDS name."""
+    if not path.name.endswith(_TABLE_SUFFIX):
         return None
-    return path.with_name(f"{path.name.removesuffix(_ENDING)}.json")
+    return path.with_name(f"{path.name.removesuffix(_TABLE_SUFFIX)}.json")
 
 
 def _description(facts: Facts) -> bytes:
-    """What BIDS asks for."""
+    """Return the facts that BIDS requires, as JSON."""
     keys = ("SamplingFrequency", "StartTime", "Columns", *facts["Columns"])
     content = json.dumps({key: facts[key] for key in keys}, ensure_ascii=False, indent=2)
     return f"{content}\n".encode()
-
-
-def _bytes_of(n_channels: int, n_times: int, _: Mapping[str, str]) -> int:
-    return 10 * n_channels * n_times
 
 
 BIDS = StimulusFormat(
@@ -68,17 +63,14 @@ BIDS = StimulusFormat(
     suffix="_stim.tsv.gz",
     hint="For data of EEG, MEG and fMRI: a packed table, and what BIDS wants to know of it",
     write=write_bids,
-    bytes_of=_bytes_of,
+    bytes_of=lambda n_channels, n_times, _: 10 * n_channels * n_times,
     rate_hz=None,
     to_device=False,
-    beside=_place_of_description,
-    words_beside=_description,
+    companion_path=_description_path,
+    companion_content=_description,
 )
 
 
-# A folder that runs: the stimulus, conditions as PsychoPy reads them, and a player for them.
-
-_PLAYER = ("player", "play.py")
 _SOUNDS = "stimuli"
 _COLUMNS = ("stimulus", "trigger_code", "title", "channels", "rate_hz", "duration_s")
 _PLAYER_BYTES = 12_000
@@ -95,18 +87,15 @@ def write_psychopy(outgoing: Outgoing, folder: Path) -> Facts:
     writer = csv.writer(table, lineterminator="\n")
     writer.writerow(_COLUMNS)
     title = outgoing.design.title
-    # A spreadsheet would take a title that begins like this for a formula.
+    # A spreadsheet would read a title that begins like this as a formula.
     title = f"'{title}" if title[:1] in ("=", "+", "-", "@", "\t") else title
     writer.writerow(
         (sound, 1, title, len(stimulus.channels), outgoing.rate_hz, f"{stimulus.duration_s:.17g}")
     )
     (folder / "conditions.csv").write_text(table.getvalue(), encoding="utf-8")
-    (folder / "play.py").write_bytes(data_folder().joinpath(*_PLAYER).read_bytes())
+    player = data_folder() / "player" / "play.py"
+    (folder / "play.py").write_bytes(player.read_bytes())
     return {**facts, "player": "play.py", "conditions": "conditions.csv", "sounds": [sound]}
-
-
-def _psychopy_bytes_of(n_channels: int, n_times: int, choices: Mapping[str, str]) -> int:
-    return _PLAYER_BYTES + WAV.bytes_of(n_channels, n_times, choices)
 
 
 PSYCHOPY = StimulusFormat(
@@ -116,7 +105,9 @@ PSYCHOPY = StimulusFormat(
     hint="A folder that runs: sound file, conditions, and a player for all channels with triggers, "
     "a log and a loopback test",
     write=write_psychopy,
-    bytes_of=_psychopy_bytes_of,
+    bytes_of=lambda n_channels, n_times, choices: (
+        _PLAYER_BYTES + WAV.bytes_of(n_channels, n_times, choices)
+    ),
     choices={SAMPLES: WAV.choices[SAMPLES]},
     folder=True,
     rounds=WAV.rounds,

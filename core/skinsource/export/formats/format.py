@@ -1,4 +1,4 @@
-"""What a format is, and what it is given to write."""
+"""What a format of stimulus files is, and the stimulus that it is given to write."""
 
 from collections import Counter
 from collections.abc import Callable, Mapping
@@ -15,34 +15,10 @@ from skinsource.signals.quantising import Quantised, quantised
 from skinsource.specs.spec import ChoiceSpec
 from skinsource.version import __version__
 
-#: Facts of one file that join its sidecar.
+#: Facts of one file that its sidecar holds too.
 Facts = Mapping[str, Any]
 
 SAMPLES = "samples"
-
-
-def nothing_lost(_: Mapping[str, str]) -> str:
-    """Nothing of the drive is missing."""
-    return ""
-
-
-def no_rounding(_: Mapping[str, str]) -> bool:
-    """Nothing is rounded."""
-    return False
-
-
-def no_response(_: Design) -> int:
-    """Nothing that is predicted is written."""
-    return 0
-
-
-def no_second_file(_: Path) -> None:
-    """No other file belongs to it."""
-
-
-def no_second_text(_: Facts) -> bytes:
-    """Nothing is in the other file, as there is none."""
-    return b""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -54,21 +30,21 @@ class Outgoing:
     stimulus
         Samples in parts of full scale, (n_channels, n_times).
     full_scale
-        What 1 stands for, in the unit of the stimulus.
+        Drive that a sample of 1 stands for, in the unit of the stimulus.
     design
-        Those inputs and clips of the design that take part.
+        The design with those inputs and clips that take part.
     name
         Name of the file, without its folder.
     digest
-        Of the design.
+        SHA-256 of the design.
     choices
-        What was chosen of what the format offers.
+        Options of the format, all of them.
     calibration
-        Whether m/s² follow from the samples, in words.
+        Sentence on whether m/s² follow from the samples.
     dither_seed
-        Of whole numbers; None: no dither.
+        Seed of the dither of whole numbers; None: no dither.
     progress, stop
-        Told how far it is; asked now and then.
+        As those of a job.
     """
 
     stimulus: Stimulus
@@ -84,19 +60,19 @@ class Outgoing:
 
     @property
     def rate_hz(self) -> int | float:
-        """Its rate, as a whole number where it is one."""
+        """Sample rate, as a whole number where it is one."""
         rate_hz = self.stimulus.sample_rate_hz
         return int(rate_hz) if rate_hz.is_integer() else rate_hz
 
-    def whole_numbers(self, kind: str) -> tuple[Quantised, Facts]:
-        """Samples as whole numbers, and what the sidecar says of them."""
-        found = quantised(self.stimulus.samples, kind, dither_seed=self.dither_seed)
-        return found, {
+    def integers(self, kind: str) -> tuple[Quantised, Facts]:
+        """Return the samples as whole numbers, and the facts about them for the sidecar."""
+        result = quantised(self.stimulus.samples, kind, dither_seed=self.dither_seed)
+        return result, {
             "samples": kind,
-            "integer_zero": found.kind.zero,
-            "integer_full_scale": found.full_scale,
-            "clipped_samples": [int(count) for count in found.clipped],
-            "largest_rounding_error": found.largest_error,
+            "integer_zero": result.kind.zero,
+            "integer_full_scale": result.full_scale,
+            "clipped_samples": [int(count) for count in result.clipped],
+            "largest_rounding_error": result.largest_error,
             "dither_seed": self.dither_seed,
         }
 
@@ -108,35 +84,36 @@ class StimulusFormat:
     Attributes
     ----------
     name, title, suffix
-        For scripts; for people; usual ending of files (of a folder: none).
+        Name for scripts, name for people, and usual ending of files (of a folder: none).
     hint
-        What it is good for, in a sentence.
+        Sentence on its use.
     write
-        Writes a file, or fills a folder that is there; gives what the sidecar says of it.
+        Writes a file, or fills an existing folder; returns facts for the sidecar.
     bytes_of
-        About how many bytes ``n_channels`` of ``n_times`` take, with such choices.
+        Estimates the bytes that ``n_channels`` of ``n_times`` take, with such choices.
     response_bytes
-        And how many what is predicted of a design, where that is written too.
+        Estimates the bytes of the predicted response, where that is written too.
     rate_hz
         Usual rate; None: that of the limb.
     fixed_rate
-        Whether there is no other: what is asked for is then ignored.
+        Whether it has no other rate: a rate that is given is then ignored.
     choices
-        What can be chosen, by name; the first option of each is the usual one.
+        Options by name; the first value of each is the usual one.
     most_channels
-        None: any number.
+        Largest number of channels; None: any number.
     one_channel_each
         Whether each channel has a file of its own: the first one PATH, the others a number more.
     folder
         Whether it is a folder.
     to_device
-        Whether full scale is all that a device can play: what lies beyond would be cut off.
+        Whether full scale is the limit of a device, so that larger samples would be cut off.
     rounds
-        Whether whole numbers are written, with such choices, so that dither can be asked for.
-    beside, words_beside
-        Where another small file belongs to it besides the sidecar, None: none does; what is in it.
+        Whether whole numbers are written, with such choices, so that dither is possible.
+    companion_path, companion_content
+        Path of another small file that belongs to it besides the sidecar, None: there is none;
+        and its content.
     loses
-        What of the drive is not in the file, in a sentence, for such choices; "": nothing.
+        Sentence on the part of the drive that is not in the file, for such choices; "": all is.
     """
 
     name: str
@@ -145,7 +122,7 @@ class StimulusFormat:
     hint: str
     write: Callable[[Outgoing, Path], Facts]
     bytes_of: Callable[[int, int, Mapping[str, str]], int]
-    response_bytes: Callable[[Design], int] = no_response
+    response_bytes: Callable[[Design], int] = lambda _: 0
     rate_hz: int | None = 48_000
     fixed_rate: bool = False
     choices: Mapping[str, ChoiceSpec] = field(default_factory=dict)
@@ -153,13 +130,13 @@ class StimulusFormat:
     one_channel_each: bool = False
     folder: bool = False
     to_device: bool = True
-    rounds: Callable[[Mapping[str, str]], bool] = no_rounding
-    beside: Callable[[Path], Path | None] = no_second_file
-    words_beside: Callable[[Facts], bytes] = no_second_text
-    loses: Callable[[Mapping[str, str]], str] = nothing_lost
+    rounds: Callable[[Mapping[str, str]], bool] = lambda _: False
+    companion_path: Callable[[Path], Path | None] = lambda _: None
+    companion_content: Callable[[Facts], bytes] = lambda _: b""
+    loses: Callable[[Mapping[str, str]], str] = lambda _: ""
 
     def chosen(self, choices: Mapping[str, str]) -> dict[str, str]:
-        """Return ``choices`` and the usual ones where nothing was chosen.
+        """Return ``choices``, completed by the usual ones.
 
         Raises
         ------
@@ -184,16 +161,13 @@ class StimulusFormat:
         return {**usual, **choices}
 
 
-# What a file says of itself, where it has room for a few words.
-
-
 def about(outgoing: Outgoing) -> dict[str, Any]:
-    """Title, unit, full scale and what else a reader needs; the sidecar says more."""
+    """Return title, unit, full scale and more facts for a file; the sidecar holds all."""
     stimulus = outgoing.stimulus
     return {
         "title": outgoing.design.title,
-        "channels": [one.title for one in stimulus.channels],
-        "places": [one.place for one in stimulus.channels],
+        "channels": [channel.title for channel in stimulus.channels],
+        "places": [channel.place for channel in stimulus.channels],
         "unit": stimulus.unit,
         "full_scale": outgoing.full_scale,
         "rate_hz": outgoing.rate_hz,
@@ -206,20 +180,19 @@ def about(outgoing: Outgoing) -> dict[str, Any]:
     }
 
 
-# What the channels of a stimulus are called in tables and arrays.
-
-
 def channel_names(stimulus: Stimulus) -> list[str]:
-    """One name for each channel, of letters, figures and underscores: ``place_7``.
+    """Return a name for each channel, of letters, digits and underscores: ``place_7``.
 
-    Where several channels have one place, the input is named too; what drives no actuator has
-    the number of its channel.
+    Where several channels have one place, the input is named too; a channel that drives no
+    actuator has its number.
     """
-    places = Counter(one.place for one in stimulus.channels)
-    return [_name(one, alone=places[one.place] == 1) for one in stimulus.channels]
+    places = Counter(channel.place for channel in stimulus.channels)
+    return [
+        _channel_name(channel, alone=places[channel.place] == 1) for channel in stimulus.channels
+    ]
 
 
-def _name(channel: Channel, *, alone: bool) -> str:
+def _channel_name(channel: Channel, *, alone: bool) -> str:
     if channel.place is None:
         return f"{channel.title.lower()}_{channel.number}"
     inputs = "_".join(str(id) for id in channel.inputs)

@@ -33,19 +33,19 @@ FORMATS: tuple[StimulusFormat, ...] = (
 
 
 def export_formats() -> tuple[str, ...]:
-    """Names of what a stimulus can be exported as, see `skinsource.export_stimulus`."""
-    return tuple(one.name for one in FORMATS)
+    """Return the names of the formats of stimulus files, see `skinsource.export_stimulus`."""
+    return tuple(known.name for known in FORMATS)
 
 
 def format_named(name: str | None, path: Path) -> StimulusFormat:
     """Return the format with this name; None: the first one whose files end as ``path`` does."""
     if name is None:
-        for one in FORMATS:
-            if one.suffix and path.name.endswith(one.suffix):
-                return one
+        for known in FORMATS:
+            if known.suffix and path.name.endswith(known.suffix):
+                return known
         raise InvalidInputError(
             f"{printable(path.name)} does not tell its format: say which, one of "
             f"{', '.join(export_formats())}"
         )
-    known = one_of("format", name, export_formats())
-    return next(one for one in FORMATS if one.name == known)
+    one_of("format", name, export_formats())
+    return next(known for known in FORMATS if known.name == name)

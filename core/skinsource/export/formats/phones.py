@@ -1,7 +1,7 @@
 """Phones and controllers: `.haptic` 1.0 (Meta), AHAP (Apple), envelopes for Android.
 
-None of them plays a waveform: what is kept is how strong the drive is, and roughly at which
-frequency.  None says where it is played either: each actuator has a file of its own.
+None of them plays a waveform: they hold the strength of the drive, and roughly its frequency.
+None names a place either: each actuator has a file of its own.
 
 References
 ----------
@@ -22,7 +22,7 @@ from skinsource.version import __version__
 
 _RATE_HZ = 8000
 _STEP_S = 0.01
-#: Frequencies that 0 and 1 stand for: of the controllers of Meta, and of the sharpness of Apple.
+#: Frequencies that 0 and 1 stand for: for the controllers of Meta, and the sharpness of Apple.
 _HAPTIC_HZ = (55.0, 200.0)
 _AHAP_HZ = (65.0, 300.0)
 #: Longest continuous event of AHAP.
@@ -33,11 +33,11 @@ _ANDROID_STEP_S = 0.02
 
 def write_haptic(outgoing: Outgoing, path: Path) -> Facts:
     """Write the file of Meta."""
-    found = _envelope(outgoing, _STEP_S)
-    time_s = found.time_s.tolist()
-    amplitude = np.clip(found.amplitude, 0.0, 1.0).tolist()
-    frequency = _part_of(found.frequency_hz, _HAPTIC_HZ).tolist()
-    one = outgoing.stimulus.channels[0]
+    envelope = _envelope(outgoing, _STEP_S)
+    time_s = envelope.time_s.tolist()
+    amplitude = np.clip(envelope.amplitude, 0.0, 1.0).tolist()
+    frequency = _share_of_band(envelope.frequency_hz, _HAPTIC_HZ).tolist()
+    channel = outgoing.stimulus.channels[0]
     content = {
         "version": {"major": 1, "minor": 0, "patch": 0},
         "metadata": {
@@ -46,7 +46,7 @@ def write_haptic(outgoing: Outgoing, path: Path) -> Facts:
             "source": outgoing.name,
             "project": outgoing.design.title,
             "tags": [],
-            "description": f"{one.title}; frequency 0 is {_HAPTIC_HZ[0]:g} Hz, 1 is "
+            "description": f"{channel.title}; frequency 0 is {_HAPTIC_HZ[0]:g} Hz, 1 is "
             f"{_HAPTIC_HZ[1]:g} Hz; design SHA-256 {outgoing.digest}",
         },
         "signals": {
@@ -64,23 +64,23 @@ def write_haptic(outgoing: Outgoing, path: Path) -> Facts:
             }
         },
     }
-    return _dumped(path, content, {"frequency_hz": list(_HAPTIC_HZ)})
+    return _write_json(path, content, {"frequency_hz": list(_HAPTIC_HZ)})
 
 
 def write_ahap(outgoing: Outgoing, path: Path) -> Facts:
     """Write the file of Apple: continuous events of at most 30 s, each with two curves."""
-    found = _envelope(outgoing, _STEP_S)
-    # Felt intensity is quadratic there.
-    intensity = np.sqrt(np.clip(found.amplitude, 0.0, 1.0))
-    sharpness = _part_of(found.frequency_hz, _AHAP_HZ)
-    end_s = float(found.time_s[-1])
+    envelope = _envelope(outgoing, _STEP_S)
+    # Perceived intensity is quadratic there.
+    intensity = np.sqrt(np.clip(envelope.amplitude, 0.0, 1.0))
+    sharpness = _share_of_band(envelope.frequency_hz, _AHAP_HZ)
+    end_s = float(envelope.time_s[-1])
     pattern: list[dict[str, Any]] = []
     for number in range(max(int(np.ceil(end_s / _LONGEST_EVENT_S - 1e-9)), 1)):
         begin_s = number * _LONGEST_EVENT_S
         last_s = min(begin_s + _LONGEST_EVENT_S, end_s)
-        inside = (found.time_s >= begin_s - 1e-9) & (found.time_s <= last_s + 1e-9)
-        # Times of control points count from that of their curve.
-        time_s = (found.time_s[inside] - begin_s).tolist()
+        inside = (envelope.time_s >= begin_s - 1e-9) & (envelope.time_s <= last_s + 1e-9)
+        # Times of control points count from the begin of their curve.
+        time_s = (envelope.time_s[inside] - begin_s).tolist()
         pattern.append(_ahap_event(begin_s, last_s - begin_s))
         for name, values in (
             ("HapticIntensityControl", intensity),
@@ -96,7 +96,7 @@ def write_ahap(outgoing: Outgoing, path: Path) -> Facts:
         },
         "Pattern": pattern,
     }
-    return _dumped(path, content, {"frequency_hz": list(_AHAP_HZ)})
+    return _write_json(path, content, {"frequency_hz": list(_AHAP_HZ)})
 
 
 def _ahap_event(begin_s: float, duration_s: float) -> dict[str, Any]:
@@ -130,16 +130,16 @@ def _ahap_curve(
 
 def write_pwle(outgoing: Outgoing, path: Path) -> Facts:
     """Write control points for Android, as its builder takes them one after the other."""
-    found = _envelope(outgoing, _ANDROID_STEP_S)
-    steps_ms = np.diff(np.round(found.time_s * 1000.0)).astype(int)
+    envelope = _envelope(outgoing, _ANDROID_STEP_S)
+    steps_ms = np.diff(np.round(envelope.time_s * 1000.0)).astype(int)
     content = {
         "format": "Android WaveformEnvelopeBuilder",
-        "initialFrequencyHz": float(found.frequency_hz[0]),
+        "initialFrequencyHz": float(envelope.frequency_hz[0]),
         "controlPoints": [
             {"amplitude": amplitude, "frequencyHz": frequency_hz, "durationMillis": duration_ms}
             for amplitude, frequency_hz, duration_ms in zip(
-                np.clip(found.amplitude, 0.0, 1.0)[1:].tolist(),
-                found.frequency_hz[1:].tolist(),
+                np.clip(envelope.amplitude, 0.0, 1.0)[1:].tolist(),
+                envelope.frequency_hz[1:].tolist(),
                 steps_ms.tolist(),
                 strict=True,
             )
@@ -147,7 +147,7 @@ def write_pwle(outgoing: Outgoing, path: Path) -> Facts:
         ],
         "design": outgoing.digest,
     }
-    return _dumped(path, content, {})
+    return _write_json(path, content, {})
 
 
 def _envelope(outgoing: Outgoing, step_s: float) -> Envelope:
@@ -155,12 +155,12 @@ def _envelope(outgoing: Outgoing, step_s: float) -> Envelope:
     return envelope_of(stimulus.samples[0], stimulus.sample_rate_hz, step_s)
 
 
-def _part_of(frequency_hz: np.ndarray, band_hz: tuple[float, float]) -> np.ndarray:
+def _share_of_band(frequency_hz: np.ndarray, band_hz: tuple[float, float]) -> np.ndarray:
     low_hz, high_hz = band_hz
     return np.clip((frequency_hz - low_hz) / (high_hz - low_hz), 0.0, 1.0)
 
 
-def _dumped(path: Path, content: dict[str, Any], facts: dict[str, Any]) -> Facts:
+def _write_json(path: Path, content: dict[str, Any], facts: dict[str, Any]) -> Facts:
     text = json.dumps(content, ensure_ascii=False, indent=1, allow_nan=False)
     path.write_text(f"{text}\n", encoding="utf-8")
     return {"samples": "envelope", **facts}
@@ -173,7 +173,9 @@ def _loses(_: Mapping[str, str]) -> str:
     )
 
 
-def _phone(name: str, title: str, suffix: str, hint: str, write: Any, each: int) -> StimulusFormat:
+def _phone_format(
+    name: str, title: str, suffix: str, hint: str, write: Any, each: int
+) -> StimulusFormat:
     return StimulusFormat(
         name=name,
         title=title,
@@ -188,7 +190,7 @@ def _phone(name: str, title: str, suffix: str, hint: str, write: Any, each: int)
     )
 
 
-HAPTIC = _phone(
+HAPTIC = _phone_format(
     "haptic",
     "Meta .haptic",
     ".haptic",
@@ -196,10 +198,10 @@ HAPTIC = _phone(
     write_haptic,
     14_000,
 )
-AHAP = _phone(
+AHAP = _phone_format(
     "ahap", "Apple AHAP", ".ahap", "iPhones: a file for each actuator", write_ahap, 18_000
 )
-PWLE = _phone(
+PWLE = _phone_format(
     "pwle",
     "Android envelope",
     ".pwle.json",

@@ -1,4 +1,4 @@
-"""CSV: a table for people and programs, and layouts that waveform generators read."""
+"""Text formats: CSV as a table or as waveform generators read it, and headers in C."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
@@ -20,13 +20,13 @@ LAYOUT = "layout"
 _BLOCK = 4096
 _MOST_KEYSIGHT = 4
 # Layouts that begin with the times.
-_TIMED = ("table", "pwl")
-# Of seventeen digits, most below 1, and what parts it from the next; a zero has two.
+_TIMED_LAYOUTS = ("table", "pwl")
+# Seventeen digits, most numbers below 1, and a separator; a zero has two bytes.
 _BYTES_OF_NUMBER = 21
 
 
 def number(value: float) -> str:
-    """Seventeen significant digits, which read back as the same number."""
+    """Return seventeen significant digits, which read back as the same number."""
     return f"{value:.17g}"
 
 
@@ -45,7 +45,7 @@ def write_csv(outgoing: Outgoing, path: Path) -> Facts:
         "table": ["time_s", *names],
         "keysight": [f"Y{number}" for number in range(1, n_channels + 1)],
     }.get(layout, [])
-    timed = layout in _TIMED
+    timed = layout in _TIMED_LAYOUTS
     with steadily_written(path) as file:
         if layout == "keysight":
             file.write(f"SampleRate = {outgoing.rate_hz}\n".encode())
@@ -57,7 +57,7 @@ def write_csv(outgoing: Outgoing, path: Path) -> Facts:
 
 
 def _rows(outgoing: Outgoing, *, timed: bool) -> Iterator[list[list[float]]]:
-    """Yield rows, some thousand at a time: the time, if wanted, and a value for each channel."""
+    """Yield rows, some thousand at a time: the time, if ``timed``, and a value for each channel."""
     stimulus = outgoing.stimulus
     for start in range(0, stimulus.n_times, _BLOCK):
         stop_if(outgoing.stop)
@@ -69,18 +69,15 @@ def _rows(outgoing: Outgoing, *, timed: bool) -> Iterator[list[list[float]]]:
         outgoing.progress(start + part.shape[1], stimulus.n_times, "Writing")
 
 
-def _bytes_of(n_channels: int, n_times: int, choices: Mapping[str, str]) -> int:
-    n_columns = n_channels + (choices[LAYOUT] in _TIMED)
-    return _BYTES_OF_NUMBER * n_columns * n_times
-
-
 CSV = StimulusFormat(
     name="csv",
     title="CSV",
     suffix=".csv",
     hint="A table of times and channels, or what waveform generators read",
     write=write_csv,
-    bytes_of=_bytes_of,
+    bytes_of=lambda n_channels, n_times, choices: (
+        _BYTES_OF_NUMBER * (n_channels + (choices[LAYOUT] in _TIMED_LAYOUTS)) * n_times
+    ),
     rate_hz=None,
     to_device=False,
     choices={
@@ -98,9 +95,7 @@ CSV = StimulusFormat(
 )
 
 
-# Headers in C: constants and arrays of whole numbers.
-
-#: Of one value.
+#: Bytes of one value.
 BYTES = {"int8_t": 1, "uint8_t": 1, "int16_t": 2, "uint16_t": 2}
 _PER_LINE = 12
 _C_TEXT_BLOCK = _PER_LINE * 1024
@@ -126,19 +121,19 @@ def write_header(
     path: Path,
     outgoing: Outgoing,
     *,
-    words: Sequence[str],
+    comment: Sequence[str],
     defines: Mapping[str, str],
     kind: str,
     arrays: Mapping[str, NDArray[np.integer]],
     stop: Stop,
 ) -> int:
-    """Write a header that compiles as C99 and as C++; gives the bytes of its arrays.
+    """Write a header that compiles as C99 and as C++; return the bytes of its arrays.
 
     Parameters
     ----------
     path, outgoing
-        The file; what it is about.
-    words
+        The file; the stimulus that it is made from.
+    comment
         Lines of the comment at its top.
     defines
         Constants, by name.
@@ -155,7 +150,7 @@ def write_header(
     lines = [
         f"/* {n_bytes} bytes: {len(arrays)} x {n_times} values of {kind}.",
         f"   SkinSource studio {__version__}; design SHA-256 {outgoing.digest}.",
-        *(f"   {ascii_of(line)}" for line in words),
+        *(f"   {ascii_of(line)}" for line in comment),
         f"   {ascii_of(outgoing.calibration)} */",
         f"#ifndef {guard}",
         f"#define {guard}",
@@ -165,8 +160,8 @@ def write_header(
         f"#define STIM_N {n_times}UL",
         f"#define STIM_CH {len(arrays)}",
         *(
-            f"/* channel {one.number}: {ascii_of(one.title)} */"
-            for one in outgoing.stimulus.channels
+            f"/* channel {channel.number}: {ascii_of(channel.title)} */"
+            for channel in outgoing.stimulus.channels
         ),
     ]
     with steadily_written(path) as file:
@@ -189,42 +184,35 @@ def _lines(values: list[int]) -> Iterator[str]:
 
 
 def ascii_of(text: str) -> str:
-    """Return ``text`` for a comment in C."""
+    """Return ``text`` in ASCII for a comment in C."""
     return text.replace("²", "^2").encode("ascii", "replace").decode().replace("*/", "* /")
-
-
-# A C header: one array of whole numbers per channel, for microcontrollers.
 
 
 def write_c_header(outgoing: Outgoing, path: Path) -> Facts:
     """Write the file."""
     kind = outgoing.choices[SAMPLES]
-    found, facts = outgoing.whole_numbers(kind)
+    quantised, facts = outgoing.integers(kind)
     stimulus, rate_hz = outgoing.stimulus, outgoing.rate_hz
     names = [f"stim_{name}" for name in channel_names(stimulus)]
     n_bytes = write_header(
         path,
         outgoing,
-        words=[
+        comment=[
             sentence(
-                f"1.0 of full scale is {found.full_scale} above {found.kind.zero}; it stands for "
-                f"{outgoing.full_scale!r} {stimulus.unit}"
+                f"1.0 of full scale is {quantised.full_scale} above {quantised.kind.zero}; it "
+                f"stands for {outgoing.full_scale!r} {stimulus.unit}"
             )
         ],
         defines={
             "STIM_FS_HZ": f"{rate_hz}UL" if isinstance(rate_hz, int) else f"{rate_hz}",
-            "STIM_FULL_SCALE": f"{found.full_scale}",
-            "STIM_ZERO": f"{found.kind.zero}",
+            "STIM_FULL_SCALE": f"{quantised.full_scale}",
+            "STIM_ZERO": f"{quantised.kind.zero}",
         },
         kind=f"{kind}_t",
-        arrays=dict(zip(names, found.values, strict=True)),
+        arrays=dict(zip(names, quantised.values, strict=True)),
         stop=outgoing.stop,
     )
     return {**facts, "array_bytes": n_bytes, "arrays": names}
-
-
-def _c_header_bytes_of(n_channels: int, n_times: int, choices: Mapping[str, str]) -> int:
-    return n_channels * n_times * BYTES[f"{choices[SAMPLES]}_t"]
 
 
 def _loses(choices: Mapping[str, str]) -> str:
@@ -242,7 +230,9 @@ C_HEADER = StimulusFormat(
     suffix=".h",
     hint="Arrays for a microcontroller; the bytes are those of the arrays in its memory",
     write=write_c_header,
-    bytes_of=_c_header_bytes_of,
+    bytes_of=lambda n_channels, n_times, choices: (
+        n_channels * n_times * BYTES[f"{choices[SAMPLES]}_t"]
+    ),
     rounds=lambda _: True,
     rate_hz=8000,
     choices={

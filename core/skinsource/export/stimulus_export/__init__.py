@@ -1,4 +1,4 @@
-"""A stimulus leaves for files: prepared, looked at, written whole or not at all."""
+"""Export of a stimulus to files: prepared, shown in an overview, written whole or not at all."""
 
 from skinsource.export.stimulus_export.export import Exported, export_stimulus
 from skinsource.export.stimulus_export.options import StimulusOptions, written_files

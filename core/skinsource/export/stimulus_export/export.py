@@ -1,4 +1,4 @@
-"""A design goes to a file, or a folder, with a sidecar that says what its numbers mean."""
+"""Writes a design to a file, or a folder, with a sidecar that says what its numbers mean."""
 
 import hashlib
 import os
@@ -21,6 +21,7 @@ from skinsource.export.stimulus_export.options import StimulusOptions, sidecar_p
 from skinsource.export.stimulus_export.preparing import (
     Limit,
     PreparedStimulus,
+    advice_on_loss,
     calibration_of,
     edges_of,
     equalised_of,
@@ -28,20 +29,18 @@ from skinsource.export.stimulus_export.preparing import (
     lost_at_rate,
     objections,
     prepare_stimulus,
-    refused_loss_of,
 )
 from skinsource.export.stimulus_export.sidecar import sidecar_of
 
-#: Name of what shows that a folder is an exported stimulus.
+#: The file that shows that a folder is an exported stimulus.
 MARK = "stimulus.json"
-#: What its player writes into it, session by session.
+#: Files that its player writes into the folder, session by session.
 LOGS = "log*.csv"
-_DIGEST_BYTES = 2**20
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Exported:
-    """What was written.
+    """The files that were written, and facts about them.
 
     Attributes
     ----------
@@ -52,11 +51,11 @@ class Exported:
     clip_count
         Samples that were cut off.
     objections
-        What was confirmed.
+        Sentences that were confirmed.
     edges, loses, calibration, equalised
-        Which channels begin or end hard; what of the drive is not in the files; whether m/s² follow
-        from the samples; what they are equalised for: in words, as in the sidecars.  "" where
-        nothing is to be said.
+        Sentences as in the sidecars: on channels that begin or end hard, on the part of the drive
+        that is not in the files, on whether m/s² follow from the samples, and on the equaliser.
+        "" where there is nothing to report.
     """
 
     files: tuple[Path, ...]
@@ -86,32 +85,32 @@ def export_stimulus(
     progress: Progress = silent,
     stop: Stop = never,
 ) -> Exported:
-    """Write what the actuators get to play a design, and a sidecar ``PATH.json``.
+    """Write the drives of a design as a stimulus for actuators, and a sidecar ``PATH.json``.
 
-    One channel per place in use, in the order of first use, of what is heard: amplitude x gain x
-    waveform, times one factor that brings the largest sample to full scale.  Time 0 is that of
-    the design.  Nothing is left half written.
+    There is one channel per place in use, in the order of first use, of all audible inputs:
+    amplitude x gain x waveform, times one factor that brings the largest sample to full scale.
+    Time 0 is that of the design.  Nothing is left half written.
 
     Parameters
     ----------
     design, path
-        What is played; the file, or folder.
+        The design; the file, or folder.
     format, rate_hz
-        One of `export_formats`, None: as ``path`` ends; whole hertz, None: the usual one.
+        One of `export_formats`, None: by the ending of ``path``; whole hertz, None: the usual one.
     full_scale, options
-        Drive that becomes full scale, in its unit; what else shall differ from the above.
+        Drive that becomes full scale, in its unit; other deviations from the above.
     confirmed
         Whether it is written even though samples clip or limits are passed.
     actuation, rig, equaliser
-        Actuators, None: those that the design is predicted through; what is wired; what makes
-        volts, for the rig or else for the actuators.
+        Actuators, None: those that the design is predicted through; the wiring; the filter that
+        makes volts, for the rig or else for the actuators.
     stages, limits, progress, stop
-        What is done at the rate of the device; what the drives may not pass; as of a job.
+        Processing at the rate of the device; limits of the drives; as those of a job.
 
     Raises
     ------
     InvalidInputError
-        Nothing is heard, or something cannot be had.
+        Nothing is audible, or a format, rate or option is not possible.
     NotConfirmedError
         Samples would clip, limits be passed, or a channel lose more than 1 dB to the rate.
     StorageError
@@ -119,22 +118,24 @@ def export_stimulus(
     """
     target = Path(path)
     options = options or StimulusOptions()
+    if full_scale is not None:
+        options = replace(options, full_scale=full_scale)
     progress(0, 0, "Computing")
     ready = prepare_stimulus(
         design,
         target,
         format_named(format, target),
         rate_hz,
-        _with_full_scale(options, full_scale),
+        options,
         stages=stages,
         actuation=actuation,
         rig=rig,
         equaliser=equaliser,
         stop=stop,
     )
-    if not options.accept_loss and (refused := refused_loss_of(ready)):
-        lost = lost_at_rate([one for _, one in ready.files])
-        raise NotConfirmedError(f"{lost} {refused[:-1]}, or accept the loss (--accept-loss).")
+    if not options.accept_loss and (advice := advice_on_loss(ready)):
+        loss = lost_at_rate([outgoing for _, outgoing in ready.files])
+        raise NotConfirmedError(f"{loss} {advice[:-1]}, or accept the loss (--accept-loss).")
     return write_prepared(ready, confirmed=confirmed, limits=limits, progress=progress, stop=stop)
 
 
@@ -146,24 +147,24 @@ def write_prepared(
     progress: Progress = silent,
     stop: Stop = never,
 ) -> Exported:
-    """Write what is ready; parameters and errors are those of `export_stimulus`."""
-    found = objections(ready, limits)
-    if found and not confirmed:
+    """Write a prepared stimulus; parameters and errors are those of `export_stimulus`."""
+    sentences = objections(ready, limits)
+    if sentences and not confirmed:
         raise NotConfirmedError(
-            f"{' '.join(found)} Nothing was written. Lower the amplitudes, choose a larger full "
-            "scale, or confirm that it shall be written all the same (--confirm)."
+            f"{' '.join(sentences)} Nothing was written. Lower the amplitudes, choose a larger "
+            "full scale, or confirm that it shall be written all the same (--confirm)."
         )
     with ExitStack() as stack:
         # All are written before the first takes its place.
         for path, outgoing in ready.files:
-            one = replace(outgoing, progress=progress, stop=stop)
-            (_write_folder if ready.format.folder else _write_file)(ready, path, one, found, stack)
+            reporting = replace(outgoing, progress=progress, stop=stop)
+            _write_outgoing(ready, path, reporting, sentences, stack)
         stop_if(stop)
     return Exported(
         files=tuple(path for path, _ in ready.files),
         gain=ready.gain,
         clip_count=ready.clipped,
-        objections=found,
+        objections=sentences,
         edges=edges_of(ready),
         loses=loses_of(ready),
         calibration=calibration_of(ready),
@@ -171,56 +172,41 @@ def write_prepared(
     )
 
 
-def _with_full_scale(options: StimulusOptions, full_scale: float | None) -> StimulusOptions:
-    return options if full_scale is None else replace(options, full_scale=full_scale)
-
-
-def _write_file(
+def _write_outgoing(
     ready: PreparedStimulus,
     path: Path,
     outgoing: Outgoing,
     confirmed: tuple[str, ...],
     stack: ExitStack,
 ) -> None:
-    if path.is_dir():
+    """Write a file, or fill a folder, with its sidecar; it gets its name as ``stack`` closes."""
+    is_folder = ready.format.folder
+    if path.is_dir() and not is_folder:
         raise StorageError(f"{named(path)}: a folder stands there. Choose another name.")
-    temporary = stack.enter_context(replacing(path))
+    temporary = stack.enter_context(
+        replacing_folder(path, MARK, kept=LOGS) if is_folder else replacing(path)
+    )
     facts = ready.format.write(outgoing, temporary)
     stop_if(outgoing.stop)
+    files = [file for file in temporary.rglob("*") if file.is_file()] if is_folder else [temporary]
     content = sidecar_of(
         ready,
         outgoing,
         facts,
-        sha256=_sha256(temporary),
-        n_bytes=temporary.stat().st_size,
+        sha256=None if is_folder else _sha256(temporary),
+        n_bytes=sum(file.stat().st_size for file in files),
         confirmed=confirmed,
     )
-    # What is entered last is moved first: whoever finds the file finds the words about it.
-    other = ready.format.beside(path)
-    if other is not None:
-        stack.enter_context(replacing(other)).write_bytes(ready.format.words_beside(facts))
-    stack.enter_context(replacing(sidecar_path(path))).write_bytes(content)
-
-
-def _write_folder(
-    ready: PreparedStimulus,
-    path: Path,
-    outgoing: Outgoing,
-    confirmed: tuple[str, ...],
-    stack: ExitStack,
-) -> None:
-    temporary = stack.enter_context(replacing_folder(path, MARK, kept=LOGS))
-    facts = ready.format.write(outgoing, temporary)
-    stop_if(outgoing.stop)
-    n_bytes = sum(one.stat().st_size for one in temporary.rglob("*") if one.is_file())
-    content = sidecar_of(ready, outgoing, facts, sha256=None, n_bytes=n_bytes, confirmed=confirmed)
-    (temporary / MARK).write_bytes(content)
+    if is_folder:
+        (temporary / MARK).write_bytes(content)
+    # What is entered last is moved first: whoever finds the file finds its description.
+    companion = ready.format.companion_path(path)
+    if companion is not None:
+        companion_content = ready.format.companion_content(facts)
+        stack.enter_context(replacing(companion)).write_bytes(companion_content)
     stack.enter_context(replacing(sidecar_path(path))).write_bytes(content)
 
 
 def _sha256(path: Path) -> str:
-    digest = hashlib.sha256()
     with path.open("rb") as file:
-        while piece := file.read(_DIGEST_BYTES):
-            digest.update(piece)
-    return digest.hexdigest()
+        return hashlib.file_digest(file, "sha256").hexdigest()

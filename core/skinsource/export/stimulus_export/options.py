@@ -1,4 +1,4 @@
-"""How the files of an exported stimulus are called."""
+"""Options of an exported stimulus: its files and their names, its channels, its ends."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -26,39 +26,33 @@ from skinsource.specs.models import specs_of
 
 
 def marked(path: Path, format: StimulusFormat, mark: str) -> Path:
-    """``path`` with ``mark`` before the ending of ``format``."""
+    """Return ``path`` with ``mark`` before the ending of ``format``."""
     suffix = format.suffix if path.name.endswith(format.suffix) else path.suffix
     stem = path.name[: len(path.name) - len(suffix)]
     return path.with_name(f"{stem}{mark}{suffix}")
 
 
 def sidecar_path(path: Path) -> Path:
-    """Where the sidecar of a file or folder is."""
+    """Return the path of the sidecar of a file or folder."""
     return path.with_name(f"{path.name}.json")
 
 
 def written_files(
     path: Path, format: StimulusFormat, marks: Iterable[str]
 ) -> tuple[tuple[Path, ...], ...]:
-    """Each file that an export to ``path`` writes, its sidecar, and what else belongs to it.
+    """Return each file that an export to ``path`` writes, with its sidecar and its companion.
 
     ``marks`` are those of `skinsource.export.stimulus_export.preparing.Overview`.
     """
     files = (marked(path, format, mark) for mark in marks)
-    return tuple((one, sidecar_path(one), *_beside(one, format)) for one in files)
-
-
-def _beside(path: Path, format: StimulusFormat) -> tuple[Path, ...]:
-    other = format.beside(path)
-    return () if other is None else (other,)
-
-
-# What can be asked for when a stimulus is exported.
+    return tuple(
+        (file, sidecar_path(file), *filter(None, (format.companion_path(file),))) for file in files
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StimulusOptions:
-    """How a stimulus is made ready for a file; as given, nothing is added to it.
+    """How a stimulus is prepared for a file; by default nothing is added to it.
 
     Attributes
     ----------
@@ -68,25 +62,25 @@ class StimulusOptions:
         A file of one channel for each input, PATH with ``_input-2`` before its ending; all have
         the same full scale.
     inputs, clips
-        Ids of the inputs, or clips, that take part; None: all that are heard.
+        Ids of the inputs, or clips, that take part; None: all that are audible.
     from_s, to_s
         Part of the time of the design; None: from its beginning, or to its end.
     fade_in_s, fade_out_s
         Fades at the ends of that part.
     lead_in_s
-        Silence before it; where nothing is cut off or faded in, what rings before time 0 is kept.
+        Silence before it; where nothing is cut off or faded in, ringing before time 0 is kept.
     sync
         Whether a last channel marks time 0, or ``from_s``, with a pulse at full scale.
     channel_map
-        For each output of the device the channel that it gets, 0 for none; (): as they are.
+        For each output of the device the channel that it gets, 0 for none; (): in their order.
     full_scale
-        What full scale stands for, in the unit of the drive; None: the largest sample.
+        Drive that full scale stands for, in its unit; None: the largest sample.
     dither_seed
-        Of dither where whole numbers are written; None: no dither.
+        Seed of dither where whole numbers are written; None: no dither.
     accept_loss
         Whether it is written even though a channel loses more than 1 dB of its energy to the rate.
     choices
-        Of what the format offers: ``{"samples": "pcm24"}``.
+        Options of the format: ``{"samples": "pcm24"}``.
     """
 
     per: Literal["place", "input"] = "place"
@@ -122,79 +116,73 @@ class StimulusOptions:
             )
 
 
-# What of a stimulus goes to which file.
-
-
-def parts(
+def stimuli_by_mark(
     drives: Stimulus, gain: float, format: StimulusFormat, options: StimulusOptions
 ) -> dict[str, Stimulus]:
-    """What goes to which file, by its mark; as loud as ``gain`` makes it."""
+    """Return the stimulus of each file by the mark in its name, scaled by ``gain``."""
     if options.one_file_per_input:
-        apart = {
-            f"_input-{channel.inputs[0]}": _alone(drives, row)
+        by_mark = {
+            f"_input-{channel.inputs[0]}": _single_channel(drives, row)
             for row, channel in enumerate(drives.channels)
         }
     else:
-        apart = {"": drives}
+        by_mark = {"": drives}
     return {
         f"{mark}{own_mark}": own
-        for mark, one in apart.items()
-        for own_mark, own in _own_files(_finished(scaled(one, gain), options), format)
+        for mark, stimulus in by_mark.items()
+        for own_mark, own in _split_channels(_with_sync(scaled(stimulus, gain), options), format)
     }
 
 
-def _finished(stimulus: Stimulus, options: StimulusOptions) -> Stimulus:
-    """With what is not scaled, and in the order of the outputs."""
+def _with_sync(stimulus: Stimulus, options: StimulusOptions) -> Stimulus:
+    """Return the stimulus with a sync channel, which is not scaled, in the order of the outputs."""
     if options.sync:
-        # What comes before is the lead-in.
+        # Samples before it are the lead-in.
         stimulus = with_sync(stimulus, at_s=options.from_s or 0.0)
     return in_order(stimulus, options.channel_map) if options.channel_map else stimulus
 
 
-def _own_files(stimulus: Stimulus, format: StimulusFormat) -> list[tuple[str, Stimulus]]:
-    """A file for each channel, where the format holds one: the first has no mark."""
+def _split_channels(stimulus: Stimulus, format: StimulusFormat) -> list[tuple[str, Stimulus]]:
+    """Return a stimulus for each file by its mark; the first channel has none."""
     if not format.one_channel_each:
         return [("", stimulus)]
     return [
-        (f"_channel-{row + 1}" if row else "", _alone(stimulus, row))
+        (f"_channel-{row + 1}" if row else "", _single_channel(stimulus, row))
         for row in range(len(stimulus.channels))
     ]
 
 
-def _alone(stimulus: Stimulus, row: int) -> Stimulus:
-    """One channel of ``stimulus``, as the first of a file."""
+def _single_channel(stimulus: Stimulus, row: int) -> Stimulus:
+    """Return one channel of ``stimulus``, as the first of a file."""
     channel = replace(stimulus.channels[row], number=1)
     return stimulus.with_samples(stimulus.samples[row : row + 1], channels=(channel,))
 
 
-# What a rig says of a stimulus: calibration, channels, limits.
-
-
 def passed_limits(stimulus: Stimulus, rig: Rig) -> tuple[str, ...]:
-    """Sentences on the limits that samples in parts of full scale would pass."""
+    """Return sentences on the limits of the rig that samples in parts of full scale pass."""
     rows = list(stimulus.driving)
     places = [place for row in rows if (place := stimulus.channels[row].place) is not None]
     rate_hz = round(stimulus.sample_rate_hz)
     breaches = rig_breaches(rig, places, stimulus.samples[rows], rate_hz)
-    return tuple(f"{str(one)[:1].upper()}{str(one)[1:]}." for one in breaches)
+    return tuple(f"{str(breach)[:1].upper()}{str(breach)[1:]}." for breach in breaches)
 
 
 def about_rig(stimulus: Stimulus, rig: Rig | None) -> str:
-    """Whether it is calibrated, in words."""
-    places = [one.place for one in stimulus.channels if one.place is not None]
+    """Return a sentence on the calibration of the channels."""
+    places = [channel.place for channel in stimulus.channels if channel.place is not None]
     return calibration_words(rig, places)
 
 
 def about_channels(stimulus: Stimulus, rig: Rig) -> list[dict[str, Any]]:
-    """What the rig says of each channel; nothing of those that drive no actuator."""
-    found: list[dict[str, Any]] = []
+    """Return the wiring of each channel; empty for channels that drive no actuator."""
+    wiring: list[dict[str, Any]] = []
     added_s = added_delays_s(stimulus, rig)
-    for row, one in enumerate(stimulus.channels):
-        if one.place is None:
-            found.append({})
+    for row in range(len(stimulus.channels)):
+        if stimulus.channels[row].place is None:
+            wiring.append({})
             continue
         channel = channel_of(stimulus, row, rig)
-        found.append(
+        wiring.append(
             {
                 "actuator": channel.actuator,
                 "device": channel.device,
@@ -207,70 +195,66 @@ def about_channels(stimulus: Stimulus, rig: Rig) -> list[dict[str, Any]]:
                 "measured_on": channel.measured_on,
             }
         )
-    return found
+    return wiring
 
 
 def about_equaliser(equaliser: Equaliser | None) -> dict[str, Any] | None:
-    """Kind and numbers of an equaliser."""
+    """Return kind and numbers of an equaliser."""
     if equaliser is None:
         return None
     values = {name: getattr(equaliser, name) for name in specs_of(equaliser)}
     return {"kind": type(equaliser).__name__, **values}
 
 
-# Whether a stimulus begins or ends hard, in words.
-
 #: An end of a stimulus.
 Ends = Literal["begin", "end"]
-#: First or last sample, in parts of the peak of its channel, above which it is said.
+#: A larger first or last sample, in parts of the peak of its channel, is reported.
 LARGEST_EDGE = 0.01
-#: Time before what sounds in which it may ring where the rate is changed; see `resample`.
-RINGS_S = 0.1
+#: Ringing before and after a sound where the rate is changed lasts so long; see `resample`.
+RINGING_S = 0.1
 
 
 def cut_ends(options: StimulusOptions) -> tuple[Ends, ...]:
-    """At which ends a part is cut out; one that names its end only begins at time 0."""
+    """Return the ends at which a part is cut out; without ``from_s`` it begins at time 0."""
     if options.to_s is not None:
         return ("begin", "end")
     return () if options.from_s is None else ("begin",)
 
 
 def edges_text(stimuli: Sequence[Stimulus], cut: Sequence[Ends] = ()) -> str:
-    """Return what is said of channels whose first or last sample is above 1 % of their peak.
+    """Return sentences on channels whose first or last sample is above 1 % of their peak.
 
     Parameters
     ----------
     stimuli
-        Of one export, all from the same time on; what drives no actuator is left out.
+        Stimuli of one export, all from the same time on; channels without actuator do not count.
     cut
-        At which ends a part of the design was cut out.
+        Ends at which a part of the design was cut out.
     """
-    if not stimuli:
-        return ""
-    found = []
-    resampled = any(one.sample_rate_hz != one.own_rate_hz for one in stimuli)
-    if said := _said(stimuli, 0, "begin"):
+    sentences = []
+    resampled = any(stimulus.sample_rate_hz != stimulus.own_rate_hz for stimulus in stimuli)
+    if text := _hard_channels_text(stimuli, 0, "begin"):
         if "begin" in cut:
-            said += ": what lies before that part is cut off. A fade-in softens it."
+            text += ": what lies before that part is cut off. A fade-in softens it."
         elif resampled and stimuli[0].start_s >= 0.0:
-            said += f": what lies before time 0 is cut off. A lead-in of {RINGS_S:g} s keeps it."
+            text += f": what lies before time 0 is cut off. A lead-in of {RINGING_S:g} s keeps it."
         elif resampled:
-            said += ": what rings before is cut off. A longer lead-in keeps it."
+            text += ": what rings before is cut off. A longer lead-in keeps it."
         else:
-            said += ". A lead-in puts silence before it."
-        found.append(said)
-    if said := _said(stimuli, -1, "end"):
-        what = "what follows is cut off. " if resampled or "end" in cut else ""
-        found.append(f"{said}{': ' if what else '. '}{what}A fade-out softens it.")
-    return " ".join(found)
+            text += ". A lead-in puts silence before it."
+        sentences.append(text)
+    if text := _hard_channels_text(stimuli, -1, "end"):
+        reason = ": what follows is cut off." if resampled or "end" in cut else "."
+        sentences.append(f"{text}{reason} A fade-out softens it.")
+    return " ".join(sentences)
 
 
-def _said(stimuli: Sequence[Stimulus], sample: int, verb: Ends) -> str:
-    """Which channels begin or end hard, and how much so, without a full stop; "": none."""
+def _hard_channels_text(stimuli: Sequence[Stimulus], sample: int, verb: Ends) -> str:
+    """Return which channels begin or end hard, and how hard, without a full stop; "": none."""
     hard = [
         (channel.number, part)
-        for one in stimuli
-        for channel, part in zip(one.channels, _parts(one, sample), strict=True)
+        for stimulus in stimuli
+        for channel, part in zip(stimulus.channels, _edge_shares(stimulus, sample), strict=True)
         if channel.place is not None and part > LARGEST_EDGE
     ]
     if not hard:
@@ -282,8 +266,8 @@ def _said(stimuli: Sequence[Stimulus], sample: int, verb: Ends) -> str:
     return f"{len(hard)} channels {verb} at up to {shown} % of their peaks"
 
 
-def _parts(stimulus: Stimulus, sample: int) -> Floats:
-    """A sample of each channel in parts of its peak, (n_channels,); 0 of silence."""
+def _edge_shares(stimulus: Stimulus, sample: int) -> Floats:
+    """Return a sample of each channel in parts of its peak, (n_channels,); 0 for silence."""
     largest = peaks(stimulus.samples)
     edge = np.abs(stimulus.samples[:, sample])
     return np.divide(edge, largest, out=np.zeros_like(largest), where=largest > 0.0)

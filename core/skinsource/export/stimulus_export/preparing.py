@@ -1,4 +1,8 @@
-"""How much of what is exported does not reach the rate at which it is written."""
+"""Prepares a stimulus for files: from a design to samples, losses, objections and an overview.
+
+Samples are in parts of full scale; each file has one stimulus.  The sentences about an export are
+the same on the export page, in a terminal and in the sidecars.
+"""
 
 import hashlib
 from collections.abc import Callable, Sequence
@@ -37,47 +41,49 @@ from skinsource.export.stimulus_export.options import (
     cut_ends,
     edges_text,
     marked,
-    parts,
     passed_limits,
+    stimuli_by_mark,
 )
 from skinsource.signals.resampling import half_transition, passed
 from skinsource.specs import models
 from skinsource.specs.codec import without_samples
 
-# More is told of nothing: the stop band of `skinsource.resample`.
+# Losses are reported up to the stop band of `skinsource.resample`.
 _MOST_DB = 140.0
 
 
 def with_losses(drives: Stimulus, own: Stimulus, options: StimulusOptions, stop: Stop) -> Stimulus:
-    """Return ``drives`` with the loss of each channel.
+    """Return ``drives`` with the energy that each channel loses to its rate, in dB.
 
-    It is the energy of the exported part of the design over what the filter leaves of it, so that
-    what is cut off at an end of the part is not taken for lost.
+    The loss is the energy of the exported part of the design over the energy that the filter
+    leaves of it: what is cut off at an end of the part does not count.
 
     Parameters
     ----------
     drives, own
-        As written; all of it at the rate of the design, from time 0 on.
+        The stimulus as written; the whole stimulus at the rate of the design, from time 0 on.
     """
-    found: dict[tuple[int, ...], float] = {}
-    for row, one in enumerate(own.channels):
+    loss_db: dict[tuple[int, ...], float] = {}
+    for row, channel in enumerate(own.channels):
         stop_if(stop)
         samples = own.samples[row]
-        left = passed(samples, own.sample_rate_hz, drives.sample_rate_hz)
-        ring = (left.size - samples.size) // 2
-        alone = own.with_samples(
-            np.stack((np.pad(samples, ring), left)),
-            channels=(one, one),
+        filtered = passed(samples, own.sample_rate_hz, drives.sample_rate_hz)
+        ring = (filtered.size - samples.size) // 2
+        both = own.with_samples(
+            np.stack((np.pad(samples, ring), filtered)),
+            channels=(channel, channel),
             start_s=-ring / own.sample_rate_hz,
         )
-        found[one.inputs] = _loss_db(_exported(alone, own.duration_s, options).samples)
+        loss_db[channel.inputs] = _loss_db(_exported_part(both, own.duration_s, options).samples)
     # A stage may have added channels, or left some out.
-    channels = tuple(replace(one, loss_db=found.get(one.inputs, 0.0)) for one in drives.channels)
+    channels = tuple(
+        replace(channel, loss_db=loss_db.get(channel.inputs, 0.0)) for channel in drives.channels
+    )
     return replace(drives, channels=channels)
 
 
-def _exported(stimulus: Stimulus, end_s: float, options: StimulusOptions) -> Stimulus:
-    """The part that is exported, with its fades; all that rings where it is the whole."""
+def _exported_part(stimulus: Stimulus, end_s: float, options: StimulusOptions) -> Stimulus:
+    """Return the part that is exported, with its fades; a whole stimulus keeps its ringing."""
     fades_s = options.fade_in_s, options.fade_out_s
     if (options.from_s, options.to_s, *fades_s) == (None, None, 0.0, 0.0):
         return stimulus
@@ -89,36 +95,33 @@ def _exported(stimulus: Stimulus, end_s: float, options: StimulusOptions) -> Sti
 
 
 def _loss_db(samples: Floats) -> float:
-    """Energy of the first over that of the second, 0 dB or more."""
+    """Return the energy of the first over that of the second row, 0 dB or more."""
     before, after = np.sum(samples**2, axis=1)
     if after >= before:
         return 0.0
     return float(min(10.0 * np.log10(before / after), _MOST_DB)) if after else _MOST_DB
 
 
-# From a design to what is written: samples in parts of full scale, one stimulus per file.
-
-
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class PreparedStimulus:
-    """What will be written, file by file.
+    """The content of all files of an export.
 
     Attributes
     ----------
     format
-        As what.
+        Format of the files.
     gain
         The one factor between the drives and the samples.
     drives
-        All channels before that factor, in the unit of the drive: what limits are about.
+        All channels before that factor, in the unit of the drive, as limits need them.
     files
         Path and content of each file.
     marks
-        What stands before the ending in the name of each file, see `naming.marked`.
+        Text before the ending in the name of each file, see `options.marked`.
     cut
-        At which ends a part of the design was cut out.
+        Ends at which a part of the design was cut out.
     actuation, rig, equaliser
-        What it is made for, and what makes volts of accelerations; None: not known.
+        Actuators and wiring that it is made for, and the filter that makes volts; None: not known.
     """
 
     format: StimulusFormat
@@ -133,23 +136,25 @@ class PreparedStimulus:
 
     @property
     def n_bytes(self) -> int:
-        """About how many bytes all files take together."""
+        """Estimated bytes of all files together."""
         return sum(
-            self.format.bytes_of(len(one.stimulus.channels), one.stimulus.n_times, one.choices)
-            + self.format.response_bytes(one.design)
-            for _, one in self.files
+            self.format.bytes_of(
+                len(outgoing.stimulus.channels), outgoing.stimulus.n_times, outgoing.choices
+            )
+            + self.format.response_bytes(outgoing.design)
+            for _, outgoing in self.files
         )
 
     @property
     def clipped(self) -> int:
-        """Samples beyond full scale, if that is all that a device can play."""
+        """Samples beyond full scale, if that is the limit of a device."""
         if not self.format.to_device:
             return 0
-        return sum(int(clipped_samples(one.stimulus).sum()) for _, one in self.files)
+        return sum(int(clipped_samples(outgoing.stimulus).sum()) for _, outgoing in self.files)
 
 
 def clipped_samples(stimulus: Stimulus) -> np.ndarray:
-    """How many samples of each channel lie beyond full scale, (n_channels,)."""
+    """Return the number of samples beyond full scale in each channel, (n_channels,)."""
     samples = stimulus.samples
     return np.array([np.count_nonzero((row > 1.0) | (row < -1.0)) for row in samples], np.int64)
 
@@ -168,55 +173,61 @@ def prepare_stimulus(
     progress: Progress = silent,
     stop: Stop = never,
 ) -> PreparedStimulus:
-    """Make a design ready for files.
+    """Prepare the files of a design.
 
     Parameters
     ----------
     design, path, format, options
-        What goes where, as what, and how.
+        The design, its file or folder, the format, and the options.
     rate_hz
-        None: the usual one of the format, which is also taken where it knows no other.
+        Rate of the files; None, or a format with a fixed rate: the usual one of the format.
     stages, actuation
-        What is done at that rate; the actuators where no rig says them, None: those that the
+        Processing at that rate; the actuators where no rig names them, None: those that the
         design is predicted through.
     rig, equaliser
-        What the channels are wired to; what makes volts of accelerations: with a rig, full scale
-        is then that of each channel, not the largest sample.
+        The wiring of the channels; the filter that makes volts of accelerations: with a rig, full
+        scale is then that of each channel, not the largest sample.
     progress, stop
-        Told how many channels have that rate; as of a job.
+        Called with the number of channels that have that rate; as those of a job.
 
     Raises
     ------
     InvalidInputError
-        Nothing is heard, the format does not hold that many channels, or an option cannot be.
+        Nothing is audible, the format does not hold that many channels, or an option is not
+        possible.
     """
     choices = format.chosen(options.choices)
     own_rate = format.fixed_rate or rate_hz is None
     rate_hz = format.rate_hz if own_rate else rate_hz
     cut, lead_in_s = cut_ends(options), 0.0
     if not cut and options.fade_in_s == 0.0:
-        # What rings before time 0 is kept where nothing is cut off or faded in.
+        # Ringing before time 0 is kept where nothing is cut off or faded in.
         lead_in_s, options = options.lead_in_s, replace(options, lead_in_s=0.0)
-    made = _made(design, rate_hz, options, stages, lead_in_s, (progress, stop))
+    played = _played_stimulus(design, rate_hz, options, stages, lead_in_s, progress, stop)
     stop_if(stop)
     actuation = design.actuated if actuation is None else actuation
-    drives = _cut(_for_rig(made, rig, equaliser, options, actuation), options)
+    drives = _cut_and_faded(_for_rig(played, rig, equaliser, options, actuation), options)
     if drives.sample_rate_hz != drives.own_rate_hz:
-        own = _made(design, None, options, (), 0.0, (silent, stop))
+        own = _played_stimulus(design, None, options, (), 0.0, silent, stop)
         drives = with_losses(drives, own, options, stop)
-    gain = 1.0 if drives.unit == FULL_SCALE_UNIT else _gain(drives, options)
-    apart = parts(drives, gain, format, options)
-    places = [marked(path, format, mark) for mark in apart]
+    if drives.unit == FULL_SCALE_UNIT:
+        gain = 1.0
+    elif options.full_scale is None:
+        gain = full_scale_factor(drives)
+    else:
+        gain = 1.0 / options.full_scale
+    by_mark = stimuli_by_mark(drives, gain, format, options)
+    paths = [marked(path, format, mark) for mark in by_mark]
     files = tuple(
-        (place, _outgoing(own, design, place.name, format, choices, options, gain, rig))
-        for place, own in zip(places, apart.values(), strict=True)
+        (path, _outgoing(stimulus, design, path.name, format, choices, options, gain, rig))
+        for path, stimulus in zip(paths, by_mark.values(), strict=True)
     )
     return PreparedStimulus(
         format=format,
         gain=gain,
         drives=drives,
         files=files,
-        marks=tuple(apart),
+        marks=tuple(by_mark),
         cut=cut,
         actuation=actuation,
         rig=rig,
@@ -224,16 +235,17 @@ def prepare_stimulus(
     )
 
 
-def _made(
+def _played_stimulus(
     design: Design,
     rate_hz: int | None,
     options: StimulusOptions,
     stages: Sequence[Stage],
     lead_in_s: float,
-    job: tuple[Progress, Stop],
+    progress: Progress,
+    stop: Stop,
 ) -> Stimulus:
-    """What the design plays of what was chosen."""
-    made = stimulus_of(
+    """Return the stimulus of the chosen inputs and clips of a design."""
+    stimulus = stimulus_of(
         design,
         rate_hz,
         per="input" if options.one_file_per_input else options.per,
@@ -241,52 +253,46 @@ def _made(
         clips=options.clips,
         stages=stages,
         lead_in_s=lead_in_s,
-        progress=job[0],
-        stop=job[1],
+        progress=progress,
+        stop=stop,
     )
-    if not made.channels:
+    if not stimulus.channels:
         raise InvalidInputError(
             "Nothing is heard: there is no channel to export. Unmute an input, or choose others."
         )
-    return made
-
-
-def _gain(drives: Stimulus, options: StimulusOptions) -> float:
-    own = options.full_scale
-    return full_scale_factor(drives) if own is None else 1.0 / own
+    return stimulus
 
 
 def _for_rig(
-    made: Stimulus,
+    stimulus: Stimulus,
     rig: Rig | None,
     equaliser: Equaliser | None,
     options: StimulusOptions,
     actuation: Actuation | None,
 ) -> Stimulus:
-    """The stimulus as the channels of ``rig`` want it."""
-    own_scale = options.full_scale is not None
+    """Return the drives of the channels of ``rig``, or of the actuators where there is no rig."""
     if rig is not None:
         if equaliser is not None and options.full_scale is not None:
             raise InvalidInputError(
                 f"full_scale is {options.full_scale:g}, and with an equaliser the rig says it. "
                 "Leave one of them out."
             )
-        return for_rig(made, rig, equaliser, scaled=own_scale)
+        return for_rig(stimulus, rig, equaliser, scaled=options.full_scale is not None)
     if equaliser is None:
-        return made
+        return stimulus
     if actuation is None:
         raise InvalidInputError(
             "An equaliser needs to know what is at each place: choose a rig, or let the design be "
             "predicted through an actuator."
         )
-    return through_actuators(made, actuation, equaliser)
+    return through_actuators(stimulus, actuation, equaliser)
 
 
-def _cut(made: Stimulus, options: StimulusOptions) -> Stimulus:
+def _cut_and_faded(stimulus: Stimulus, options: StimulusOptions) -> Stimulus:
     if options.from_s is not None or options.to_s is not None:
-        from_s = 0.0 if options.from_s is None else options.from_s
-        made = part_of_time(made, from_s, made.duration_s if options.to_s is None else options.to_s)
-    return with_lead_in(faded(made, options.fade_in_s, options.fade_out_s), options.lead_in_s)
+        to_s = stimulus.duration_s if options.to_s is None else options.to_s
+        stimulus = part_of_time(stimulus, options.from_s or 0.0, to_s)
+    return with_lead_in(faded(stimulus, options.fade_in_s, options.fade_out_s), options.lead_in_s)
 
 
 def _outgoing(
@@ -309,7 +315,7 @@ def _outgoing(
     return Outgoing(
         stimulus=stimulus,
         full_scale=1.0 / gain,
-        design=_part_of(design, stimulus, options),
+        design=_exported_design(design, stimulus, options),
         name=name,
         digest=digest_of(design),
         choices=choices,
@@ -318,32 +324,30 @@ def _outgoing(
     )
 
 
-def _part_of(design: Design, stimulus: Stimulus, options: StimulusOptions) -> Design:
-    """The design with those inputs and clips that are in ``stimulus``."""
-    there = {id for one in stimulus.channels for id in one.inputs}
-    inputs = [one for one in audible_inputs(design.inputs) if one.id in there]
+def _exported_design(design: Design, stimulus: Stimulus, options: StimulusOptions) -> Design:
+    """Return the design with those inputs and clips that are in ``stimulus``."""
+    ids = {id for channel in stimulus.channels for id in channel.inputs}
+    inputs = [track for track in audible_inputs(design.inputs) if track.id in ids]
     if options.clips is not None:
         chosen = set(options.clips)
         inputs = [
-            replace(one, clips=tuple(clip for clip in one.clips if clip.id in chosen))
-            for one in inputs
+            replace(track, clips=tuple(clip for clip in track.clips if clip.id in chosen))
+            for track in inputs
         ]
     return replace(design, inputs=tuple(inputs))
 
 
 def digest_of(design: Design) -> str:
-    """SHA-256 of all that a design says, in hexadecimal; samples take part by theirs."""
+    """Return the SHA-256 of a design in hexadecimal; recordings are represented by theirs."""
     return hashlib.sha256(dumped(without_samples(models.encode(design))[0])).hexdigest()
 
 
-# What is said of an export beside its numbers: on the sheet, in a terminal, in the sidecars.
-
-#: Energy that a channel may lose to the rate unasked, in dB: about the smallest difference in
-#: strength that is felt.
+#: Energy that a channel may lose to the rate without confirmation, in dB: about the smallest
+#: difference in strength that people perceive.
 MOST_LOSS_DB = 1.0
-#: What is less is not said: ten times what `skinsource.resample` promises within its pass band.
+#: Smaller losses are not reported: ten times the error of `skinsource.resample` in its pass band.
 LEAST_LOSS_DB = 0.01
-# What samples are that were not equalised, by the unit of the drive.
+# Names of samples that were not equalised, by the unit of the drive.
 _RAW = {
     "m/s²": "raw accelerations",
     "V": "volts of the design",
@@ -352,23 +356,26 @@ _RAW = {
 
 
 def edges_of(ready: PreparedStimulus) -> str:
-    """Which channels begin or end hard, in words; "": none."""
-    return edges_text([one.stimulus for _, one in ready.files], ready.cut)
+    """Return sentences on channels that begin or end hard; "": none does."""
+    return edges_text([outgoing.stimulus for _, outgoing in ready.files], ready.cut)
 
 
 def loses_of(ready: PreparedStimulus, only: Outgoing | None = None) -> str:
-    """What of the drive is not in the files, or not in one of them, in words; "": nothing."""
-    files = [one for _, one in ready.files] if only is None else [only]
+    """Return sentences on the part of the drive that is not in the files; "": all is.
+
+    ``only``: one file instead of all.
+    """
+    files = [outgoing for _, outgoing in ready.files] if only is None else [only]
     return " ".join(filter(None, (ready.format.loses(files[0].choices), lost_at_rate(files))))
 
 
 def lost_at_rate(files: Sequence[Outgoing]) -> str:
-    """How much of which channels their rate does not hold, in words; "": nothing."""
+    """Return a sentence on the energy that channels lose to their rate; "": none does."""
     losing = [
         f"channel {channel.number} ({channel.title}) loses {channel.loss_db:.2g} dB of its energy"
-        + (f" in {one.name}" if len(files) > 1 else "")
-        for one in files
-        for channel in one.stimulus.channels
+        + (f" in {file.name}" if len(files) > 1 else "")
+        for file in files
+        for channel in file.stimulus.channels
         if channel.loss_db >= LEAST_LOSS_DB
     ]
     if not losing:
@@ -382,9 +389,9 @@ def lost_at_rate(files: Sequence[Outgoing]) -> str:
     )
 
 
-def refused_loss_of(ready: PreparedStimulus) -> str:
-    """What to do where a channel loses more to the rate than it may unasked; "": none does."""
-    if max(one.loss_db for one in ready.drives.channels) <= MOST_LOSS_DB:
+def advice_on_loss(ready: PreparedStimulus) -> str:
+    """Return advice where a channel loses more than `MOST_LOSS_DB` to the rate; "": none does."""
+    if max(channel.loss_db for channel in ready.drives.channels) <= MOST_LOSS_DB:
         return ""
     own_hz = ready.drives.own_rate_hz
     rate = "" if ready.format.fixed_rate else f"choose {own_hz:g} Hz, the rate of the design, or "
@@ -392,7 +399,7 @@ def refused_loss_of(ready: PreparedStimulus) -> str:
 
 
 def equalised_of(ready: PreparedStimulus) -> str:
-    """What the samples are equalised for, and by which equaliser, in words."""
+    """Return a sentence on the equaliser, and what the samples are equalised for."""
     if ready.equaliser is None:
         return f"Not equalised ({_RAW.get(ready.drives.unit, 'raw drives')})"
     through = ready.actuation if ready.rig is None else ready.rig
@@ -401,56 +408,52 @@ def equalised_of(ready: PreparedStimulus) -> str:
 
 
 def calibration_of(ready: PreparedStimulus) -> str:
-    """Whether m/s² follow from the samples, in words."""
+    """Return a sentence on whether m/s² follow from the samples."""
     return ready.files[0][1].calibration
 
 
-# What must be confirmed before it is written.
-
-#: Looks at the drives, in their own unit, and says in a sentence each which limits they pass.
-#: Limits belong to a rig, not to a design.
+#: Returns a sentence for each limit that the drives, in their own unit, pass.  Limits belong to a
+#: rig, not to a design.
 Limit = Callable[[Stimulus], Sequence[str]]
 
 
 def objections(ready: PreparedStimulus, limits: Sequence[Limit] = ()) -> tuple[str, ...]:
-    """Sentences on what clips and on which limits are passed; none: it can be written."""
-    found = []
+    """Return sentences on clipping and on limits that are passed; they must be confirmed."""
+    sentences = []
     if ready.clipped:
-        for path, one in ready.files:
-            counts = clipped_samples(one.stimulus)
-            words = [
+        for path, outgoing in ready.files:
+            counts = clipped_samples(outgoing.stimulus)
+            clipping = [
                 f"channel {channel.number} ({channel.title}) {count}"
-                for channel, count in zip(one.stimulus.channels, counts.tolist(), strict=True)
+                for channel, count in zip(outgoing.stimulus.channels, counts.tolist(), strict=True)
                 if count
             ]
-            if words:
-                found.append(
+            if clipping:
+                sentences.append(
                     f"{path.name}: samples lie beyond full scale, where a device cuts them off: "
-                    f"{', '.join(words)}."
+                    f"{', '.join(clipping)}."
                 )
     if ready.rig is not None:
         sent = scaled(ready.drives, ready.gain)
-        found.extend(passed_limits(sent, ready.rig))
+        sentences.extend(passed_limits(sent, ready.rig))
     for limit in limits:
-        found.extend(limit(ready.drives))
-    return tuple(found)
+        sentences.extend(limit(ready.drives))
+    return tuple(sentences)
 
 
-# A stimulus as it will be, before it is written.
-
-#: Stretches of the picture of a channel.
+#: Stretches in the picture of a channel.
 COLUMNS = 600
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class ChannelOverview:
-    """One channel.
+    """One channel of a file.
 
     Attributes
     ----------
     file, number, title, place, inputs
-        Name of its file; its number there; words; place of the actuator, None without one; ids of
-        the inputs that it plays.
+        Name of its file; its number there; its label; place of the actuator, None without one; ids
+        of the inputs that it plays.
     extremes : (2, n_columns)
         Least and largest sample of each stretch, in parts of full scale.
     peak, rms
@@ -472,28 +475,24 @@ class ChannelOverview:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Overview:
-    """All that will be written.
+    """Overview of all files of an export.
 
     Attributes
     ----------
     channels
-        Of all files.
+        Channels of all files.
     marks
-        What stands before the ending in the name of each file: `written_files` needs it.
+        Text before the ending in the name of each file: `written_files` needs it.
     n_bytes
-        About how many bytes all files take together.
+        Estimated bytes of all files together.
     rate_hz, duration_s
-        Of each.
+        Of each file.
     full_scale, unit
-        What full scale stands for.
-    edges
-        Which channels begin or end hard, in words; "": none.
-    loses
-        What of the drive is not in the files; "": nothing.
-    calibration, equalised
-        Whether m/s² follow from the samples; what they are equalised for: in words.
+        Drive that full scale stands for.
+    edges, loses, calibration, equalised
+        Sentences, see `Exported`.
     objections
-        What must be confirmed, or accepted.
+        Sentences that must be confirmed, or accepted.
     """
 
     channels: tuple[ChannelOverview, ...]
@@ -511,7 +510,7 @@ class Overview:
 
     @property
     def n_files(self) -> int:
-        """How many files there are."""
+        """Number of files."""
         return len(self.marks)
 
 
@@ -522,7 +521,7 @@ def overview_of(
     progress: Progress = silent,
     stop: Stop = never,
 ) -> Overview:
-    """Look at what is ready to be written; ``progress`` and ``stop`` are those of a job."""
+    """Return an overview of a prepared export; ``progress`` and ``stop`` are those of a job."""
     channels: list[ChannelOverview] = []
     n_channels = sum(len(outgoing.stimulus.channels) for _, outgoing in ready.files)
     for path, outgoing in ready.files:
@@ -532,16 +531,18 @@ def overview_of(
             if ready.format.to_device
             else np.zeros(len(stimulus.channels))
         )
-        for one, samples, count in zip(stimulus.channels, stimulus.samples, counts, strict=True):
+        for channel, samples, count in zip(
+            stimulus.channels, stimulus.samples, counts, strict=True
+        ):
             stop_if(stop)
             progress(len(channels), n_channels, "Computing")
             channels.append(
                 ChannelOverview(
                     file=path.name,
-                    number=one.number,
-                    title=one.title,
-                    place=one.place,
-                    inputs=one.inputs,
+                    number=channel.number,
+                    title=channel.title,
+                    place=channel.place,
+                    inputs=channel.inputs,
                     extremes=extremes_of(samples),
                     peak=float(np.abs(samples).max(initial=0.0)),
                     rms=float(np.sqrt(np.mean(samples**2))),
@@ -561,12 +562,12 @@ def overview_of(
         loses=loses_of(ready),
         calibration=calibration_of(ready),
         equalised=equalised_of(ready),
-        objections=tuple(filter(None, (refused_loss_of(ready), *objections(ready, limits)))),
+        objections=tuple(filter(None, (advice_on_loss(ready), *objections(ready, limits)))),
     )
 
 
 def extremes_of(samples: Floats, columns: int = COLUMNS) -> Floats:
-    """Least and largest of each of ``columns`` stretches, (2, columns); fewer of short signals."""
+    """Return minimum and maximum of ``columns`` stretches, (2, columns); fewer of short signals."""
     n = samples.size
     edges = np.arange(min(columns, n)) * n // min(columns, n)
     return np.stack((np.minimum.reduceat(samples, edges), np.maximum.reduceat(samples, edges)))

@@ -1,4 +1,4 @@
-"""What a sidecar says of the limb, and of the conditions of the measurement."""
+"""The sidecar of an exported file: JSON that says what its numbers mean."""
 
 import json
 from collections.abc import Sequence
@@ -28,24 +28,22 @@ from skinsource.version import __version__
 
 
 def about_validity(design: Design) -> dict[str, Any]:
-    """Note on the limb, and conditions with their state and a sentence.
+    """Return the note on the limb, and the conditions of the measurement with state and sentence.
 
-    Nothing and none where the limb cannot be had here: a stimulus can be exported without it.
+    Both are empty where the limb is not installed: a stimulus can be exported without it.
     """
     try:
-        found = new_graph().evaluate({"limb_data", "validity"}, sources(design, View()))
+        results = new_graph().evaluate({"limb_data", "validity"}, sources(design, View()))
     except SkinSourceError:
         return {"limb_note": None, "validity": []}
     conditions = [
-        {"condition": one.name, "state": one.state, "sentence": one.sentence}
-        for one in found["validity"]
+        {"condition": finding.name, "state": finding.state, "sentence": finding.sentence}
+        for finding in results["validity"]
     ]
-    return {"limb_note": found["limb_data"].note or None, "validity": conditions}
+    return {"limb_note": results["limb_data"].note or None, "validity": conditions}
 
 
-# The JSON beside each exported file: what its numbers mean.
-
-#: What `skinsource.resample` promises within the band.
+#: Errors of `skinsource.resample` within the band are at most these.
 _RESAMPLING = {"gain_db": 0.001, "phase_rad": 1e-6, "aliases_db": -115.0}
 _MEANING = (
     "samples times full_scale are the drive: amplitude times gain times waveform, in the unit"
@@ -70,13 +68,13 @@ def sidecar_of(
     Parameters
     ----------
     ready, outgoing
-        What was written, and its part of it.
+        The whole export, and the content of this file.
     facts
-        What the format says.
+        Facts that the format returned.
     sha256, n_bytes
-        Of the file; None for a folder.
+        Digest of the file, None for a folder; bytes of the file or folder.
     confirmed
-        What was objected to, and written all the same.
+        Objections that were confirmed.
     """
     stimulus = outgoing.stimulus
     counts = facts.get("clipped_samples")
@@ -95,10 +93,10 @@ def sidecar_of(
         "duration_s": stimulus.duration_s,
         **_about_rig(ready, stimulus, _channels(stimulus, counts)),
         "equalised": equalised_of(ready),
-        "inputs": [_about_input(one) for one in outgoing.design.inputs],
+        "inputs": [_about_input(track) for track in outgoing.design.inputs],
         "gain": ready.gain,
         "meaning": _MEANING,
-        "scaling_means": _scaling_means(outgoing.design),
+        "scaling_means": _scaling_sentence(outgoing.design),
         "predicted_through": _about_prediction(outgoing.design.actuated),
         **about_validity(outgoing.design),
         "clip_count": int(sum(counts)),
@@ -117,15 +115,15 @@ def sidecar_of(
 def _about_rig(
     ready: PreparedStimulus, stimulus: Stimulus, channels: list[dict[str, Any]]
 ) -> dict[str, Any]:
-    """The channels, with what the rig says of them, and what it is."""
+    """Return the channels with their wiring, the rig, the actuators and the equaliser."""
     wiring = about_channels(stimulus, ready.rig) if ready.rig is not None else []
-    for one, wires in zip(channels, wiring, strict=False):
-        one.update(wires)
-    actuators = [one.get("actuator") for one in wiring]
+    for channel, wires in zip(channels, wiring, strict=False):
+        channel.update(wires)
+    actuators = [wires.get("actuator") for wires in wiring]
     if ready.rig is None and ready.equaliser is not None and ready.actuation is not None:
         actuators = [
-            None if one.place is None else ready.actuation.at(one.place).actuator
-            for one in stimulus.channels
+            None if channel.place is None else ready.actuation.at(channel.place).actuator
+            for channel in stimulus.channels
         ]
     return {
         "channels": channels,
@@ -135,74 +133,74 @@ def _about_rig(
     }
 
 
-def _scaling_means(design: Design) -> str:
-    # What is predicted through actuators asks these for its amplitudes, whatever the limb answers.
+def _scaling_sentence(design: Design) -> str:
+    # Predicted through actuators, amplitudes are drives of these, whatever the limb was driven by.
     known = design.actuated is not None or drive_unit_known(design.limb, design.limb_digest)
     return word_of(scalings_on(drive_unit_known=known), design.scaling).sentence
 
 
 def _about_prediction(actuated: Actuation | None) -> dict[str, Any] | None:
-    """Actuators and equaliser that the design is predicted through."""
+    """Return the actuators and the equaliser that the design is predicted through."""
     if actuated is None:
         return None
     return {
         "rig": actuated.rig or None,
         "actuators": [
-            {"place": one.place, "actuator": one.actuator, "model": one.model.title}
-            for one in actuated.actuators
+            {"place": actuator.place, "actuator": actuator.actuator, "model": actuator.model.title}
+            for actuator in actuated.actuators
         ],
         "equaliser": about_equaliser(actuated.equaliser),
     }
 
 
 def _channels(stimulus: Stimulus, counts: Sequence[int]) -> list[dict[str, Any]]:
-    found = []
-    for one, samples, count in zip(stimulus.channels, stimulus.samples, counts, strict=True):
+    described = []
+    for channel, samples, count in zip(stimulus.channels, stimulus.samples, counts, strict=True):
         peak = float(np.abs(samples).max(initial=0.0))
-        found.append(
+        described.append(
             {
-                "number": one.number,
-                "place": one.place,
-                "title": one.title,
-                "inputs": list(one.inputs),
-                "unit": stimulus.unit if one.place is not None else "full scale",
+                "number": channel.number,
+                "place": channel.place,
+                "title": channel.title,
+                "inputs": list(channel.inputs),
+                "unit": stimulus.unit if channel.place is not None else "full scale",
                 "peak_of_full_scale": peak,
                 "rms_of_full_scale": float(np.sqrt(np.mean(samples**2))),
                 "clip_count": int(count),
             }
         )
-    return found
+    return described
 
 
-def _about_input(one: Input) -> dict[str, Any]:
+def _about_input(track: Input) -> dict[str, Any]:
     return {
-        "number": one.id,
-        "place": one.location,
-        "amplitude": one.amplitude,
-        "gain_curve": [list(point) for point in one.gain_curve],
+        "number": track.id,
+        "place": track.location,
+        "amplitude": track.amplitude,
+        "gain_curve": [list(point) for point in track.gain_curve],
         "clips": [
             {"number": clip.id, "onset_s": clip.onset_s, "gain": clip.gain, "muted": clip.muted}
-            for clip in one.clips
+            for clip in track.clips
         ],
     }
 
 
 def _errors(stimulus: Stimulus, facts: Facts) -> dict[str, Any]:
-    """How far what is written can be from what is predicted."""
-    found: dict[str, Any] = {"band_hz": list(stimulus.band_hz)}
+    """Return bounds of the difference between the written and the predicted drive."""
+    errors: dict[str, Any] = {"band_hz": list(stimulus.band_hz)}
     if stimulus.sample_rate_hz != stimulus.own_rate_hz:
-        found["resampling_at_most"] = dict(_RESAMPLING)
-        found["edges"] = (
+        errors["resampling_at_most"] = dict(_RESAMPLING)
+        errors["edges"] = (
             "what sounds at the first or last sample rings there for up to 0.1 s, and what rings "
             "outside is cut off"
         )
     rounding = facts.get("largest_rounding_error")
     if rounding is not None:
-        found["rounding_of_full_scale"] = rounding
-        found["rounding_db"] = float(decibels(np.array([rounding]))[0]) if rounding else None
-    return found
+        errors["rounding_of_full_scale"] = rounding
+        errors["rounding_db"] = float(decibels(np.array([rounding]))[0]) if rounding else None
+    return errors
 
 
 def versions() -> dict[str, str]:
-    """Of what took part."""
+    """Return the versions of this program and of its numerical libraries."""
     return {"skinsource": __version__, "numpy": np.__version__, "scipy": scipy.__version__}

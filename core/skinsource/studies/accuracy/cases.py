@@ -1,4 +1,7 @@
-"""What is computed: convolutions, resampled signals and actuators, each with its exact values."""
+"""The cases: convolutions, resampled signals and actuators, each with its exact values.
+
+Exact convolutions on any limb are sums of products in whole numbers, without an engine.
+"""
 
 import zlib
 from dataclasses import dataclass, field, replace
@@ -34,14 +37,14 @@ _DAMAGE = (OSError, EOFError, KeyError, ValueError, BadZipFile, zlib.error)
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Convolution:
-    """Drives at places of a limb; the vibration at some outputs is asked for.
+    """Drives at places of a limb; the solution is the vibration at some outputs.
 
     Attributes
     ----------
     limb
-        Has the responses.
+        Limb with the responses.
     drives : (n_inputs, n_times)
-        What is played.
+        Drive of each input.
     locations, outputs
         Input place of each drive, and the outputs, both from 1.
     """
@@ -53,12 +56,12 @@ class Convolution:
 
     @property
     def responses(self) -> tuple[Floats, ...]:
-        """Of each drive, (n_channels, n_taps)."""
+        """Responses to each drive, (n_channels, n_taps)."""
         limb = self.limb
         return tuple(limb.response_to(place).reshape(-1, limb.n_taps) for place in self.locations)
 
-    def asked_for(self, vibration: Floats) -> Floats:
-        """The channels asked for, (n_rows, n_times), of all of them in any shape."""
+    def solution(self, vibration: Floats) -> Floats:
+        """Return the channels of the solution, (n_rows, n_times), of all in any shape."""
         by_output = vibration.reshape(self.limb.n_outputs, self.limb.n_axes, -1)
         rows = by_output[np.array(self.outputs) - 1]
         return rows.reshape(-1, rows.shape[-1])
@@ -77,7 +80,7 @@ class Resampling:
 class Actuation:
     """A voltage, (n_times,), held from each sample to the next, that moves a coil from rest.
 
-    Acceleration, velocity, displacement and current are asked for, in this order.
+    The solution is acceleration, velocity, displacement and current, in this order.
     """
 
     coil: VoiceCoil
@@ -95,15 +98,13 @@ class Case:
     Attributes
     ----------
     name, exercises
-        Its name, and what it is there for.
-    problem
-        What is computed.
+        Its name, and its purpose.
     samples : (n_samples,)
         Times at which errors are measured.
     reference : (n_rows, n_samples)
-        Exact values, rounded once; empty where they are not yet known.
+        Exact values, rounded once; empty: they are not yet known.
     quick
-        Whether a short run has it.
+        Whether it is part of a short run.
     """
 
     name: str
@@ -115,33 +116,33 @@ class Case:
 
 
 def stored_cases() -> tuple[Case, ...]:
-    """All cases, on the synthetic limb, with the stored reference.
+    """Return all cases, on the synthetic limb, with the stored reference.
 
     Raises
     ------
     FileFormatError
         The file of references is missing or damaged.
     """
-    path, found = data_folder() / FILE_NAME, []
+    path, cases = data_folder() / FILE_NAME, []
     for case in cases_without_reference():
         try:
             with path.open("rb") as file, np.load(file, allow_pickle=False) as stored:
-                found.append(replace(case, reference=np.asarray(stored[case.name], np.float64)))
+                cases.append(replace(case, reference=np.asarray(stored[case.name], np.float64)))
         except _DAMAGE as error:
             raise FileFormatError(
                 f"{path}: the reference of {quoted(case.name)} cannot be read "
                 f"({printable(error)}). Install SkinSource studio again."
             ) from error
-    return tuple(found)
+    return tuple(cases)
 
 
 def cases_without_reference() -> tuple[Case, ...]:
-    """The same, of which nothing is known yet."""
+    """Return all cases on the synthetic limb, without reference."""
     return (*convolutions(synthetic_limb()), *_resamplings(), *_actuations())
 
 
 def convolutions(limb: Limb) -> tuple[Case, ...]:
-    """Short and extreme cases on a limb, without their reference."""
+    """Return short and extreme cases on a limb, without reference."""
     n_taps, rate_hz = limb.n_taps, limb.sample_rate_hz
     channel_bytes = limb.n_outputs * limb.n_axes * np.dtype(np.float64).itemsize
     longest = _LARGEST_RESPONSE_BYTES / channel_bytes - n_taps
@@ -194,15 +195,15 @@ def convolutions(limb: Limb) -> tuple[Case, ...]:
 
 
 def noise(seed: int, n_times: int) -> Floats:
-    """Noise between -1 and 1, (n_times,), of 40 bits: the same on every machine."""
-    whole = np.random.PCG64(seed).random_raw(n_times) >> np.uint64(24)
-    return np.ldexp(whole.astype(np.float64) - 2.0**39, -39)
+    """Return noise between -1 and 1, (n_times,), of 40 bits: the same on every machine."""
+    integers = np.random.PCG64(seed).random_raw(n_times) >> np.uint64(24)
+    return np.ldexp(integers.astype(np.float64) - 2.0**39, -39)
 
 
 def synthetic_limb() -> Limb:
-    """A limb in the shape of the published ones, whose responses sum to zero, without a map.
+    """Return a limb in the shape of the published ones, with responses that sum to zero.
 
-    Its responses are whole numbers times a power of two: the same on every machine.
+    It has no map.  Its responses are integers times a power of two: the same on every machine.
     """
     nowhere = LimbMap(
         outline=np.zeros((0, 2)),
@@ -220,16 +221,16 @@ def synthetic_limb() -> Limb:
 
 
 def _synthetic_response(location: int) -> Floats:
-    """Noise that dies away, (72 outputs, 3 axes, 522 taps)."""
+    """Return decaying noise, (72 outputs, 3 axes, 522 taps)."""
     n_taps = N_TAPS - 1
     raw = np.random.PCG64(1000 + location).random_raw(N_OUTPUTS * N_AXES * n_taps)
-    whole = (raw >> np.uint64(40)).astype(np.int64).reshape(N_OUTPUTS, N_AXES, n_taps) - 2**23
-    fading = whole >> (np.arange(n_taps) // 24)
+    integers = (raw >> np.uint64(40)).astype(np.int64).reshape(N_OUTPUTS, N_AXES, n_taps) - 2**23
+    fading = integers >> (np.arange(n_taps) // 24)
     return np.ldexp(np.diff(fading, prepend=0, append=0).astype(np.float64), -23)
 
 
 def tone_burst(rate_hz: int) -> Floats:
-    """The signal that is resampled: one second, nothing above 600 Hz."""
+    """Return the signal to be resampled: one second, nothing above 600 Hz."""
     time_s = np.arange(rate_hz) / rate_hz - MIDDLE_S
     tones = sum(np.cos(2.0 * np.pi * tone * time_s) for tone in TONES_HZ)
     burst: Floats = np.exp(-0.5 * (time_s / BELL_S) ** 2) * tones
@@ -267,27 +268,24 @@ def _actuations() -> tuple[Case, ...]:
     )
 
 
-# Exact convolutions on any limb: sums of products in whole numbers, without an engine.
-
-
 def cases_of(
     limb: Limb | None, *, quick: bool, progress: Progress = silent, stop: Stop = never
 ) -> tuple[Case, ...]:
-    """The convolutions on a limb, with their exact values; all stored cases where there is none.
+    """Return the convolutions on a limb with their exact values; None: all stored cases.
 
     Parameters
     ----------
     quick
-        Those of a short run alone.
+        Whether to return only the cases of a short run.
     progress, stop
-        Told and asked before each.
+        Called before each case.
 
     Raises
     ------
     FileFormatError
         The stored references cannot be read.
     InvalidInputError
-        A response of the limb holds what is no finite number.
+        A response of the limb is not finite.
     Stopped
         ``stop`` said so.
     """
@@ -298,41 +296,41 @@ def cases_of(
     ]
     if limb is None:
         return tuple(chosen)
-    found = []
+    cases = []
     for k, case in enumerate(chosen):
         stop_if(stop)
         progress(k, len(chosen), f"exact values of {case.name}")
         problem = cast(Convolution, case.problem)
-        found.append(replace(case, reference=exact_samples(problem, case.samples)))
-    return tuple(found)
+        cases.append(replace(case, reference=exact_samples(problem, case.samples)))
+    return tuple(cases)
 
 
 def exact_samples(problem: Convolution, samples: Integers) -> Floats:
-    """Some samples of the channels asked for, (n_rows, n_samples), rounded once."""
-    taps = np.stack([problem.asked_for(response) for response in problem.responses])
+    """Return samples of the solution, (n_rows, n_samples), rounded once."""
+    taps = np.stack([problem.solution(response) for response in problem.responses])
     if not np.isfinite(taps).all():
         raise InvalidInputError(
             f"{quoted(problem.limb.name)}: a response is not finite, so there are no exact values. "
             "Install or load the limb again."
         )
     n_taps = taps.shape[-1]
-    whole_taps, taps_exponent = _whole(taps[..., ::-1])
+    integer_taps, taps_exponent = _integers(taps[..., ::-1])
     padding = (0, 0), (n_taps - 1, n_taps - 1)
-    whole_drives, drives_exponent = _whole(np.pad(problem.drives, padding))
+    integer_drives, drives_exponent = _integers(np.pad(problem.drives, padding))
     unit = Fraction(2) ** (taps_exponent + drives_exponent)
     sums = [
         sum(
             response @ drive[sample : sample + n_taps]
-            for response, drive in zip(whole_taps, whole_drives, strict=True)
+            for response, drive in zip(integer_taps, integer_drives, strict=True)
         )
         for sample in samples
     ]
     return np.array([[float(value * unit) for value in row] for row in zip(*sums, strict=True)])
 
 
-def _whole(values: Floats) -> tuple[NDArray[Any], int]:
-    """Whole numbers of any size, and the power of two that they are multiplied with."""
+def _integers(values: Floats) -> tuple[NDArray[Any], int]:
+    """Return values as integers of any size, and the exponent of their factor, a power of two."""
     mantissas, exponents = np.frexp(values)
     lowest = int(exponents.min())
-    whole = np.ldexp(mantissas, 53).astype(np.int64).astype(object)
-    return whole << (exponents - lowest).astype(object), lowest - 53
+    integers = np.ldexp(mantissas, 53).astype(np.int64).astype(object)
+    return integers << (exponents - lowest).astype(object), lowest - 53

@@ -1,4 +1,4 @@
-"""Ways of computing the cases: this program's own, and those that it is held against."""
+"""Measures ways of computing the cases, of this program and of others: error against time."""
 
 import csv
 import io
@@ -30,7 +30,7 @@ from skinsource.signals.resampling import resample
 from skinsource.specs.samples import Samples
 from skinsource.studies.accuracy.cases import Actuation, Case, Convolution, Resampling
 
-#: Computes a case, (n_rows, n_times); all that can be prepared is done.
+#: Computes a case, (n_rows, n_times), after all preparation.
 Run = Callable[[], Floats]
 #: More products than these take a personal computer more than ten seconds.
 _MOST_PRODUCTS = 2e10
@@ -43,13 +43,13 @@ class Way:
     Attributes
     ----------
     name
-        Whose it is, and what is called.
+        Library and function.
     kind
         Class of the problems.
     prepare
-        From a problem to what computes it, again and again: its first run is not timed.
+        Returns the function that computes a problem repeatedly: its first run is not timed.
     fits
-        Whether it computes a problem in reasonable time.
+        Returns whether it computes a problem in reasonable time.
     """
 
     name: str
@@ -58,35 +58,35 @@ class Way:
     fits: Callable[[Any], bool] = lambda _: True
 
     def computes(self, case: Case) -> bool:
-        """Whether a case is of its kind, and fits."""
+        """Return whether a case is of its kind, and fits."""
         return isinstance(case.problem, self.kind) and self.fits(case.problem)
 
 
 def _predict(problem: Convolution) -> Run:
     limb, drives, locations = problem.limb, problem.drives, problem.locations
-    return lambda: problem.asked_for(predict(limb, drives, locations, scaling="relative"))
+    return lambda: problem.solution(predict(limb, drives, locations, scaling="relative"))
 
 
 def _studio(problem: Convolution, *, edited: bool) -> Run:
-    """What the window shows of a design of recordings: levels of all outputs, traces of some.
+    """Compute what the window shows of a design: levels of all outputs, traces of some.
 
-    At each run the waveform of the first input is another one.  Where the design is ``edited``,
-    all else is known from the run before; where it is opened, nothing is.
+    At each run the first input has a new waveform.  ``edited``: everything else is cached from the
+    run before; otherwise nothing is, as in a design that was just opened.
     """
     limb, numbers = problem.limb, count()
     recordings = [
         Recording(Samples(values=drive, sample_rate_hz=limb.sample_rate_hz))
         for drive in problem.drives
     ]
-    inputs = [track(*one) for one in zip(problem.locations, recordings, strict=True)]
+    inputs = [track(*placed) for placed in zip(problem.locations, recordings, strict=True)]
     view = View(outputs=problem.outputs, axes="xyz", selected_inputs=(1,))
 
     def show(graph: Graph) -> Floats:
         another = replace(recordings[0], name=str(next(numbers)))
         inputs[0] = track(problem.locations[0], another)
         design = Design(limb=limb.name, inputs=tuple(inputs), scaling="relative")
-        given = {**sources(design, view), "limb_data": limb}
-        traces: Floats = graph.evaluate({"axis_traces", "output_rms"}, given)["axis_traces"]
+        all_sources = {**sources(design, view), "limb_data": limb}
+        traces: Floats = graph.evaluate({"axis_traces", "output_rms"}, all_sources)["axis_traces"]
         return traces.reshape(-1, traces.shape[-1])
 
     return partial(show, new_graph()) if edited else lambda: show(new_graph())
@@ -99,7 +99,7 @@ def _fftconvolve(problem: Convolution) -> Run:
         total = scipy.signal.fftconvolve(responses[0], drives[:1], axes=-1)
         for response, drive in zip(responses[1:], drives[1:], strict=True):
             total += scipy.signal.fftconvolve(response, drive[None], axes=-1)
-        return problem.asked_for(total)
+        return problem.solution(total)
 
     return run
 
@@ -113,7 +113,7 @@ def _direct_sums(problem: Convolution) -> Run:
         for response, drive in zip(responses, drives, strict=True):
             for channel, taps in zip(total, response, strict=True):
                 channel += np.convolve(drive, taps)
-        return problem.asked_for(total)
+        return problem.solution(total)
 
     return run
 
@@ -150,7 +150,7 @@ def _lsim(problem: Actuation) -> Run:
     coil = problem.coil
     r, ind, bl = coil.resistance_ohm, coil.inductance_h, coil.force_factor_n_per_a
     m, c, k = coil.moving_mass_kg, coil.damping_n_s_per_m, coil.stiffness_n_per_m
-    # Current, velocity and displacement of what moves.
+    # Current, velocity and displacement.
     states = np.array([[-r / ind, -bl / ind, 0.0], [bl / m, -c / m, -k / m], [0.0, 1.0, 0.0]])
     drive = np.array([[1.0 / ind], [0.0], [0.0]])
     read = np.array([states[1], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]])
@@ -173,9 +173,7 @@ WAYS = (
 )
 
 
-# Measures ways on cases: how far each is from the exact values, and how long it takes.
-
-#: What the numbers of a row say.
+#: Meaning of the numbers of a row, for people.
 MEANING = (
     "An error is the largest difference to the exact values of a case over the largest of them. It "
     "says how exactly numbers are computed, not how well responses describe another hand. A time "
@@ -201,11 +199,11 @@ class Row:
         Their names.
     error
         Largest difference to an exact value over the largest exact value of its row, the worst of
-        all rows; infinite where the way gives what is no number.
+        all rows; infinite where a result is not a number.
     time_s
-        Of the fastest run.
+        Time of the fastest run.
     runs
-        How many there were.
+        Number of runs.
     """
 
     case: str
@@ -223,14 +221,14 @@ def measure(
     progress: Progress = silent,
     stop: Stop = never,
 ) -> Iterator[Row]:
-    """Give a row for each way and each case that it computes, once it is measured.
+    """Yield a row for each way and each case that it computes.
 
     Parameters
     ----------
     repeats
-        How often each is run at most.
+        Largest number of runs of each.
     progress, stop
-        Told before each row, and asked before each run.
+        Called before each row, and before each run.
 
     Raises
     ------
@@ -244,11 +242,11 @@ def measure(
         yield _measured(case, way, repeats, stop)
 
 
-# Overflow, and what comes of it, is an error of a row, not a warning.
+# Overflow and its results are an error of a row, not a warning.
 @np.errstate(all="ignore")
 def _measured(case: Case, way: Way, repeats: int, stop: Stop) -> Row:
     run = way.prepare(case.problem)
-    # Not timed: what it has to read and to import, no other has.
+    # The first run is not timed: it alone reads and imports.
     error = error_of(run()[:, case.samples], case.reference)
     seconds: list[float] = []
     while not seconds or (len(seconds) < repeats and sum(seconds) < _LONGEST_S):
@@ -260,14 +258,14 @@ def _measured(case: Case, way: Way, repeats: int, stop: Stop) -> Row:
 
 
 def error_of(values: Floats, reference: Floats) -> float:
-    """As `Row.error`, of values and reference, (n_rows, n_samples)."""
+    """Return `Row.error` for values and reference, (n_rows, n_samples)."""
     peaks = np.maximum(np.abs(reference).max(axis=1), _SMALLEST)
     error = float((np.abs(values - reference).max(axis=1) / peaks).max())
     return math.inf if math.isnan(error) else error
 
 
 def best_of(rows: Sequence[Row]) -> list[Row]:
-    """Rows, of one case, that no other beats in error and time; the fastest first."""
+    """Return the rows of one case that no other beats in error and time; the fastest first."""
     best: list[Row] = []
     for row in sorted(rows, key=lambda row: (row.time_s, row.error)):
         if not best or row.error < best[-1].error:
@@ -276,14 +274,14 @@ def best_of(rows: Sequence[Row]) -> list[Row]:
 
 
 def cells_of(row: Row) -> tuple[str, ...]:
-    """A row in words, by `COLUMNS`."""
+    """Return a row as text, by `COLUMNS`."""
     time_ms = 1e3 * row.time_s
     time = f"{time_ms:.0f}" if time_ms >= _LONG_MS else f"{time_ms:.3g}"
     return row.case, row.way, f"{row.error:.1e}", time
 
 
 def table_text(rows: Sequence[Row]) -> str:
-    """The rows as a table of Markdown, in columns."""
+    """Return the rows as a table of Markdown, in columns."""
     columns = list(zip(COLUMNS, ("---", "---", "---:", "---:"), *map(cells_of, rows), strict=True))
     for k, put in enumerate((str.ljust, str.ljust, str.rjust, str.rjust)):
         columns[k] = tuple(put(cell, max(map(len, columns[k]))) for cell in columns[k])
@@ -291,15 +289,13 @@ def table_text(rows: Sequence[Row]) -> str:
 
 
 def table_csv(rows: Sequence[Row]) -> str:
-    """The rows as CSV with a header; numbers are whole, not rounded."""
+    """Return the rows as CSV with a header; numbers are not rounded."""
     text = io.StringIO(newline="")
     writer = csv.DictWriter(text, [field.name for field in fields(Row)], lineterminator="\n")
     writer.writeheader()
     writer.writerows(asdict(row) for row in rows)
     return text.getvalue()
 
-
-# The plot: error against run time, a panel for each case.
 
 #: Errors beyond these are drawn at the edge.
 LEAST_ERROR, MOST_ERROR = 1e-17, 10.0

@@ -1,7 +1,8 @@
-"""Figures of linearity and superposition, as the model has them by construction."""
+"""The figures of the scenes: linearity and superposition, maps side by side, curves in rows."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from math import floor
 from typing import Any
 
@@ -26,6 +27,7 @@ from skinsource.export.plot import (
     PlotRow,
     Range,
     WindowedLevels,
+    annotate_scale,
     common_range,
     common_size,
     draw_extent,
@@ -33,10 +35,10 @@ from skinsource.export.plot import (
     draw_rows,
     draw_strip,
     levels_of,
-    say_scale,
     style,
     windowed_levels,
 )
+from skinsource.export.tables import EXTENT_COLUMNS, extent_values
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.signals.analysis.statistics import BIN_HZ, band_rms
 from skinsource.signals.map_range import MAP_RANGE_DB
@@ -50,32 +52,33 @@ from skinsource.studies.figures.sheet import (
     Table,
     axes_of_sensors,
     field_of,
-    frames,
     frequency_of,
-    loudest_of,
+    levels_of_values,
+    magnitudes_at,
     normal_of,
-    with_values,
 )
 from skinsource.studies.scenes.scene import OpenedScene
 from skinsource.studies.validation import pearson, straight_lines
 
 _SHOWN_BANDS_HZ = (50.0, 100.0, 200.0, 400.0)
-# Where an error is exactly 0 it is drawn here.
+# An error of 0 is drawn here.
 _SMALLEST = 1e-17
 _CYCLES_SHOWN = 4.0
 
 
 def strengths(opened: OpenedScene) -> Drawn:
-    """Each tone at five strengths, divided by them, over each other."""
+    """Draw each tone at five strengths, divided by them, over each other."""
     view = opened.view
-    found = [
-        evaluate(one.design, "response_time_s", "selected_traces", view=view)
-        for one in opened.conditions
+    results = [
+        evaluate(condition.design, "response_time_s", "selected_traces", view=view)
+        for condition in opened.conditions
     ]
-    time_s = found[0]["response_time_s"]
-    factors = np.array([one.design.inputs[0].amplitude for one in opened.conditions])
-    alike = np.stack([one["selected_traces"] for one in found]) / factors[:, None, None]
-    drawn_s, drawn = finer(time_s, alike)
+    time_s = results[0]["response_time_s"]
+    factors = np.array([condition.design.inputs[0].amplitude for condition in opened.conditions])
+    normalised = (
+        np.stack([result["selected_traces"] for result in results]) / factors[:, None, None]
+    )
+    drawn_s, drawn = finer(time_s, normalised)
     clips = opened.design.inputs[0].clips
     delay_s = facts_of(opened.design.limb).pre_trigger_delay_s
     sheet, columns, header = Sheet(opened, 78.0), [time_s], ["time_s"]
@@ -90,9 +93,9 @@ def strengths(opened: OpenedScene) -> Drawn:
                 ax.set_title(f"{frequency_of(clip):g} Hz: {ax.get_title()}", fontsize=6)
                 ax.set_ylabel("" if column else f"Output {number}\nz / strength")
                 ax.set_xlabel("" if row + 1 < len(view.outputs) else "Time (ms)")
-            columns += list(alike[:, row])
+            columns += list(normalised[:, row])
             per = f"output_{number} per {amplitude_unit(opened.design)}"
-            header += [f"{per} at {one.label}" for one in opened.conditions]
+            header += [f"{per} at {condition.label}" for condition in opened.conditions]
         handles = ax.get_legend_handles_labels()
         sheet.figure.legend(*handles, loc="upper right", ncols=5, fontsize=6)
     return Drawn(sheet=sheet, tables={"": Table(header=header, rows=np.vstack(columns).T)})
@@ -100,11 +103,11 @@ def strengths(opened: OpenedScene) -> Drawn:
 
 def _overlay(ax: Any, opened: OpenedScene, time_ms: Floats, curves: Floats) -> None:
     for k, curve in enumerate(curves):
-        # Thinner from one to the next, so that all of them can be seen.
+        # Each curve is thinner than the one before, so that all are visible.
         width, label = 4.5 - 0.95 * k, opened.conditions[k].label
         ax.plot(time_ms, curve, color=COLOURS[k], lw=width, label=label)
-    apart = float(np.ptp(curves, axis=0).max()) / float(np.abs(curves).max())
-    ax.set_title(f"differences up to {apart:.0e} of the peak" if apart else "no difference")
+    largest = float(np.ptp(curves, axis=0).max()) / float(np.abs(curves).max())
+    ax.set_title(f"differences up to {largest:.0e} of the peak" if largest else "no difference")
     ax.set_yticks([])
     ax.locator_params(axis="x", nbins=4)
 
@@ -117,29 +120,29 @@ class Fits:
     ----------
     frequency_hz : (n_bands,)
         Middles of the bands.
-    played : (n_levels, n_bands)
-        RMS of the input there.
-    felt : (n_levels, n_channels, n_bands)
-        Those of the outputs.
+    input_rms : (n_levels, n_bands)
+        RMS of the input in each band.
+    output_rms : (n_levels, n_channels, n_bands)
+        RMS of the outputs in each band.
     slope, offset, adjusted_r2 : (n_channels, n_bands)
         Of the lines.
     """
 
     frequency_hz: Floats
-    played: Floats
-    felt: Floats
+    input_rms: Floats
+    output_rms: Floats
     slope: Floats
     offset: Floats
     adjusted_r2: Floats
 
 
 def swept_hz(opened: OpenedScene) -> Band:
-    """From where to where the sweep of a scene goes, as far as its limb was measured there.
+    """Return the range of the sweep of a scene within the measured band of its limb.
 
     Raises
     ------
     InvalidInputError
-        The limb was measured nowhere there.
+        The two have no frequencies in common.
     """
     (clip,) = opened.design.inputs[0].clips
     if not isinstance(clip.waveform, Chirp):
@@ -159,23 +162,25 @@ def swept_hz(opened: OpenedScene) -> Band:
 def lines_of(opened: OpenedScene) -> Fits:
     """Fit a line for each output and band, by least squares over the levels of the scene."""
     swept = swept_hz(opened)
-    played, felt, frequency_hz = [], [], np.zeros(0)
-    for one in opened.conditions:
-        found = evaluate(one.design, "input_waveforms", "sample_rate_hz")
-        (waveform,) = found["input_waveforms"]
-        _, field = field_of(one.design)
-        drive = waveform * one.design.inputs[0].amplitude
+    of_input, of_outputs, frequency_hz = [], [], np.zeros(0)
+    for condition in opened.conditions:
+        results = evaluate(condition.design, "input_waveforms", "sample_rate_hz")
+        (waveform,) = results["input_waveforms"]
+        _, field = field_of(condition.design)
+        drive = waveform * condition.design.inputs[0].amplitude
         n_times = field.shape[-1]
-        how = n_times, found["sample_rate_hz"], swept
-        frequency_hz, of_drive = band_rms(scipy.fft.rfft(drive, n_times), *how)
-        played.append(of_drive)
-        felt.append(band_rms(scipy.fft.rfft(normal_of(one.design, field)), *how)[1])
-    x, y = np.stack(played), np.stack(felt)
+        rate_hz = results["sample_rate_hz"]
+        drive_spectrum = scipy.fft.rfft(drive, n_times)
+        frequency_hz, drive_rms = band_rms(drive_spectrum, n_times, rate_hz, swept)
+        of_input.append(drive_rms)
+        output_spectra = scipy.fft.rfft(normal_of(condition.design, field))
+        of_outputs.append(band_rms(output_spectra, n_times, rate_hz, swept)[1])
+    x, y = np.stack(of_input), np.stack(of_outputs)
     slope, offset, adjusted_r2 = straight_lines(x[:, None], y)
     return Fits(
         frequency_hz=frequency_hz,
-        played=x,
-        felt=y,
+        input_rms=x,
+        output_rms=y,
         slope=slope,
         offset=offset,
         adjusted_r2=adjusted_r2,
@@ -183,24 +188,24 @@ def lines_of(opened: OpenedScene) -> Fits:
 
 
 def output_over_input(opened: OpenedScene) -> Drawn:
-    """Output over input of some bands, with their lines."""
+    """Draw output over input in some bands, with their lines."""
     fits, outputs, unit = lines_of(opened), opened.view.outputs, amplitude_unit(opened.design)
     sheet = Sheet(opened, 70.0)
-    bands = [int(np.argmin(np.abs(fits.frequency_hz - one))) for one in _SHOWN_BANDS_HZ]
+    bands = [int(np.argmin(np.abs(fits.frequency_hz - band_hz))) for band_hz in _SHOWN_BANDS_HZ]
     with style():
         for k, number in enumerate(outputs):
             ax = sheet.axes(22.0 + 84.0 * k, 12.0, 66.0, 50.0)
             for colour, marker, band in zip(COLOURS, "os^D", bands, strict=False):
-                x = fits.played[:, band]
+                x = fits.input_rms[:, band]
                 line = fits.slope[number - 1, band] * x + fits.offset[number - 1, band]
                 r2 = fits.adjusted_r2[number - 1, band]
                 label = f"{fits.frequency_hz[band]:.0f} Hz, adjusted R² {r2:.6f}"
                 ax.loglog(x, line, color=colour, lw=0.8)
-                felt = fits.felt[:, number - 1, band]
-                ax.loglog(x, felt, marker, ms=4, mfc="none", color=colour, label=label)
+                y = fits.output_rms[:, number - 1, band]
+                ax.loglog(x, y, marker, ms=4, mfc="none", color=colour, label=label)
             ax.set_title(f"Output {number}, z")
-            ticks = fits.played[:, bands[0]]
-            ax.set_xticks(ticks, [f"{one:.2g}" for one in ticks])
+            ticks = fits.input_rms[:, bands[0]]
+            ax.set_xticks(ticks, [f"{tick:.2g}" for tick in ticks])
             ax.minorticks_off()
             ax.set_xlabel(f"Input in the band ({unit})")
             ax.set_ylabel("Output in the band (m/s²)")
@@ -208,32 +213,36 @@ def output_over_input(opened: OpenedScene) -> Drawn:
             low, high = ax.get_ylim()
             ax.set_ylim(low, high * 12.0)
     header, columns = ["frequency_hz"], [fits.frequency_hz]
-    for level, one in enumerate(opened.conditions):
-        header += [f"input at {one.label} ({unit})"]
-        header += [f"output_{number} at {one.label} (m/s²)" for number in outputs]
-        columns += [fits.played[level], *(fits.felt[level, number - 1] for number in outputs)]
+    for level, condition in enumerate(opened.conditions):
+        header += [f"input at {condition.label} ({unit})"]
+        header += [f"output_{number} at {condition.label} (m/s²)" for number in outputs]
+        columns += [
+            fits.input_rms[level],
+            *(fits.output_rms[level, number - 1] for number in outputs),
+        ]
     return Drawn(sheet=sheet, tables={"": Table(header=header, rows=np.vstack(columns).T)})
 
 
 def straightness(opened: OpenedScene) -> Drawn:
-    """How far adjusted R² is from 1, over all outputs."""
+    """Draw the adjusted R² of the worst output, and the median of all outputs."""
     fits = lines_of(opened)
-    short = float(1.0 - fits.adjusted_r2.min())
+    deviation = float(1.0 - fits.adjusted_r2.min())
     sheet = Sheet(opened, 62.0)
     with style():
         ax = sheet.axes(26.0, 12.0, 146.0, 44.0)
-        for words, values, colour, width in (
+        for label, values, colour, width in (
             ("worst output", fits.adjusted_r2.min(axis=0), COLOURS[1], 2.5),
             ("median of all outputs", np.median(fits.adjusted_r2, axis=0), COLOURS[0], 0.8),
         ):
-            ax.plot(fits.frequency_hz, values, color=colour, lw=width, label=words)
+            ax.plot(fits.frequency_hz, values, color=colour, lw=width, label=label)
         ax.set_xlim(*swept_hz(opened))
-        ax.set_ylim(min(0.99, 1.0 - 1.2 * short), 1.001)
+        ax.set_ylim(min(0.99, 1.0 - 1.2 * deviation), 1.001)
         ax.set_xlabel("Frequency (Hz)")
         ax.set_ylabel("Adjusted R²")
         ax.legend(loc="lower right", ncols=2)
-        words = f"1 − adjusted R² is at most {short:.0e}" if short > 0.0 else "1 to the last digit"
-        ax.text(0.02, 0.06, words, transform=ax.transAxes)
+        bound = f"1 − adjusted R² is at most {deviation:.0e}"
+        note = bound if deviation > 0.0 else "1 to the last digit"
+        ax.text(0.02, 0.06, note, transform=ax.transAxes)
     numbers = range(1, fits.adjusted_r2.shape[0] + 1)
     header = ["frequency_hz", *(f"output_{k}_adjusted_r2" for k in numbers)]
     rows = np.vstack((fits.frequency_hz, fits.adjusted_r2)).T
@@ -241,8 +250,8 @@ def straightness(opened: OpenedScene) -> Drawn:
 
 
 def superposition(opened: OpenedScene) -> Drawn:
-    """The sum of what each input causes beside what both cause, and their correlation."""
-    fields = [field_of(one.design) for one in opened.conditions]
+    """Draw the sum of the responses to each input, the response to both, and their correlation."""
+    fields = [field_of(condition.design) for condition in opened.conditions]
     time_s, joint = fields[-1]
     separate = fields[0][1] + fields[1][1]
     worst = pearson(separate, joint).min(axis=1)
@@ -263,7 +272,7 @@ def superposition(opened: OpenedScene) -> Drawn:
         ax.set_title("0 is drawn at the foot", fontsize=6)
     for number in outputs:
         header += [f"output_{number}_z_separate_m_per_s2", f"output_{number}_z_joint_m_per_s2"]
-        columns += [one[number - 1] for one in normal]
+        columns += [signals[number - 1] for signals in normal]
     numbers_and_r = np.column_stack((numbers.astype(float), worst))
     return Drawn(
         sheet=sheet,
@@ -277,54 +286,53 @@ def superposition(opened: OpenedScene) -> Drawn:
 def _draw_sums(
     sheet: Sheet, outputs: Sequence[int], time_s: Floats, separate: Floats, joint: Floats
 ) -> None:
-    """Some cycles in the middle of the sweep, along the axis normal to the skin."""
+    """Draw some cycles in the middle of the sweep, along the axis normal to the skin."""
     chosen = np.array(outputs) - 1
-    drawn_s, (apart, together) = finer(time_s, np.stack((separate, joint))[:, chosen])
+    drawn_s, (drawn_separate, drawn_joint) = finer(time_s, np.stack((separate, joint))[:, chosen])
     within = (drawn_s > 1.0) & (drawn_s < 1.05)
     for k, number in enumerate(outputs):
         ax = sheet.axes(26.0, 40.0 - 28.0 * k, 66.0, 20.0)
         ax.plot(
             1e3 * drawn_s[within],
-            apart[k, within],
+            drawn_separate[k, within],
             color=COLOURS[5],
             lw=3.0,
             label="sum of separate",
         )
-        ax.plot(1e3 * drawn_s[within], together[k, within], color=INK, lw=0.8, label="joint")
+        ax.plot(1e3 * drawn_s[within], drawn_joint[k, within], color=INK, lw=0.8, label="joint")
         ax.set_ylabel(f"Output {number}\nz (m/s²)")
         if k == 0:
             ax.legend(fontsize=6, loc="lower right", bbox_to_anchor=(1.0, 0.98), ncols=2)
     ax.set_xlabel("Time (ms)")
 
 
-# Figures that are maps beside each other.
-
 _HEIGHT_MM, _BAR_ROOM_MM = 92.0, 20.0
-_UNIT = "dB re 1 m/s²"
-_RELATIVE = (-MAP_RANGE_DB, 0.0)
+_RELATIVE_RANGE_DB = (-MAP_RANGE_DB, 0.0)
 
 
 def maps_in_one_scale(opened: OpenedScene) -> Drawn:
-    """A map for each design, all in one scale of levels."""
-    levels = [levels_of(one.design, None, opened.view) for one in opened.conditions]
-    colours = common_range(*(one.values for one in levels))
-    return maps_figure(opened, levels, _labels(opened), colours, _UNIT)
+    """Draw a map for each design, all in one scale of levels."""
+    levels = [levels_of(condition.design, None, opened.view) for condition in opened.conditions]
+    colours = common_range(*(level.values for level in levels))
+    return maps_figure(opened, levels, _labels(opened), colours, "dB re 1 m/s²")
 
 
 def maps_each_relative(opened: OpenedScene) -> Drawn:
-    """A map for each design, each re its loudest output."""
-    levels = [levels_of(one.design, None, opened.view) for one in opened.conditions]
-    words, tops = "dB re the loudest output of each", loudest_of(levels, together=False)
-    return maps_figure(opened, levels, _labels(opened), _RELATIVE, words, tops)
+    """Draw a map for each design, each re its loudest output."""
+    levels = [levels_of(condition.design, None, opened.view) for condition in opened.conditions]
+    tops_db = [float(level.values.max()) for level in levels]
+    unit = "dB re the loudest output of each"
+    return maps_figure(opened, levels, _labels(opened), _RELATIVE_RANGE_DB, unit, tops_db)
 
 
 def maps_of_axes(opened: OpenedScene) -> Drawn:
-    """A map for each axis, all re the loudest output on any axis."""
+    """Draw a map for each axis, all re the loudest output on any axis."""
     single = axes_of_sensors(opened.design)
     levels = [levels_of(opened.design, None, replace(opened.view, axes=axis)) for axis in single]
     titles = [f"Along {axis}" for axis in single]
-    words, tops = "dB re the loudest output on any axis", loudest_of(levels, together=True)
-    return maps_figure(opened, levels, titles, _RELATIVE, words, tops)
+    tops_db = [max(float(level.values.max()) for level in levels)] * len(levels)
+    unit = "dB re the loudest output on any axis"
+    return maps_figure(opened, levels, titles, _RELATIVE_RANGE_DB, unit, tops_db)
 
 
 def maps_figure(
@@ -332,51 +340,45 @@ def maps_figure(
     levels: Sequence[Levels],
     titles: Sequence[str],
     colours: Range,
-    words: str,
+    unit: str,
     tops_db: Sequence[float] = (),
 ) -> Drawn:
-    """Maps beside each other with one colour bar, and the level of each output as a table.
+    """Draw maps side by side with one colour bar, and make a table of the levels.
 
-    ``tops_db``: what the levels of each map are told re; 0 dB unless given.
+    ``tops_db``: reference level of each map; 0 dB unless given.
     """
     tops_db = tops_db or [0.0] * len(levels)
-    noisy = any(one.noisy for one in levels)
+    noisy = any(level.noisy for level in levels)
     sheet = Sheet(opened, _HEIGHT_MM, f"{HATCHED}." if noisy else "", maps=True)
     room_mm = min(WIDTH_MM - _BAR_ROOM_MM - 6.0, 50.0 * len(levels))
     left_mm = (WIDTH_MM - _BAR_ROOM_MM - room_mm) / 2.0
     with style():
         places = sheet.row_of_axes(len(levels), left_mm, 2.0, room_mm, _HEIGHT_MM - 8.0)
         image = None
-        for k, (ax, one, title) in enumerate(zip(places, levels, titles, strict=True)):
+        for k, (ax, level, title) in enumerate(zip(places, levels, titles, strict=True)):
             bar: Bar = "drawn" if k == len(levels) - 1 else "room"
-            shown = replace(one, values=one.values - tops_db[k])
+            shown = replace(level, values=level.values - tops_db[k])
             image = draw_map(ax, shown, colours, title=title, bar=bar)
-        sheet.colour_bar(image, left_mm + room_mm + 2.0, 24.0, 50.0, words)
-    values = [in_tables(one.values) - top for one, top in zip(levels, tops_db, strict=True)]
-    return Drawn(sheet=sheet, tables={"": levels_table(titles, values, words)})
-
-
-def levels_table(titles: Sequence[str], values: Sequence[Floats], words: str) -> Table:
-    """A row for each output."""
-    header = ["output", *(f"{title.replace(',', '')} ({words})" for title in titles)]
+        sheet.colour_bar(image, left_mm + room_mm + 2.0, 24.0, 50.0, unit)
+    values = [in_tables(level.values) - top for level, top in zip(levels, tops_db, strict=True)]
+    header = ["output", *(f"{title.replace(',', '')} ({unit})" for title in titles)]
     numbers = np.arange(1.0, values[0].size + 1.0)
-    return Table(header=header, rows=np.column_stack((numbers, *values)))
+    table = Table(header=header, rows=np.column_stack((numbers, *values)))
+    return Drawn(sheet=sheet, tables={"": table})
 
 
 def _labels(opened: OpenedScene) -> list[str]:
-    return [one.label for one in opened.conditions]
+    return [condition.label for condition in opened.conditions]
 
 
-# Figures of a vibration as it goes on: frames of a tone, windows of a train.
-
-# The first frame, so long after a wave can arrive: at 100 ms of the published limbs.
+# Time of the first frame after the pre-trigger delay: 100 ms on the published limbs.
 _N_FRAMES, _FIRST_FRAME_S = 5, 0.048
-# On a linear scale the finger alone would have colours: those end where the hand has its crests.
+# Colours end at this share of the peak: on a scale up to the peak only the finger is visible.
 _SHARE_OF_PEAK = 0.1
 
 
 def tone_frames(opened: OpenedScene) -> Drawn:
-    """Acceleration normal to the skin at instants a quarter of a cycle apart, with its sign."""
+    """Draw the signed acceleration normal to the skin at steps of a quarter of a cycle."""
     (clip,) = opened.design.clips
     time_s, field = field_of(opened.design)
     rate_hz = 1.0 / (time_s[1] - time_s[0])
@@ -393,10 +395,10 @@ def tone_frames(opened: OpenedScene) -> Drawn:
         for k, (ax, values) in enumerate(zip(places, normal, strict=True)):
             bar: Bar = "drawn" if k == _N_FRAMES - 1 else "room"
             title = f"{1e3 * time_s[instants[k]]:.1f} ms"
-            shown = with_values(opened.design, values)
+            shown = levels_of_values(opened.design, values)
             image = draw_map(ax, shown, (-limit, limit), title=title, signed=True, bar=bar)
-        words = f"z, m/s²; colours end at {_SHARE_OF_PEAK:.0%} of the peak"
-        sheet.colour_bar(image, 153.0, 20.0, 48.0, words)
+        label = f"z, m/s²; colours end at {_SHARE_OF_PEAK:.0%} of the peak"
+        sheet.colour_bar(image, 153.0, 20.0, 48.0, label)
     header = ["output", *(f"z at {1e3 * time_s[k]:.3f} ms (m/s²)" for k in instants)]
     numbers = np.arange(1.0, normal.shape[1] + 1.0)
     table = Table(header=header, rows=np.vstack((numbers, normal)).T)
@@ -404,24 +406,26 @@ def tone_frames(opened: OpenedScene) -> Drawn:
 
 
 def train_windows(opened: OpenedScene) -> Drawn:
-    """The train, a map for each of its windows in one scale, and how far each reaches."""
+    """Draw the train, a map for each of its windows in one scale, and the extent of each."""
     window_s = opened.view.window_s
-    found = windowed_levels(opened.design, opened.view, count=None, window_s=window_s)
-    n = found.windows.count
-    sheet = Sheet(opened, 132.0, f"{HATCHED}." if any(found.noisy) else "", maps=True)
+    windowed = windowed_levels(opened.design, opened.view, count=None, window_s=window_s)
+    n = windowed.windows.count
+    sheet = Sheet(opened, 132.0, f"{HATCHED}." if any(windowed.noisy) else "", maps=True)
     left_mm, width_mm = 22.0, WIDTH_MM - 44.0
     with style():
         train = sheet.axes(left_mm, 113.0, width_mm, 16.0)
         _draw_stimulus(train, opened, n * window_s)
-        draw_strip(sheet.figure, sheet.row_of_axes(n, left_mm, 30.0, width_mm, 74.0), found, None)
-        draw_extent(sheet.axes(left_mm, 6.0, width_mm, 20.0), found, n)
-    return Drawn(sheet=sheet, tables={"": _table(found)})
+        draw_strip(
+            sheet.figure, sheet.row_of_axes(n, left_mm, 30.0, width_mm, 74.0), windowed, None
+        )
+        draw_extent(sheet.axes(left_mm, 6.0, width_mm, 20.0), windowed, n)
+    return Drawn(sheet=sheet, tables={"": _table(windowed)})
 
 
 def _draw_stimulus(ax: Any, opened: OpenedScene, until_s: float) -> None:
-    found = evaluate(opened.design, "input_waveforms", "sample_rate_hz")
-    (waveform,) = found["input_waveforms"]
-    ax.plot(np.arange(waveform.size) / found["sample_rate_hz"], waveform, color=INK, lw=0.7)
+    results = evaluate(opened.design, "input_waveforms", "sample_rate_hz")
+    (waveform,) = results["input_waveforms"]
+    ax.plot(np.arange(waveform.size) / results["sample_rate_hz"], waveform, color=INK, lw=0.7)
     ax.set_xlim(0.0, until_s)
     ax.set_axis_off()
     ax.annotate(
@@ -435,28 +439,16 @@ def _draw_stimulus(ax: Any, opened: OpenedScene, until_s: float) -> None:
     )
 
 
-def _table(found: WindowedLevels) -> Table:
-    bounds = found.windows.bounds_s(found.sample_rate_hz)
-    extents = [one for one in found.extents if one is not None]
-    header = ["from_s", "to_s", "mean_distance_mm", "d90_mm", "share_above_12_db"]
-    header += ["share_above_20_db", "participation"]
-    header += [f"output_{k}_rms_m_per_s2" for k in range(1, found.rms.shape[1] + 1)]
+def _table(windowed: WindowedLevels) -> Table:
+    bounds = windowed.windows.bounds_s(windowed.sample_rate_hz)
+    header = ["from_s", "to_s", *EXTENT_COLUMNS]
+    header += [f"output_{k}_rms_m_per_s2" for k in range(1, windowed.rms.shape[1] + 1)]
     rows = [
-        [
-            *span,
-            one.mean_distance_mm,
-            one.d90_mm,
-            one.share_above_12_db,
-            one.share_above_20_db,
-            one.participation,
-            *rms,
-        ]
-        for span, one, rms in zip(bounds, extents, found.rms, strict=True)
+        [*span, *extent_values(extent), *rms]
+        for span, extent, rms in zip(bounds, windowed.extents, windowed.rms, strict=True)
     ]
     return Table(header=header, rows=np.array(rows))
 
-
-# Figures that are curves in rows under each other.
 
 _ROW_MM, _AXIS_MM = 11.0, 12.0
 _LEFT_MM, _RIGHT_MM = 34.0, 8.0
@@ -467,38 +459,38 @@ _INSTANTS_S = (0.0, 0.00075, 0.0015, 0.00225, 0.003)
 
 
 def pulse_traces(opened: OpenedScene) -> Drawn:
-    """Three axes of each output, each output relative to its peak, and maps of the first 3 ms."""
+    """Draw the axes of each output, relative to its peak, and maps of the first 3 ms."""
     outputs, axes = opened.view.outputs, axes_of_sensors(opened.design)
     time_s, field = field_of(opened.design)
-    within = _within(opened, time_s)
+    within = _in_time_range(opened, time_s)
     drawn_s, drawn = finer(time_s, field[np.array(outputs) - 1])
-    seen = _within(opened, drawn_s)
+    drawn_within = _in_time_range(opened, drawn_s)
     rows = [
-        _own_row(number, 1e3 * drawn_s[seen], one[:, seen])
-        for number, one in zip(outputs, drawn, strict=True)
+        _row(number, 1e3 * drawn_s[drawn_within], curves[:, drawn_within])
+        for number, curves in zip(outputs, drawn, strict=True)
     ]
     height_mm = 9.0 * len(rows)
     sheet = Sheet(opened, height_mm + _FRAMES_MM + 20.0, maps=True)
-    instants = _instants(opened)
-    magnitudes = frames(opened.design, instants)
-    levels = [with_values(opened.design, decibels(one)) for one in magnitudes]
+    instants = _pulse_samples(opened)
+    magnitudes = magnitudes_at(opened.design, instants)
+    levels = [levels_of_values(opened.design, decibels(magnitude)) for magnitude in magnitudes]
     with style():
         width_mm = WIDTH_MM - _LEFT_MM - _RIGHT_MM
         ax = sheet.axes(_LEFT_MM, _FRAMES_MM + 14.0, width_mm, height_mm)
         draw_rows(ax, rows, labels=axes)
         ax.set_xlabel("Time (ms)")
-        say_scale(ax, "each row relative to its peak")
-        colours = common_range(*(one.values for one in levels))
+        annotate_scale(ax, "each row relative to its peak")
+        colours = common_range(*(level.values for level in levels))
         image = None
         places = sheet.row_of_axes(len(instants), 12.0, 1.0, 146.0, _FRAMES_MM - 6.0)
-        for place, one, instant in zip(places, levels, instants, strict=True):
+        for place, level, instant in zip(places, levels, instants, strict=True):
             bar: Bar = "drawn" if instant == instants[-1] else "room"
             title = f"{1e3 * time_s[instant]:.1f} ms"
-            image = draw_map(place, one, colours, title=title, bar=bar, part="hand")
+            image = draw_map(place, level, colours, title=title, bar=bar, part="hand")
         sheet.colour_bar(image, 160.0, 4.0, _FRAMES_MM - 14.0, "magnitude, dB re 1 m/s²")
     header = ["time_s", *(f"output_{n}_{axis}_m_per_s2" for n in outputs for axis in axes)]
     shown = np.concatenate([field[number - 1] for number in outputs])[:, within]
-    shown_at = [f"{1e3 * time_s[one]:.3f}_ms_magnitude_m_per_s2" for one in instants]
+    shown_at = [f"{1e3 * time_s[instant]:.3f}_ms_magnitude_m_per_s2" for instant in instants]
     numbers = np.arange(1.0, magnitudes.shape[1] + 1.0)
     return Drawn(
         sheet=sheet,
@@ -509,62 +501,51 @@ def pulse_traces(opened: OpenedScene) -> Drawn:
     )
 
 
-def _instants(opened: OpenedScene) -> list[int]:
-    """Samples at which the pulse is shown, as late as the responses of the limb are."""
+def _pulse_samples(opened: OpenedScene) -> list[int]:
+    """Return the samples at which the pulse is drawn, after the pre-trigger delay of the limb."""
     facts = facts_of(opened.design.limb)
     rate_hz, delay_s = facts.sample_rate_hz, facts.pre_trigger_delay_s
-    return [floor((delay_s + one) * rate_hz + NEAR) for one in _INSTANTS_S]
+    return [floor((delay_s + later_s) * rate_hz + NEAR) for later_s in _INSTANTS_S]
 
 
-def axis_spectra(opened: OpenedScene) -> Drawn:
-    """Spectra of three axes of each output, each output relative to its largest magnitude."""
-    return _spectra(opened, 1)
+def traces(opened: OpenedScene, *, colours: Sequence[str], own_scale: bool) -> Drawn:
+    """Draw outputs over time, all designs over each other.
 
-
-def smoothed_axis_spectra(opened: OpenedScene) -> Drawn:
-    """The same, each the mean over ten bins."""
-    return _spectra(opened, MEAN_OF_BINS)
-
-
-def own_traces(opened: OpenedScene) -> Drawn:
-    """What outputs do over time, each relative to its peak."""
-    return _traces(opened, (COLOURS[2],), own_scale=True)
-
-
-def overlaid_traces(opened: OpenedScene) -> Drawn:
-    """What outputs do over time, for all designs over each other, in one scale."""
-    return _traces(opened, _RED_BLUE_BLACK, own_scale=False)
-
-
-def _traces(opened: OpenedScene, colours: Sequence[str], *, own_scale: bool) -> Drawn:
+    ``own_scale``: whether each row is relative to its peak; else all have one scale.
+    """
     view, several = opened.view, len(opened.conditions) > 1
-    found = [
-        evaluate(one.design, "response_time_s", "selected_traces", view=view)
-        for one in opened.conditions
+    results = [
+        evaluate(condition.design, "response_time_s", "selected_traces", view=view)
+        for condition in opened.conditions
     ]
-    time_s = found[0]["response_time_s"]
-    within = _within(opened, time_s)
-    curves = [one["selected_traces"][:, within] for one in found]
-    drawn_s, drawn = finer(time_s, np.stack([one["selected_traces"] for one in found]))
-    drawn_s, drawn = drawn_s[_within(opened, drawn_s)], drawn[..., _within(opened, drawn_s)]
+    time_s = results[0]["response_time_s"]
+    within = _in_time_range(opened, time_s)
+    curves = [result["selected_traces"][:, within] for result in results]
+    drawn_s, drawn = finer(time_s, np.stack([result["selected_traces"] for result in results]))
+    drawn_s, drawn = (
+        drawn_s[_in_time_range(opened, drawn_s)],
+        drawn[..., _in_time_range(opened, drawn_s)],
+    )
     size = None if own_scale else common_size(list(drawn))
-    rows = [
-        _labelled(number, 1e3 * drawn_s, drawn[:, k], size) for k, number in enumerate(view.outputs)
-    ]
-    labels = [one.label for one in opened.conditions] if several else []
+    rows = [_row(number, 1e3 * drawn_s, drawn[:, k], size) for k, number in enumerate(view.outputs)]
+    labels = [condition.label for condition in opened.conditions] if several else []
     sheet, ax = _rows_sheet(opened, rows, labels, colours)
     with style():
         ax.set_xlabel("Time (ms)")
-        words = "each row relative to its peak" if own_scale else f"a row is {size:.3g} m/s² high"
-        say_scale(ax, f"{signal_label(view.axes, view.method)}; {words}")
-    names = [f"_{one.label.replace(' ', '_')}" if several else "" for one in opened.conditions]
+        scale = "each row relative to its peak" if own_scale else f"a row is {size:.3g} m/s² high"
+        annotate_scale(ax, f"{signal_label(view.axes, view.method)}; {scale}")
+    names = [
+        f"_{condition.label.replace(' ', '_')}" if several else ""
+        for condition in opened.conditions
+    ]
     header = ["time_s"]
     header += [f"output_{n}{name}_m_per_s2" for name in names for n in view.outputs]
     table = Table(header=header, rows=np.vstack((time_s[within], *curves)).T)
     return Drawn(sheet=sheet, tables={"": table})
 
 
-def _spectra(opened: OpenedScene, n_bins: int) -> Drawn:
+def axis_spectra(opened: OpenedScene, n_bins: int = 1) -> Drawn:
+    """Draw spectra of the axes of each output, relative to its peak, as means of ``n_bins``."""
     outputs, axes = opened.view.outputs, axes_of_sensors(opened.design)
     by_axis, frequency_hz = [], np.zeros(0)
     for axis in axes:
@@ -576,14 +557,14 @@ def _spectra(opened: OpenedScene, n_bins: int) -> Drawn:
     within = (frequency_hz >= low_hz) & (frequency_hz <= high_hz)
     of_outputs = np.stack(by_axis, axis=1)[..., within]
     rows = [
-        _own_row(number, frequency_hz[within], one)
-        for number, one in zip(outputs, of_outputs, strict=True)
+        _row(number, frequency_hz[within], magnitudes)
+        for number, magnitudes in zip(outputs, of_outputs, strict=True)
     ]
     sheet, ax = _rows_sheet(opened, rows, axes, COLOURS, from_zero=True)
     with style():
         ax.set_xlabel("Frequency (Hz)")
         mean = f", mean of {n_bins} bins" if n_bins > 1 else ""
-        say_scale(ax, f"magnitude{mean}; each row relative to its largest")
+        annotate_scale(ax, f"magnitude{mean}; each row relative to its largest")
     header = ["frequency_hz", *(f"output_{n}_{axis}_m_per_s2" for n in outputs for axis in axes)]
     columns = of_outputs.reshape(-1, of_outputs.shape[-1])
     table = Table(header=header, rows=np.vstack((frequency_hz[within], columns)).T)
@@ -608,39 +589,34 @@ def _rows_sheet(
     return sheet, ax
 
 
-def _own_row(number: int, x: Floats, curves: Floats) -> PlotRow:
-    return _labelled(number, x, curves, None)
-
-
-def _labelled(number: int, x: Floats, curves: Floats, size: float | None) -> PlotRow:
+def _row(number: int, x: Floats, curves: Floats, size: float | None = None) -> PlotRow:
     peak = float(np.abs(curves).max(initial=0.0))
     label = f"Output {number}" if size is not None else f"Output {number}\n{peak:.2g} m/s²"
     return PlotRow(label=label, x=x, curves=curves, unit_size=size)
 
 
-def _within(opened: OpenedScene, time_s: Floats) -> Any:
+def _in_time_range(opened: OpenedScene, time_s: Floats) -> Any:
     low, high = opened.view.time_range_s or (float(time_s[0]), float(time_s[-1]))
     return (time_s >= low) & (time_s <= high)
 
 
-# Which figure each scene has.
-
-#: By the name of the scene: what draws its figure.
+_OWN_TRACES = partial(traces, colours=(COLOURS[2],), own_scale=True)
+#: The function that draws the figure of a scene, by the name of the scene.
 FIGURES: dict[str, Callable[[OpenedScene], Drawn]] = {
     "1C": pulse_traces,
     "1D": axis_spectra,
     "1E": maps_of_axes,
     "1F": maps_each_relative,
     "1G": maps_each_relative,
-    "2A": own_traces,
+    "2A": _OWN_TRACES,
     "2B": maps_in_one_scale,
-    "2C": own_traces,
-    "2D": smoothed_axis_spectra,
+    "2C": _OWN_TRACES,
+    "2D": partial(axis_spectra, n_bins=MEAN_OF_BINS),
     "2E": maps_in_one_scale,
-    "2F": overlaid_traces,
+    "2F": partial(traces, colours=_RED_BLUE_BLACK, own_scale=False),
     "2H": train_windows,
     "4A": tone_frames,
-    "4B": own_traces,
+    "4B": _OWN_TRACES,
     "5A": strengths,
     "5B": strengths,
     "5D": output_over_input,

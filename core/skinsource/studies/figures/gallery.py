@@ -1,8 +1,8 @@
-"""The gallery of scenes: a picture of each, and a page of the documents that shows them.
+"""The gallery of scenes: a picture of each, and a page of the documentation that shows them.
 
     python -m skinsource.studies.figures.gallery resources/scenes docs/scenes.md
 
-Pictures are computed on the synthetic limbs, whatever is installed: they may be passed on.
+Pictures are computed on the synthetic limbs, whatever is installed: they may be distributed.
 """
 
 import hashlib
@@ -20,9 +20,9 @@ from skinsource.studies.figures.writing import draw_figure
 from skinsource.studies.scenes.catalog import all_scenes, open_scene
 from skinsource.studies.scenes.scene import OpenedScene, Scene
 
-#: Of a picture, px.
+#: Width of a picture, px.
 WIDTH_PX = 900
-#: What a picture says of the scene that it shows.
+#: Keyword of the text in a picture that identifies its scene.
 MARK = "Scene"
 
 _HEADING = """\
@@ -37,36 +37,41 @@ by `python -m skinsource.studies.figures.gallery`; do not edit.
 
 
 def synthetic_scene(name: str) -> OpenedScene:
-    """A scene on synthetic limbs, whatever is installed."""
+    """Open a scene on synthetic limbs, whatever is installed."""
     return open_scene(name, available=())
 
 
 def mark_of(opened: OpenedScene) -> str:
-    """What is drawn, in a few digits: other designs, views or synthetic limbs have others."""
-    said = [_said(one) for one in (opened.design, opened.view, *opened.conditions)]
+    """Return a digest of designs, view and synthetic limbs of a scene."""
+    parts = (opened.design, opened.view, *opened.conditions)
+    content = [_changed_fields(part) for part in parts]
     limbs = (data_folder() / "synthetic-limbs.json").read_bytes()
-    return hashlib.sha256(repr(said).encode() + limbs).hexdigest()[:16]
+    return hashlib.sha256(repr(content).encode() + limbs).hexdigest()[:16]
 
 
-def _said(value: Any) -> Any:
-    """What a value says beside the defaults: a field that is added to all changes nothing."""
+def _changed_fields(value: Any) -> Any:
+    """Return a value without fields at their defaults: a new field changes no digest."""
     if isinstance(value, tuple):
-        return tuple(_said(one) for one in value)
+        return tuple(_changed_fields(item) for item in value)
     if not is_dataclass(value):
         return value
-    held = ((one, getattr(value, one.name)) for one in fields(value))
+    contents = ((field, getattr(value, field.name)) for field in fields(value))
     return (
         type(value).__name__,
-        *((one.name, _said(held)) for one, held in held if held != _default_of(one)),
+        *(
+            (field.name, _changed_fields(content))
+            for field, content in contents
+            if content != _default_of(field)
+        ),
     )
 
 
-def _default_of(one: Field[Any]) -> Any:
-    return one.default if one.default_factory is MISSING else one.default_factory()
+def _default_of(field: Field[Any]) -> Any:
+    return field.default if field.default_factory is MISSING else field.default_factory()
 
 
 def picture_of(opened: OpenedScene) -> bytes:
-    """PNG of the figure of a scene, without its words; it holds `mark_of`."""
+    """Return a PNG of the figure of a scene, without its text; it holds `mark_of`."""
     drawn = draw_figure(opened)
     box = module("matplotlib.transforms").Bbox.from_extents(*drawn.sheet.picture_inches())
     content = BytesIO()
@@ -78,21 +83,25 @@ def picture_of(opened: OpenedScene) -> bytes:
 
 
 def page_of(scenes: tuple[Scene, ...], pictures: str) -> str:
-    """The page of the documents; ``pictures`` is the folder of the pictures as seen from it."""
+    """Return the page of the documentation; ``pictures`` is the relative folder of pictures."""
     parts = [_HEADING]
-    for one in scenes:
-        words = [f"## {one.heading}", f"![{one.title}]({pictures}/{one.name}.png)", one.sentence]
-        words.append(f"Source: {one.source}.")
-        if one.inferred:
-            words.append(f"Inferred: {'; '.join(one.inferred)}.")
-        parts.append("\n\n".join(words) + "\n")
+    for scene in scenes:
+        paragraphs = [
+            f"## {scene.heading}",
+            f"![{scene.title}]({pictures}/{scene.name}.png)",
+            scene.sentence,
+            f"Source: {scene.source}.",
+        ]
+        if scene.inferred:
+            paragraphs.append(f"Inferred: {'; '.join(scene.inferred)}.")
+        parts.append("\n\n".join(paragraphs) + "\n")
     return "\n".join(parts)
 
 
 def write_gallery(folder: Path, page: Path) -> None:
     """Write all pictures to a folder, and the page that shows them."""
-    for one in all_scenes():
-        write_bytes(folder / f"{one.name}.png", picture_of(synthetic_scene(one.name)))
+    for scene in all_scenes():
+        write_bytes(folder / f"{scene.name}.png", picture_of(synthetic_scene(scene.name)))
     pictures = Path(os.path.relpath(folder, page.parent)).as_posix()
     write_bytes(page, page_of(all_scenes(), pictures).encode())
 

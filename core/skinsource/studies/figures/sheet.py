@@ -1,4 +1,4 @@
-"""What a figure is computed on, and which conditions of the measurement it does not keep."""
+"""The page of a figure: heading, drawing and notes below it, with the data that figures share."""
 
 import textwrap
 from collections.abc import Sequence
@@ -33,102 +33,94 @@ from skinsource.studies.scenes.scene import OpenedScene
 
 
 def setup_text(opened: OpenedScene) -> str:
-    """Limbs and scaling, as a sentence or two."""
+    """Return sentences on limbs and scaling."""
     scaling = word_of(SCALINGS, opened.design.scaling).title
-    return (
-        f"Limb: {', '.join(limb_word(one).title for one in limbs_of(opened))}. Scaling: {scaling}."
-    )
+    limbs = ", ".join(limb_word(limb).title for limb in limbs_of(opened))
+    return f"Limb: {limbs}. Scaling: {scaling}."
 
 
 def broken_conditions_text(opened: OpenedScene, *, maps: bool) -> str:
-    """Which conditions of the measurement are not kept; "" where all are.
+    """Return which conditions of the measurement are not met; "": all are.
 
-    ``maps``: whether the figure shows some.  What lies between outputs matters to nothing else.
+    ``maps``: whether the figure shows maps; only these need values between outputs.
     """
-    found = [one for judged in _judged(opened, maps=maps) for one in judged.findings or ()]
-    # That a limb is synthetic is said by itself, and larger.
-    left = dict.fromkeys(one.name for one in found if one.state == "left" and one.name != "limb")
-    words = "Conditions of the measurement that are not kept (see the table)"
-    return f"{words}: {', '.join(left)}." if left else ""
+    findings = [
+        finding for judged in _judgements(opened, maps=maps) for finding in judged.findings or ()
+    ]
+    # A synthetic limb has a larger note of its own.
+    broken = dict.fromkeys(
+        finding.name for finding in findings if finding.state == "left" and finding.name != "limb"
+    )
+    heading = "Conditions of the measurement that are not kept (see the table)"
+    return f"{heading}: {', '.join(broken)}." if broken else ""
 
 
 def condition_lines(opened: OpenedScene, *, maps: bool) -> tuple[str, ...]:
-    """A line for each condition that a design does not keep, with the designs that do not."""
-    return in_full(_judged(opened, maps=maps))
+    """Return a line for each condition that is not met, with the designs that do not meet it."""
+    return in_full(_judgements(opened, maps=maps))
 
 
 def limbs_of(opened: OpenedScene) -> tuple[str, ...]:
-    """Names of the limbs of a scene, each once."""
-    return tuple(dict.fromkeys(one.design.limb for one in opened.conditions))
+    """Return the names of the limbs of a scene, each once."""
+    return tuple(dict.fromkeys(condition.design.limb for condition in opened.conditions))
 
 
-def _judged(opened: OpenedScene, *, maps: bool) -> list[Judged]:
-    found = [
+def _judgements(opened: OpenedScene, *, maps: bool) -> list[Judged]:
+    judged = [
         Judged(
-            label=one.label,
-            findings=evaluate(one.design, "validity", view=opened.view)["validity"],
+            label=condition.label,
+            findings=evaluate(condition.design, "validity", view=opened.view)["validity"],
         )
-        for one in opened.conditions
+        for condition in opened.conditions
     ]
-    return found if maps else [one.without_maps() for one in found]
-
-
-# What figures show of a design.
+    return judged if maps else [each.without_maps() for each in judged]
 
 
 def field_of(design: Design) -> tuple[Floats, Floats]:
-    """Times, (n_times,), in s, and acceleration, (n_outputs, n_axes, n_times), in m/s²."""
+    """Return times, (n_times,), in s, and the field, (n_outputs, n_axes, n_times), in m/s²."""
     limb = evaluate(design, "limb_data")["limb_data"]
     view = View(axes="xyz", outputs=tuple(range(1, limb.n_outputs + 1)))
-    found = evaluate(design, "response_time_s", "axis_traces", view=view)
-    return found["response_time_s"], found["axis_traces"]
+    results = evaluate(design, "response_time_s", "axis_traces", view=view)
+    return results["response_time_s"], results["axis_traces"]
 
 
 def axes_of_sensors(design: Design) -> tuple[Axes, ...]:
-    """Those along which the limb of a design was measured, one by one."""
+    """Return the single axes along which the limb of a design was measured."""
     measured = facts_of(design.limb).axes
     return tuple(axis for axis in AXES if len(axis) == 1 and axis in measured)
 
 
 def normal_of(design: Design, field: Floats) -> Floats:
-    """Of the field of a design, what is normal to the skin, z, (n_outputs, n_times)."""
+    """Return the part of a field that is normal to the skin, z, (n_outputs, n_times)."""
     (normal,) = axis_numbers("z", facts_of(design.limb).axes)
     return field[:, normal]
 
 
 def frequency_of(clip: Clip) -> float:
-    """Frequency of the tone that a clip plays, Hz."""
+    """Return the frequency of the tone that a clip plays, Hz."""
     if not isinstance(clip.waveform, Tone):
         raise TypeError(f"{clip.waveform} is no tone")
     return clip.waveform.frequency_hz
 
 
-def frames(design: Design, instants: list[int]) -> Floats:
-    """Length of the acceleration at some samples, (n_instants, n_outputs), in m/s²."""
+def magnitudes_at(design: Design, instants: list[int]) -> Floats:
+    """Return the length of the acceleration at some samples, (n_instants, n_outputs), in m/s²."""
     _, field = field_of(design)
     return magnitude(field)[:, instants].T
 
 
-def loudest_of(levels: Sequence[Levels], *, together: bool) -> list[float]:
-    """Level of the loudest output of each, or of all of them together, in dB."""
-    loudest = [float(one.values.max()) for one in levels]
-    return [max(loudest)] * len(levels) if together else loudest
+def levels_of_values(design: Design, values: Floats) -> Levels:
+    """Return any values at the outputs for a map, with the input places of the design.
 
-
-def with_values(design: Design, values: Floats) -> Levels:
-    """A map of any values at the outputs, with the places that the design drives.
-
-    Nothing is hatched: what noise the whole record has says little of an instant.
+    Nothing is hatched: the noise of the whole record says little of an instant.
     """
     return replace(levels_of(design, None, None), values=np.asarray(values), noisy=())
 
 
-# The page of a figure: heading, drawing, and what must be said below it.
-
-#: Two columns of a journal.
+#: Width of two columns of a journal.
 WIDTH_MM = 180.0
 _EDGE_MM, _HEAD_MM, _LINE_MM, _FOOT_EDGE_MM = 4.0, 9.0, 3.2, 3.0
-_CHARACTERS = 128
+_LINE_CHARACTERS = 128
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -140,7 +132,7 @@ class Table:
     header
         Names of the columns, with units.
     rows : (n_rows, n_columns)
-        The numbers.
+        Numbers.
     """
 
     header: Sequence[str]
@@ -153,38 +145,36 @@ class Sheet:
     Parameters
     ----------
     opened
-        The scene: its heading stands above, its sentence, source and what is inferred below.
+        The scene: its heading stands above, its sentence, source and inferred parts below.
     height_mm
-        Of the drawing alone.
+        Height of the drawing alone.
     note
-        What more is to be said of the drawing; "": nothing.
+        Further note on the drawing; "": none.
     maps
-        Whether it shows some: conditions of the measurement that are about maps are told.
+        Whether it shows maps, so that conditions of the measurement that concern maps are named.
 
     Attributes
     ----------
     figure
-        Of matplotlib.
-    maps
-        As given.
+        The figure of matplotlib.
     """
 
     def __init__(
         self, opened: OpenedScene, height_mm: float, note: str = "", *, maps: bool = False
     ) -> None:
         self.maps = maps
-        lines = _foot(opened, note, broken_conditions_text(opened, maps=maps))
+        lines = _footer(opened, note, broken_conditions_text(opened, maps=maps))
         self._foot_mm = _LINE_MM * len(lines) + 2 * _FOOT_EDGE_MM
         self._height_mm = height_mm + _HEAD_MM + self._foot_mm
         self.figure = new_figure(WIDTH_MM, self._height_mm)
         with style():
-            self._say(_EDGE_MM, self._height_mm - 6.0, opened.scene.heading, INK, 9.0, "bold")
-            for k, (words, colour) in enumerate(lines):
+            self._write(self._height_mm - 6.0, opened.scene.heading, INK, 9.0, "bold")
+            for k, (line, colour) in enumerate(lines):
                 y_mm = self._foot_mm - _FOOT_EDGE_MM - _LINE_MM * (k + 1)
-                self._say(_EDGE_MM, y_mm, words, colour, 6.5)
+                self._write(y_mm, line, colour, 6.5)
 
     def axes(self, x_mm: float, y_mm: float, width_mm: float, height_mm: float) -> Any:
-        """Axes at a place of the drawing, measured from its lower left corner."""
+        """Return axes at a position in the drawing, measured from its lower left corner."""
         height = self._height_mm
         return self.figure.add_axes(
             (
@@ -196,29 +186,30 @@ class Sheet:
         )
 
     def picture_inches(self) -> tuple[float, float, float, float]:
-        """Corners of the drawing without heading and words, as `savefig` takes them: inches."""
+        """Return the corners of the drawing without heading and notes, in inches."""
         low, high = self._foot_mm, self._height_mm - _HEAD_MM + 1.0
         return 0.0, low / MM_PER_INCH, WIDTH_MM / MM_PER_INCH, high / MM_PER_INCH
 
     def row_of_axes(
         self, n: int, x_mm: float, y_mm: float, width_mm: float, height_mm: float
     ) -> list[Any]:
-        """``n`` axes beside each other that fill an area."""
+        """Return ``n`` axes side by side that fill an area."""
         each = width_mm / n
         return [self.axes(x_mm + k * each, y_mm, each - 1.0, height_mm) for k in range(n)]
 
-    def colour_bar(self, image: Any, x_mm: float, y_mm: float, height_mm: float, words: str) -> Any:
-        """A colour bar 2.5 mm wide."""
-        bar = self.figure.colorbar(image, cax=self.axes(x_mm, y_mm, 2.5, height_mm))
-        bar.set_label(words)
-        bar.outline.set_linewidth(0.4)
-        return bar
-
-    def _say(
-        self, x_mm: float, y_mm: float, words: str, colour: str, size: float, weight: str = "normal"
+    def colour_bar(
+        self, image: Any, x_mm: float, y_mm: float, height_mm: float, label: str
     ) -> None:
-        at = x_mm / WIDTH_MM, y_mm / self._height_mm
-        self.figure.text(*at, words, color=colour, fontsize=size, fontweight=weight)
+        """Draw a colour bar 2.5 mm wide."""
+        bar = self.figure.colorbar(image, cax=self.axes(x_mm, y_mm, 2.5, height_mm))
+        bar.set_label(label)
+        bar.outline.set_linewidth(0.4)
+
+    def _write(
+        self, y_mm: float, text: str, colour: str, size: float, weight: str = "normal"
+    ) -> None:
+        x, y = _EDGE_MM / WIDTH_MM, y_mm / self._height_mm
+        self.figure.text(x, y, text, color=colour, fontsize=size, fontweight=weight)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -228,9 +219,9 @@ class Drawn:
     Attributes
     ----------
     sheet
-        What it is drawn on.
+        Page of the figure.
     tables
-        By what is added to the name of their file; the first one adds nothing.
+        Tables by the suffix of the name of their file; that of the first one is empty.
     """
 
     sheet: Sheet
@@ -242,16 +233,20 @@ class Drawn:
         return self.sheet.figure
 
 
-def _foot(opened: OpenedScene, note: str, left: str) -> list[tuple[str, str]]:
-    """Lines below a drawing, each with its colour; ``left``: what is not kept."""
-    known = opened.scene
-    said = [(known.sentence, INK), (f"After {known.source}.", DIM)]
-    if known.inferred:
-        said.append((sentence(f"Inferred: {'; '.join(known.inferred)}"), DIM))
-    said += [(words, DIM) for words in (setup_text(opened), left, note) if words]
+def _footer(opened: OpenedScene, note: str, broken: str) -> list[tuple[str, str]]:
+    """Return the lines below a drawing, each with its colour.
+
+    ``broken``: the conditions of the measurement that are not met.
+    """
+    scene = opened.scene
+    notes = [(scene.sentence, INK), (f"After {scene.source}.", DIM)]
+    if scene.inferred:
+        notes.append((sentence(f"Inferred: {'; '.join(scene.inferred)}"), DIM))
+    notes += [(text, DIM) for text in (setup_text(opened), broken, note) if text]
     if opened.chosen:
-        said.append((opened.chosen, INK))
+        notes.append((opened.chosen, INK))
     if opened.synthetic:
-        words = f"{SYNTHETIC}; they need not do what the sentence says."
-        said.append((words, "#B00020"))
-    return [(line, colour) for words, colour in said for line in textwrap.wrap(words, _CHARACTERS)]
+        notes.append((f"{SYNTHETIC}; they need not do what the sentence says.", "#B00020"))
+    return [
+        (line, colour) for text, colour in notes for line in textwrap.wrap(text, _LINE_CHARACTERS)
+    ]

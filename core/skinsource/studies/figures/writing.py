@@ -29,7 +29,7 @@ def write_figures(
 ) -> tuple[Path, ...]:
     """Draw figures of scenes and write each as ``2F.png``, ``.svg``, ``.pdf`` and ``.csv``.
 
-    They show the limbs of the paper where the measured dataset is installed, else synthetic ones;
+    They show the limbs of the paper where the measured dataset is installed, else synthetic limbs;
     figure and table then say so.  The same data give the same files.
 
     Parameters
@@ -37,9 +37,9 @@ def write_figures(
     folder
         An existing folder.
     only
-        Names of scenes; all where none is given.
+        Names of scenes; empty: all.
     limb
-        A limb that they shall be drawn on, those that apply there; empty: those of the paper.
+        A limb for the scenes that apply there; empty: the limbs of the paper.
     progress
         Called with (done, total, what is being done).
     stop
@@ -58,18 +58,18 @@ def write_figures(
     MissingExtraError
         matplotlib is not installed.
     """
-    wanted = [scene(name).name for name in only]
-    wanted = wanted or [name for name in names() if not limb or not why_not_on(name, limb)]
+    chosen = [scene(name).name for name in only]
+    chosen = chosen or [name for name in names() if not limb or not why_not_on(name, limb)]
     module("matplotlib")
     if not folder.is_dir():
         raise StorageError(f"{named(folder)} is no folder. Make it, or name another one.")
     written: list[Path] = []
-    for k, name in enumerate(wanted):
+    for k, name in enumerate(chosen):
         stop_if(stop)
-        progress(k, len(wanted), name)
+        progress(k, len(chosen), name)
         opened = open_scene(name, limb=limb)
         written += _write(folder, opened, draw_figure(opened), stop)
-    progress(len(wanted), len(wanted), "")
+    progress(len(chosen), len(chosen), "")
     return tuple(written)
 
 
@@ -85,18 +85,18 @@ def draw_figure(opened: OpenedScene) -> Drawn:
 
 
 def about(opened: OpenedScene, *, maps: bool) -> list[str]:
-    """Comment lines of a table: what it is, where it is from, what it was computed on.
+    """Return the comment lines of a table: scene, source, limbs, scaling and conditions.
 
-    ``maps``: whether its figure shows some.
+    ``maps``: whether its figure shows maps.
     """
-    known = opened.scene
-    lines = [f"SkinSource studio: {known.heading}", known.sentence, f"after {known.source}"]
-    lines += [f"inferred: {words}" for words in known.inferred]
+    shown = opened.scene
+    lines = [f"SkinSource studio: {shown.heading}", shown.sentence, f"after {shown.source}"]
+    lines += [f"inferred: {part}" for part in shown.inferred]
     if opened.synthetic:
         lines.append(SYNTHETIC)
     if opened.note:
         lines.append(opened.note)
-    limbs = (f"{limb_word(one).title} ({one})" for one in limbs_of(opened))
+    limbs = (f"{limb_word(limb_name).title} ({limb_name})" for limb_name in limbs_of(opened))
     lines.append(f"limb: {', '.join(limbs)}")
     lines.append(f"scaling: {word_of(SCALINGS, opened.design.scaling).both}")
     lines += condition_lines(opened, maps=maps)

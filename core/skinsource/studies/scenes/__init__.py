@@ -1,4 +1,4 @@
-"""The scenes of the paper: panels of its figures as designs that can be opened, heard and changed.
+"""The scenes of the paper: panels of its figures as designs that can be opened and edited.
 
 Each is a design file in the data folder, with the view that shows it; they are made by ``python -m
 skinsource.studies.scenes``.

@@ -11,8 +11,8 @@ def main() -> None:
     folder.mkdir(exist_ok=True)
     for old in folder.glob(f"*{SUFFIX}"):
         old.unlink()
-    for one in SHIPPED:
-        save_design(path_of(one.scene.name), one.content.design, one.content.view)
+    for made in SHIPPED:
+        save_design(path_of(made.scene.name), made.content.design, made.content.view)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""The scenes that there are, and how they are opened."""
+"""The catalog of scenes: their names, their files, how they are opened, and their titles."""
 
 import re
 from collections.abc import Collection, Sequence
@@ -16,7 +16,7 @@ from skinsource.design.design_file import SUFFIX, DesignFile, open_design
 from skinsource.limbs.catalogue import available_limbs
 from skinsource.limbs.limb import PUBLISHED
 from skinsource.studies.scenes.scene import (
-    OF_PROBES,
+    PROBE_UNITS,
     Condition,
     OpenedScene,
     Scene,
@@ -29,44 +29,44 @@ FOLDER = "scenes"
 
 
 def scenes_folder() -> Path:
-    """Where the design files of the scenes lie."""
+    """Return the folder of the design files of the scenes."""
     return data_folder() / FOLDER
 
 
 def all_scenes() -> tuple[Scene, ...]:
-    """Every scene, in the order of the figures."""
-    return tuple(one.scene for one in SHIPPED)
+    """Return every scene, in the order of the figures."""
+    return tuple(made.scene for made in SHIPPED)
 
 
 def names() -> tuple[str, ...]:
-    """Names of the scenes, as `scene` and `open_scene` take them."""
-    return tuple(one.name for one in all_scenes())
+    """Return the names of the scenes, as `scene` and `open_scene` take them."""
+    return tuple(each.name for each in all_scenes())
 
 
 def scene(name: str) -> Scene:
-    """Return what is known of a scene; capitals do not matter.
+    """Return the description of a scene; the case of its name does not matter.
 
     Raises
     ------
     InvalidInputError
         There is no such scene.
     """
-    wanted = name.casefold() if isinstance(name, str) else None
-    for one in all_scenes():
-        if one.name.casefold() == wanted:
-            return one
+    folded = name.casefold() if isinstance(name, str) else None
+    for known in all_scenes():
+        if known.name.casefold() == folded:
+            return known
     raise InvalidInputError(
         f"the scene {quoted(name)} does not exist; there are {', '.join(names())}"
     )
 
 
 def path_of(name: str) -> Path:
-    """The design file of a scene."""
+    """Return the path of the design file of a scene."""
     return scenes_folder() / f"{name}{SUFFIX}"
 
 
 def why_not_on(name: str, limb: str) -> str:
-    """Why a scene does not apply on a limb, in a sentence; empty if it does.
+    """Return why a scene does not apply on a limb, in a sentence; empty if it does.
 
     Raises
     ------
@@ -75,27 +75,25 @@ def why_not_on(name: str, limb: str) -> str:
     DesignFileError, StorageError
         The installation is damaged.
     """
-    known = scene(name)
-    content = open_design(path_of(known.name))
-    return reason_against(known, compared(content), content.view, limb)
+    content = open_design(path_of(scene(name).name))
+    return reason_against(compared(content), content.view, limb)
 
 
 def open_scene(
     name: str, *, available: Collection[str] | None = None, limb: str = ""
 ) -> OpenedScene:
-    """Open a scene on the limbs that there are, or on one that is chosen for it.
+    """Open a scene on the limbs that are available, or on one that is chosen for it.
 
     Parameters
     ----------
     name
-        Of the panel: ``"2F"``.
+        Name of the panel: ``"2F"``.
     available
-        Limbs that can be used, `skinsource.available_limbs` unless given.  Where a measured one is
-        not among them, the synthetic one of its number stands in for it, and `OpenedScene.note`
-        says so.
+        Limbs that can be used, `skinsource.available_limbs` unless given.  A measured limb that is
+        not among them is replaced by the synthetic limb of its number, and `OpenedScene.note` says
+        so.
     limb
-        A limb that all of it shall be played on, such as one that was imported; empty: those of the
-        paper.
+        A limb for all designs, such as an imported one; empty: the limbs of the paper.
 
     Raises
     ------
@@ -110,29 +108,31 @@ def open_scene(
         return opened_on(known, compared(content), content.design, content.view, limb)
     limbs = frozenset(available_limbs() if available is None else available)
     snapshots = tuple(
-        Snapshot(number=one.number, design=_on_limbs(one.design, limbs))
-        for one in content.view.snapshots
+        Snapshot(number=snapshot.number, design=_on_limbs(snapshot.design, limbs))
+        for snapshot in content.view.snapshots
     )
     design = _on_limbs(content.design, limbs)
     view = replace(content.view, snapshots=snapshots)
     designs = compared(DesignFile(design=design, view=view))
-    was = compared(content)
     return OpenedScene(
         scene=known,
         design=design,
         view=view,
         conditions=tuple(
-            Condition(label=label, design=one)
-            for label, one in zip(known.labels, designs, strict=True)
+            Condition(label=label, design=design)
+            for label, design in zip(known.labels, designs, strict=True)
         ),
-        synthetic=any(a.limb != b.limb for a, b in zip(designs, was, strict=True)),
+        synthetic=any(
+            design.limb != original.limb
+            for design, original in zip(designs, compared(content), strict=True)
+        ),
     )
 
 
 def compared(content: DesignFile) -> tuple[Design, ...]:
-    """The designs of a file, by the numbers of their snapshots; one that is none comes last."""
-    snapshots = sorted(content.view.snapshots, key=lambda one: one.number)
-    designs = tuple(one.design for one in snapshots)
+    """Return the designs of a file by the numbers of their snapshots; others come last."""
+    snapshots = sorted(content.view.snapshots, key=lambda snapshot: snapshot.number)
+    designs = tuple(snapshot.design for snapshot in snapshots)
     return designs if content.design in designs else (*designs, content.design)
 
 
@@ -143,17 +143,15 @@ def _on_limbs(design: Design, limbs: frozenset[str]) -> Design:
     return replace(design, limb=f"synthetic-{number}")
 
 
-# What a design is called once it may be no longer the scene that its title names.
-
-_OF_SCENE = re.compile(r"Fig\. (\w+): ")
+_SCENE_TITLE = re.compile(r"Fig\. (\w+): ")
 _LIMB = re.compile(r", limb \d+$")
 _EDITED = "edited"
 
 
 def title_of(design: Design) -> str:
-    """The title of a design; of a scene that was changed, without what need not hold any more.
+    """Return the title of a design; that of an edited scene without details that may be wrong.
 
-    A title that is no scene's is the user's own words, and stays.
+    Other titles are those of the user, and stay.
 
     >>> import skinsource as ss
     >>> tone = ss.scenes.open_scene("2B", available=("synthetic-1",)).conditions[0].design
@@ -162,60 +160,63 @@ def title_of(design: Design) -> str:
     >>> ss.scenes.title_of(tone.with_input(0, amplitude=2.0))
     'Fig. 2B: Low frequencies reach farther · edited'
     """
-    found = _OF_SCENE.match(design.title)
-    if found is None:
+    match = _SCENE_TITLE.match(design.title)
+    if match is None:
         return design.title
     try:
-        known = scene(found[1])
+        known = scene(match[1])
         designs = _designs_of(path_of(known.name))
     except SkinSourceError:
         return design.title
     without_limb = _LIMB.sub("", known.title)
-    said = _beginning(f"Fig. {known.name}: ", (known.title, without_limb), design.title)
-    if not said or _is_as_made(known, designs, design):
+    prefix = _title_prefix(f"Fig. {known.name}: ", (known.title, without_limb), design.title)
+    if not prefix or _is_as_made(known, designs, design):
         return design.title
-    changed_limb = _LIMB.search(said) and not _is_on(designs[0], design)
-    return f"{_LIMB.sub('', said) if changed_limb else said} · {_EDITED}"
+    changed_limb = _LIMB.search(prefix) and not _is_on(designs[0], design)
+    return f"{_LIMB.sub('', prefix) if changed_limb else prefix} · {_EDITED}"
 
 
-def _beginning(figure: str, titles: Sequence[str], said: str) -> str:
-    """With which of its titles the scene begins what is said; empty: with none."""
-    begun = (figure + one for one in titles)
-    return next((one for one in begun if said == one or said.startswith(f"{one} · ")), "")
+def _title_prefix(figure: str, titles: Sequence[str], title: str) -> str:
+    """Return the one of the scene's own titles that ``title`` begins with; empty: none."""
+    prefixes = (figure + own_title for own_title in titles)
+    return next(
+        (prefix for prefix in prefixes if title == prefix or title.startswith(f"{prefix} · ")),
+        "",
+    )
 
 
 def _is_as_made(known: Scene, designs: tuple[Design, ...], design: Design) -> bool:
-    """Whether it plays what the scene plays under this title, where the title says so."""
-    if _is_of_other_drives(design):
+    """Return whether a design still plays what its title promises."""
+    if _has_other_unit(design):
         return False
-    people = len({one.limb for one in designs}) > 1
-    named = [one for one in designs if one.title == design.title]
+    people = len({design.limb for design in designs}) > 1
+    named = [original for original in designs if original.title == design.title]
     if named and (people or _LIMB.search(known.title)) and not _is_on(named[0], design):
         return False
-    # On a limb of a lab a scene plays at other places, which its title tells.
+    # On an imported limb a scene plays at other places, and its title names them.
     moved = design.limb not in PUBLISHED
-    played = _played(design, moved=moved)
-    return any(_played(one, moved=moved) == played for one in named or designs)
+    played = _played_content(design, moved=moved)
+    return any(_played_content(candidate, moved=moved) == played for candidate in named or designs)
 
 
-def _is_of_other_drives(design: Design) -> bool:
-    """Whether the title tells a strength in a unit that the drive does not have on this limb."""
+def _has_other_unit(design: Design) -> bool:
+    """Return whether the title has a strength in a unit other than that of the drive."""
     if amplitude_unit(design) == ARBITRARY_UNIT:
-        return design.title.endswith(OF_PROBES)
+        return design.title.endswith(PROBE_UNITS)
     return design.title.endswith(f" {ARBITRARY_UNIT}")
 
 
 def _is_on(known: Design, design: Design) -> bool:
-    """Whether it is on this limb, or on the synthetic one that stands in for it."""
+    """Return whether a design is on the limb of ``known``, or the synthetic one of its number."""
     number = known.limb.partition("-")[2]
-    # A lab may give its own limb a number too.
+    # An imported limb may have a number too.
     return design.limb in PUBLISHED and design.limb.partition("-")[2] == number
 
 
-def _played(design: Design, *, moved: bool) -> Design:
-    """What is heard of a design; ``moved``: wherever on the limb."""
+def _played_content(design: Design, *, moved: bool) -> Design:
+    """Return what a design plays, without texts and limb; ``moved``: without places."""
     inputs = tuple(
-        replace(one, colour=0, location=1 if moved else one.location) for one in design.inputs
+        replace(track, colour=0, location=1 if moved else track.location) for track in design.inputs
     )
     return Design(
         limb="synthetic-1", inputs=inputs, scaling=design.scaling, actuation=design.actuation

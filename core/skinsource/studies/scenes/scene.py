@@ -1,4 +1,9 @@
-"""What is known of a scene, and what it is once opened."""
+"""Description of a scene, and the scene once it is opened, on the limb of the paper or another.
+
+A limb that a lab has imported has other places and outputs than the published ones: the scene is
+played at places that the limb has, and shown at outputs from near to far.  The sentence of the
+paper need not hold there.
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -18,7 +23,7 @@ from skinsource.limbs.dataset.store import NOT_INSTALLED
 from skinsource.limbs.limb import LimbFacts
 from skinsource.limbs.own_limbs import facts_of, own_map
 
-#: What the figures of all scenes are taken from.
+#: Source of the figures of all scenes.
 PAPER = "Tummala et al. (2024), SkinSource"
 
 
@@ -29,18 +34,18 @@ class Scene:
     Attributes
     ----------
     name
-        Of the panel: ``"2F"``.
+        Name of the panel: ``"2F"``.
     title
-        What it is called, in a few words.
+        Title of a few words.
     sentence
-        What it shows.
+        Sentence on what it shows.
     inferred
-        Parts that the paper does not state and that are a choice of this studio, each in a few
-        words; none: all is stated.
+        Parts that the paper does not state and that this studio chose, each in a few words; empty:
+        all is stated.
     labels
-        Of the designs that it compares, in their order; one where it compares nothing.
+        Labels of the designs that it compares, in their order; one where it compares nothing.
     arrangement, panels
-        Arrangement of the window that shows it, and the panels that are brought in sight there.
+        Arrangement of the window, and the panels that are brought to the front there.
     """
 
     name: str
@@ -53,7 +58,7 @@ class Scene:
 
     @property
     def source(self) -> str:
-        """Where it comes from: paper and figure."""
+        """Paper and figure."""
         return f"{PAPER}, Fig. {self.name}"
 
     @property
@@ -63,11 +68,16 @@ class Scene:
 
     @property
     def notes(self) -> str:
-        """Sentence, source, and what is inferred, as a design carries them."""
+        """Sentence, source and inferred parts, as the notes of a design."""
         lines = [self.sentence, f"Source: {self.source}."]
         if self.inferred:
             lines.append(sentence(f"Inferred: {'; '.join(self.inferred)}"))
         return "\n".join(lines)
+
+
+def design_title(scene: Scene, label: str) -> str:
+    """Return the title of the design of a scene with this label."""
+    return f"Fig. {scene.name}: {scene.title}{' · ' if label else ''}{label}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -77,9 +87,9 @@ class Condition:
     Attributes
     ----------
     label
-        What tells it from the others; empty where there are none.
+        Difference to the others; empty where there are none.
     design
-        What is played, and on which limb.
+        The design, with its limb.
     """
 
     label: str
@@ -88,20 +98,20 @@ class Condition:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OpenedScene:
-    """A scene, on limbs that are there.
+    """A scene on limbs that are available.
 
     Attributes
     ----------
     scene
-        What is known of it.
+        Its description.
     design, view
-        As its file holds them, on the limbs that can be used: what a window opens.
+        Design and view of its file, on limbs that are available: the content of a window.
     conditions
         Its designs, in the order of the figure.
     synthetic
-        Whether synthetic limbs stand in for measured ones.
+        Whether synthetic limbs replace measured ones.
     chosen
-        Of a limb that was chosen for it, what must be said; empty: it is on those of the paper.
+        Note on a limb that was chosen for it; empty: it is on the limbs of the paper.
     """
 
     scene: Scene
@@ -113,7 +123,7 @@ class OpenedScene:
 
     @property
     def note(self) -> str:
-        """What must be said beside it; empty where the limbs are those of the paper."""
+        """Note for its readers; empty where the limbs are those of the paper."""
         if self.chosen or not self.synthetic:
             return self.chosen
         return (
@@ -122,33 +132,28 @@ class OpenedScene:
         )
 
 
-# A scene on another limb than that of the paper, such as one that a lab has imported.
-#
-# Its places and outputs are not those of the published limbs: the scene is played at places that
-# the limb has, and looked at from near to far.  What the paper says of it need not hold there.
-
-# Units of what probes do, at the end of a label.
-OF_PROBES = ("m/s²", "mm/s")
+# Units of the motion of probes, at the end of a label.
+PROBE_UNITS = ("m/s²", "mm/s")
 
 
-def reason_against(known: Scene, designs: tuple[Design, ...], view: View, limb: str) -> str:
-    """Why a scene does not apply on a limb, in a sentence; empty if it does."""
+def reason_against(designs: tuple[Design, ...], view: View, limb: str) -> str:
+    """Return why a scene with these designs does not apply on a limb; empty if it does."""
     facts = facts_of(limb)
     if not facts.known:
         return f"The limb {quoted(limb)} is not here."
-    people = len({one.limb for one in designs})
+    people = len({design.limb for design in designs})
     if people > 1:
         return f"It compares {people} people, and this is one limb."
     if view.axes == "z" and "z" not in facts.axes:
         return f"It is about motion along z, and this limb measures along {axes_text(facts.axes)}."
-    beside = dict(dict(view.panels).get("side_by_side", ()))
-    if beside.get("of") == "axes" and len(facts.axes) < 2:
+    side_by_side = dict(dict(view.panels).get("side_by_side", ()))
+    if side_by_side.get("of") == "axes" and len(facts.axes) < 2:
         return f"It compares axes, and this limb measures along {axes_text(facts.axes)} alone."
-    needed, there = len(_places_of(designs)), len(_candidates(facts))
-    if needed > there:
+    n_played, n_mapped = len(_places_of(designs)), len(_mapped_places(facts))
+    if n_played > n_mapped:
         return (
-            f"It is played at {counted(needed, 'place')}, and this limb has "
-            f"{counted(there, 'place')} on its map."
+            f"It is played at {counted(n_played, 'place')}, and this limb has "
+            f"{counted(n_mapped, 'place')} on its map."
         )
     return _unplayable(designs, facts)
 
@@ -156,57 +161,64 @@ def reason_against(known: Scene, designs: tuple[Design, ...], view: View, limb: 
 def opened_on(
     known: Scene, designs: tuple[Design, ...], design: Design, view: View, limb: str
 ) -> OpenedScene:
-    """A scene on a limb.
+    """Return a scene on a limb.
 
     Parameters
     ----------
     known, designs
         The scene, and the designs that it compares.
     design, view
-        What its file shows.
+        Design and view of its file.
     limb
-        Of any name.
+        Name of the limb.
 
     Raises
     ------
     InvalidInputError
         The scene does not apply there.
     """
-    reason = reason_against(known, designs, view, limb)
+    reason = reason_against(designs, view, limb)
     if reason:
         raise InvalidInputError(f"the scene {known.name} does not apply on {limb}. {reason}")
     facts = facts_of(limb)
-    places = _moved(_places_of(designs), _candidates(facts)) if facts.own else {}
+    places = _places_on(_places_of(designs), _mapped_places(facts)) if facts.own else {}
     number = designs[0].limb.partition("-")[2]
     title = known.title.removesuffix(f", limb {number}")
     unit = amplitude_unit(replace(design, limb=limb, limb_digest=facts.digest))
     labels = tuple(
-        _label(label, one, places, unit) for label, one in zip(known.labels, designs, strict=True)
+        _label(label, design, places, unit)
+        for label, design in zip(known.labels, designs, strict=True)
     )
-    inferred = tuple(words.replace("m/s²", unit) for words in known.inferred)
+    inferred = tuple(part.replace("m/s²", unit) for part in known.inferred)
     scene = replace(known, title=title, labels=labels, inferred=inferred)
     note = _note(facts, places, unit)
 
-    def put(one: Design) -> Design:
-        changed = change_limb(one, view, limb)
+    def on_limb(design_of_file: Design) -> Design:
+        changed = change_limb(design_of_file, view, limb)
         if isinstance(changed, Refusal):
             raise InvalidInputError(changed.sentence)
         inputs = tuple(
-            replace(each, location=places.get(each.location, each.location)) for each in one.inputs
+            replace(each, location=places.get(each.location, each.location))
+            for each in design_of_file.inputs
         )
-        label = labels[designs.index(one)]
-        words = f"Fig. {known.name}: {title}{' · ' if label else ''}{label}"
-        return replace(changed.design, inputs=inputs, title=words, notes=f"{scene.notes}\n{note}")
+        label = labels[designs.index(design_of_file)]
+        return replace(
+            changed.design,
+            inputs=inputs,
+            title=design_title(scene, label),
+            notes=f"{scene.notes}\n{note}",
+        )
 
-    seen = _seen(view, design, facts, places)
-    snapshots = tuple(replace(one, design=put(one.design)) for one in view.snapshots)
+    snapshots = tuple(
+        replace(snapshot, design=on_limb(snapshot.design)) for snapshot in view.snapshots
+    )
     return OpenedScene(
         scene=scene,
-        design=put(design),
-        view=replace(seen, snapshots=snapshots),
+        design=on_limb(design),
+        view=replace(_view_on(view, design, facts, places), snapshots=snapshots),
         conditions=tuple(
-            Condition(label=label, design=put(one))
-            for label, one in zip(labels, designs, strict=True)
+            Condition(label=label, design=on_limb(design))
+            for label, design in zip(labels, designs, strict=True)
         ),
         synthetic=facts.synthetic,
         chosen=note,
@@ -214,29 +226,28 @@ def opened_on(
 
 
 def _places_of(designs: tuple[Design, ...]) -> tuple[int, ...]:
-    return tuple(dict.fromkeys(one.location for each in designs for one in each.inputs))
+    return tuple(dict.fromkeys(track.location for each in designs for track in each.inputs))
 
 
-def _candidates(facts: LimbFacts) -> tuple[int, ...]:
-    """Places of a limb that lie on its map."""
-    drawn = own_map(facts.name)
-    if drawn is None:
+def _mapped_places(facts: LimbFacts) -> tuple[int, ...]:
+    """Return the places of a limb that lie on its map."""
+    limb_map = own_map(facts.name)
+    if limb_map is None:
         return tuple(range(1, facts.n_inputs + 1))
-    there = np.isfinite(drawn.input_positions).all(axis=1)
-    return tuple(int(k) + 1 for k in np.flatnonzero(there))
+    on_map = np.isfinite(limb_map.input_positions).all(axis=1)
+    return tuple(int(k) + 1 for k in np.flatnonzero(on_map))
 
 
-def _moved(places: tuple[int, ...], candidates: tuple[int, ...]) -> dict[int, int]:
-    """Where each place goes: where it is, if there is such a place, else to the first free one."""
-    kept = [one for one in places if one in candidates]
-    free = iter(one for one in candidates if one not in kept)
-    return {one: one if one in kept else next(free) for one in places}
+def _places_on(places: tuple[int, ...], candidates: tuple[int, ...]) -> dict[int, int]:
+    """Return the place on the limb for each place: the same, if it exists, else a free one."""
+    unchanged = [place for place in places if place in candidates]
+    free = iter(place for place in candidates if place not in unchanged)
+    return {place: place if place in unchanged else next(free) for place in places}
 
 
 def _unplayable(designs: tuple[Design, ...], facts: LimbFacts) -> str:
-    """Why the limb is too slow for what is played; empty if it is not."""
-    tried = dict.fromkeys(clip.waveform for one in designs for clip in one.clips)
-    for waveform in tried:
+    """Return why the rate of the limb is too low for the waveforms; empty if it is not."""
+    for waveform in dict.fromkeys(clip.waveform for design in designs for clip in design.clips):
         try:
             waveform.samples(facts.sample_rate_hz)
         except InvalidInputError:
@@ -247,8 +258,8 @@ def _unplayable(designs: tuple[Design, ...], facts: LimbFacts) -> str:
     return ""
 
 
-def _seen(view: View, design: Design, facts: LimbFacts, places: Mapping[int, int]) -> View:
-    """The view, at what the limb has: its axes, its delay, its outputs."""
+def _view_on(view: View, design: Design, facts: LimbFacts, places: Mapping[int, int]) -> View:
+    """Return the view with axes, delay and outputs of the limb."""
     edit = change_limb(design, view, facts.name)
     view = view if isinstance(edit, Refusal) else edit.view
     if not facts.own:
@@ -266,35 +277,37 @@ def _seen(view: View, design: Design, facts: LimbFacts, places: Mapping[int, int
 
 
 def _from_near_to_far(facts: LimbFacts, place: int, count: int) -> tuple[int, ...]:
-    """So many outputs, evenly from the nearest one of a place to the farthest one."""
-    drawn = own_map(facts.name)
+    """Return ``count`` outputs, evenly from the nearest to the farthest from a place."""
+    limb_map = own_map(facts.name)
     numbers = np.arange(1, facts.n_outputs + 1)
-    if drawn is not None:
-        away = np.linalg.norm(drawn.output_positions - drawn.input_positions[place - 1], axis=1)
-        there = np.isfinite(away)
-        numbers = numbers[there][np.argsort(away[there], kind="stable")] if there.any() else numbers
+    if limb_map is not None:
+        offsets = limb_map.output_positions - limb_map.input_positions[place - 1]
+        distance = np.linalg.norm(offsets, axis=1)
+        known = np.isfinite(distance)
+        if known.any():
+            numbers = numbers[known][np.argsort(distance[known], kind="stable")]
     rows = np.unique(np.linspace(0, numbers.size - 1, min(count, numbers.size)).round().astype(int))
-    return tuple(int(one) for one in numbers[rows])
+    return tuple(int(number) for number in numbers[rows])
 
 
 def _label(label: str, design: Design, places: Mapping[int, int], unit: str) -> str:
-    """What tells a design from the others, with the place that it is played at here.
+    """Return the label of a design with its place on this limb.
 
-    No strength is told in m/s² or mm/s where it is not known how the probe moves.
+    A strength is not given in m/s² or mm/s where the motion of the probe is not known.
     """
-    if unit == ARBITRARY_UNIT and label.endswith(OF_PROBES):
+    if unit == ARBITRARY_UNIT and label.endswith(PROBE_UNITS):
         return f"{design.inputs[0].amplitude:.3g} {unit}"
-    words, _, number = label.rpartition(" ")
-    old = int(number) if words and number.isdecimal() else 0
+    before, _, number = label.rpartition(" ")
+    old = int(number) if before and number.isdecimal() else 0
     return f"Input {places[old]}" if old in places else label
 
 
 def _note(facts: LimbFacts, places: Mapping[int, int], unit: str) -> str:
-    said = f"This is {facts.title}, which need not do what the sentence says"
+    note = f"This is {facts.title}, which need not do what the sentence says"
     if unit == ARBITRARY_UNIT:
-        said += ", and in which unit its drive is measured is not known (a.u.)"
+        note += ", and in which unit its drive is measured is not known (a.u.)"
     if not facts.own:
-        return f"{said}."
+        return f"{note}."
     names = [f"{new} in place of {old}" if new != old else f"{new}" for old, new in places.items()]
     word = "place" if len(names) == 1 else "places"
-    return f"{said}: played at its {word} {', '.join(names)}; outputs from near to far."
+    return f"{note}: played at its {word} {', '.join(names)}; outputs from near to far."

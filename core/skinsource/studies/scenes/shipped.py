@@ -1,4 +1,9 @@
-"""How the shipped scenes are put together."""
+"""The shipped scenes; their design files lie in the data folder.
+
+``python -m skinsource.studies.scenes`` writes the files anew; the list of data files follows with
+``python tests/core/test_shipped_files.py``.  To add a scene, describe it here, and draw its figure
+in `skinsource.studies.figures.figures`.
+"""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -15,13 +20,13 @@ from skinsource.design.waveforms.pulses import Impulse, Noise, Tap
 from skinsource.design.waveforms.tones import Chirp, Tone
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.limbs.scaling import Scaling
-from skinsource.studies.scenes.scene import Scene
+from skinsource.studies.scenes.scene import Scene, design_title
 
-#: The panel in which numbers are turned in front of an audience.
+#: The panel that changes numbers in front of an audience.
 CONTROLS = "frequency_and_amplitude"
-#: The skin as it moves along z, slowed down: of scenes that speak of what travels.
+#: The skin as it moves along z, slowed down: for scenes on travelling waves.
 MOVING = {"skin": {"quantity": "z"}}
-#: A row for each output, relative to its own peak: of scenes in which most others would be flat.
+#: A row for each output, relative to its own peak: for scenes with strong and weak outputs.
 OWN_ROWS = {"traces": {"layout": "stacked", "relative": True}}
 #: Spectra along each axis in a row for each output, relative to its own peak, as amplitudes.
 OWN_SPECTRA = {
@@ -32,14 +37,14 @@ OWN_SPECTRA = {
         "frequency_range_hz": (25.0, 600.0),
     }
 }
-#: The same, each magnitude the mean over ten bins: of noise.
+#: The same with each magnitude the mean over ten bins: for noise.
 OWN_MEAN_SPECTRA = {"spectra": {**OWN_SPECTRA["spectra"], "averaged": True}}
-#: Maps of all designs of a scene at once: of scenes that compare people, places or frequencies.
-BESIDE = {"side_by_side": {"of": "snapshots"}}
+#: Maps of all designs of a scene: for scenes that compare people, places or frequencies.
+SIDE_BY_SIDE = {"side_by_side": {"of": "snapshots"}}
 #: The same, each relative to its own loudest output.
 EACH_TO_ITS_MAXIMUM = {"side_by_side": {"of": "snapshots", "own_maximum": True}}
-#: Maps of the design along each axis at once.
-AXES_BESIDE = {"side_by_side": {"of": "axes"}}
+#: Maps of the design along each axis.
+AXES_SIDE_BY_SIDE = {"side_by_side": {"of": "axes"}}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,44 +55,46 @@ class MadeScene:
     content: DesignFile
 
 
-def played(
+def design_on(
     limb: int,
     *inputs: Input,
     scaling: Scaling = "upstream",
 ) -> Design:
-    """A design on one of the measured limbs."""
+    """Return a design on one of the measured limbs."""
     return Design(limb=f"measured-{limb}", inputs=inputs, scaling=scaling)
 
 
-def at(places: Sequence[int], waveform: Waveform, amplitude: float = 1.0) -> tuple[Input, ...]:
-    """The same waveform at some places, at once."""
+def tracks_at(
+    places: Sequence[int], waveform: Waveform, amplitude: float = 1.0
+) -> tuple[Input, ...]:
+    """Return tracks that play the same waveform at some places, at once."""
     return tuple(
         track(place, waveform, amplitude=amplitude, colour=rank)
         for rank, place in enumerate(places)
     )
 
 
-def made(
+def made_scene(
     scene: Scene,
     *designs: Design,
     shown: int = 0,
-    turned: str = "all",
+    control: str = "all",
     panels: Mapping[str, Mapping[str, Any]] | None = None,
     **view: Any,
 ) -> MadeScene:
-    """Put a scene together.
+    """Return a scene and the content of its file.
 
     Parameters
     ----------
     scene
-        What is known of it; it has a label for each design.
+        Description of the scene; it has a label for each design.
     designs
-        What it compares, in the order of the figure: snapshots, and one more where there is no
-        number left for it.
+        Designs that it compares, in the order of the figure: snapshots, and one more where there
+        is no number left for it.
     shown
-        Which of them is in the window when it is opened; the one without a number, if there is one.
-    turned
-        The one number that it is about, of those that the panel for presenting can show.
+        Index of the design that the window opens; that without a number, if there is one.
+    control
+        The number that the scene is about, of those that the panel for presenting can show.
     panels
         Settings of panels, by their names.
     view
@@ -97,24 +104,22 @@ def made(
         raise ValueError(f"{scene.name}: {len(designs)} designs, {len(scene.labels)} labels")
     if len(designs) > len(NUMBERS) and shown != len(designs) - 1 == len(NUMBERS):
         raise ValueError(f"{scene.name}: of {len(designs)} designs the last one must be shown")
-    titled = tuple(_titled(scene, one, k) for k, one in enumerate(designs))
+    titled = tuple(_titled(scene, design, k) for k, design in enumerate(designs))
     snapshots: tuple[Snapshot, ...] = ()
     if len(titled) > 1:
-        # The one that was shown last stands last.
+        # The latest snapshot is the one that the window shows.
         ordered = sorted(range(len(titled)), key=lambda k: k == shown)
         snapshots = tuple(
             Snapshot(number=NUMBERS[k], design=titled[k]) for k in ordered if k < len(NUMBERS)
         )
-    settings = {**(panels or {}), CONTROLS: {"control": turned}}
-    held = tuple((name, tuple(one.items())) for name, one in settings.items())
-    looked = View(snapshots=snapshots, panels=held, **view)
-    return MadeScene(scene=scene, content=DesignFile(design=titled[shown], view=looked))
+    settings = {**(panels or {}), CONTROLS: {"control": control}}
+    stored = tuple((name, tuple(setting.items())) for name, setting in settings.items())
+    opened = View(snapshots=snapshots, panels=stored, **view)
+    return MadeScene(scene=scene, content=DesignFile(design=titled[shown], view=opened))
 
 
 def _titled(scene: Scene, design: Design, rank: int) -> Design:
-    label = scene.labels[rank]
-    words = f"Fig. {scene.name}: {scene.title}{' · ' if label else ''}{label}"
-    return replace(design, title=words, notes=scene.notes)
+    return replace(design, title=design_title(scene, scene.labels[rank]), notes=scene.notes)
 
 
 # Figs. 4 and 5: what the model predicts where the paper measured, and what linearity means.
@@ -122,7 +127,7 @@ def _titled(scene: Scene, design: Design, rank: int) -> Design:
 _PREDICTED = Tone(frequency_hz=104.0, duration_s=10 / 104)
 _PREDICTION_ONLY = "only the prediction: the measurement of the paper is not public"
 
-_FRAMES = made(
+_FRAMES = made_scene(
     Scene(
         name="4A",
         title="A tone as it travels, predicted",
@@ -131,8 +136,8 @@ _FRAMES = made(
         inferred=(_PREDICTION_ONLY, "window of the tone", "which instants are shown"),
         panels=("skin", "traces"),
     ),
-    played(1, *at([8], _PREDICTED)),
-    turned="frequency",
+    design_on(1, *tracks_at([8], _PREDICTED)),
+    control="frequency",
     axes="z",
     outputs=(20, 24, 26, 27, 48),
     playhead_s=0.1,
@@ -141,7 +146,7 @@ _FRAMES = made(
     panels=MOVING,
 )
 
-_TRACES = made(
+_TRACES = made_scene(
     Scene(
         name="4B",
         title="The same tone as traces, predicted",
@@ -149,8 +154,8 @@ _TRACES = made(
         inferred=(_PREDICTION_ONLY, "window of the tone", "which outputs are shown"),
         panels=("skin", "traces"),
     ),
-    played(1, *at([8], _PREDICTED)),
-    turned="frequency",
+    design_on(1, *tracks_at([8], _PREDICTED)),
+    control="frequency",
     axes="z",
     outputs=(20, 24, 26, 27, 48),
     time_range_s=(0.04, 0.2),
@@ -163,7 +168,7 @@ _BY_CONSTRUCTION = "identical by construction: the model is linear"
 
 
 def _tones(speed_mm_per_s: float) -> Input:
-    """Three tones one after the other, of the same velocity."""
+    """Return a track with three tones one after the other, of the same velocity."""
     clips = tuple(
         Clip(
             waveform=Tone(frequency_hz=frequency, duration_s=0.2),
@@ -177,7 +182,7 @@ def _tones(speed_mm_per_s: float) -> Input:
 
 
 def _overlay(name: str, limb: int) -> MadeScene:
-    return made(
+    return made_scene(
         Scene(
             name=name,
             title=f"Five strengths of three tones, limb {limb}",
@@ -187,9 +192,9 @@ def _overlay(name: str, limb: int) -> MadeScene:
             labels=tuple(f"{speed} mm/s" for speed in _SPEEDS_MM_PER_S),
             panels=("skin", "traces", "linearity"),
         ),
-        *(played(limb, _tones(speed), scaling="probe") for speed in _SPEEDS_MM_PER_S),
+        *(design_on(limb, _tones(speed), scaling="probe") for speed in _SPEEDS_MM_PER_S),
         shown=4,
-        turned="amplitude",
+        control="amplitude",
         axes="z",
         outputs=(20, 26),
         panels={"traces": {"layout": "stacked"}, "linearity": {"velocity": True}},
@@ -198,28 +203,28 @@ def _overlay(name: str, limb: int) -> MadeScene:
 
 _SWEEP = Chirp(start_hz=25.0, end_hz=600.0, duration_s=5.0)
 _LEVELS = (0.75, 1.5, 3.0, 6.0)
-_LEVEL_WORDS = "the four levels, 0.75 to 6 m/s²"
+_LEVELS_TEXT = "the four levels, 0.75 to 6 m/s²"
 
 
 def _sweeps() -> tuple[Design, ...]:
-    return tuple(played(1, *at([8], _SWEEP, level), scaling="probe") for level in _LEVELS)
+    return tuple(design_on(1, *tracks_at([8], _SWEEP, level), scaling="probe") for level in _LEVELS)
 
 
 def _fit(
     name: str, title: str, sentence: str, *inferred: str, every_output: bool = False
 ) -> MadeScene:
-    return made(
+    return made_scene(
         Scene(
             name=name,
             title=title,
             sentence=sentence,
-            inferred=(_BY_CONSTRUCTION, _LEVEL_WORDS, *inferred),
+            inferred=(_BY_CONSTRUCTION, _LEVELS_TEXT, *inferred),
             labels=tuple(f"{level:g} m/s²" for level in _LEVELS),
             panels=("skin", "traces", "linearity"),
         ),
         *_sweeps(),
         shown=3,
-        turned="amplitude",
+        control="amplitude",
         axes="z",
         outputs=(20, 26),
         panels={
@@ -246,7 +251,7 @@ _FITS = _fit(
 # Some cycles in the middle of the sweep, as in the figure.
 _CYCLES_S = (1.0, 1.05)
 
-_SUPERPOSITION = made(
+_SUPERPOSITION = made_scene(
     Scene(
         name="5F",
         title="Separate and joint",
@@ -256,9 +261,12 @@ _SUPERPOSITION = made(
         labels=("Input 8", "Input 13", "Both"),
         panels=("skin", "traces", "linearity"),
     ),
-    *(played(1, *at(places, _SWEEP, 3.0), scaling="probe") for places in ([8], [13], [8, 13])),
+    *(
+        design_on(1, *tracks_at(places, _SWEEP, 3.0), scaling="probe")
+        for places in ([8], [13], [8, 13])
+    ),
     shown=2,
-    turned="amplitude",
+    control="amplitude",
     axes="z",
     outputs=(20, 26),
     time_range_s=_CYCLES_S,
@@ -281,7 +289,7 @@ _ALONG_DIGIT_III = (20, 24, 26, 27, 48, 49, 72)
 _PULSE = Impulse()
 
 
-_IMPULSE_RESPONSES_TRACES = made(
+_IMPULSE_RESPONSES_TRACES = made_scene(
     Scene(
         name="1C",
         title="A pulse runs down the hand",
@@ -290,8 +298,8 @@ _IMPULSE_RESPONSES_TRACES = made(
         inferred=("each trace relative to its own peak",),
         panels=("skin", "traces"),
     ),
-    played(4, *at([8], _PULSE), scaling="relative"),
-    turned="onset",
+    design_on(4, *tracks_at([8], _PULSE), scaling="relative"),
+    control="onset",
     axes="z",
     outputs=_ALONG_DIGIT_III,
     time_range_s=(0.045, 0.15),
@@ -300,7 +308,7 @@ _IMPULSE_RESPONSES_TRACES = made(
     panels={**OWN_ROWS, **MOVING},
 )
 
-_SPECTRA = made(
+_SPECTRA = made_scene(
     Scene(
         name="1D",
         title="High frequencies stay near the finger",
@@ -308,14 +316,14 @@ _SPECTRA = made(
         "high frequencies.",
         panels=("skin", "spectra"),
     ),
-    played(4, *at([8], _PULSE), scaling="relative"),
-    turned="amplitude",
+    design_on(4, *tracks_at([8], _PULSE), scaling="relative"),
+    control="amplitude",
     axes="z",
     outputs=_ALONG_DIGIT_III,
     panels=OWN_SPECTRA,
 )
 
-_AXES = made(
+_AXES = made_scene(
     Scene(
         name="1E",
         title="One pulse, three axes",
@@ -325,13 +333,13 @@ _AXES = made(
         arrangement="design",
         panels=("skin", "side_by_side"),
     ),
-    played(3, *at([3], _PULSE), scaling="relative"),
-    turned="amplitude",
+    design_on(3, *tracks_at([3], _PULSE), scaling="relative"),
+    control="amplitude",
     axes="z",
-    panels=AXES_BESIDE,
+    panels=AXES_SIDE_BY_SIDE,
 )
 
-_PLACES = made(
+_PLACES = made_scene(
     Scene(
         name="1F",
         title="Where the pulse is given",
@@ -342,13 +350,13 @@ _PLACES = made(
         arrangement="design",
         panels=("skin", "side_by_side"),
     ),
-    *(played(1, *at([place], _PULSE), scaling="relative") for place in (8, 13, 18)),
-    turned="amplitude",
+    *(design_on(1, *tracks_at([place], _PULSE), scaling="relative") for place in (8, 13, 18)),
+    control="amplitude",
     panels=EACH_TO_ITS_MAXIMUM,
     method="mag",
 )
 
-_PEOPLE = made(
+_PEOPLE = made_scene(
     Scene(
         name="1G",
         title="Four people",
@@ -358,8 +366,8 @@ _PEOPLE = made(
         arrangement="design",
         panels=("skin", "side_by_side"),
     ),
-    *(played(limb, *at([8], _PULSE), scaling="relative") for limb in (1, 2, 3, 4)),
-    turned="amplitude",
+    *(design_on(limb, *tracks_at([8], _PULSE), scaling="relative") for limb in (1, 2, 3, 4)),
+    control="amplitude",
     panels=EACH_TO_ITS_MAXIMUM,
     method="mag",
 )
@@ -385,7 +393,7 @@ _OWN_NOISE = (
     "which outputs are shown",
 )
 
-_STIMULI_TRACES = made(
+_STIMULI_TRACES = made_scene(
     Scene(
         name="2A",
         title="A tone on a fingertip",
@@ -394,8 +402,8 @@ _STIMULI_TRACES = made(
         inferred=("length and window of the tone", "which outputs are shown"),
         panels=("skin", "traces"),
     ),
-    played(1, *at([7], _TEN_CYCLES)),
-    turned="frequency",
+    design_on(1, *tracks_at([7], _TEN_CYCLES)),
+    control="frequency",
     axes="z",
     outputs=(28, 30, 33, 35, 38, 52, 57),
     time_range_s=(0.04, 0.18),
@@ -404,7 +412,7 @@ _STIMULI_TRACES = made(
     panels={**OWN_ROWS, **MOVING},
 )
 
-_FREQUENCIES = made(
+_FREQUENCIES = made_scene(
     Scene(
         name="2B",
         title="Low frequencies reach farther",
@@ -415,16 +423,16 @@ _FREQUENCIES = made(
         panels=("skin", "side_by_side"),
     ),
     *(
-        played(1, *at([7], Tone(frequency_hz=frequency, duration_s=0.2)))
+        design_on(1, *tracks_at([7], Tone(frequency_hz=frequency, duration_s=0.2)))
         for frequency in _FREQUENCIES_HZ
     ),
-    turned="frequency",
+    control="frequency",
     method="mag",
     outputs=(30, 43),
-    panels=BESIDE,
+    panels=SIDE_BY_SIDE,
 )
 
-_NOISE_TRACES = made(
+_NOISE_TRACES = made_scene(
     Scene(
         name="2C",
         title="Noise on the little finger",
@@ -433,14 +441,14 @@ _NOISE_TRACES = made(
         inferred=_OWN_NOISE,
         panels=("skin", "traces"),
     ),
-    played(2, *at([5], _NOISE)),
-    turned="amplitude",
+    design_on(2, *tracks_at([5], _NOISE)),
+    control="amplitude",
     axes="z",
     outputs=_NOISE_OUTPUTS,
     panels=OWN_ROWS,
 )
 
-_NOISE_SPECTRA = made(
+_NOISE_SPECTRA = made_scene(
     Scene(
         name="2D",
         title="Noise, as spectra",
@@ -448,14 +456,14 @@ _NOISE_SPECTRA = made(
         inferred=_OWN_NOISE,
         panels=("skin", "spectra"),
     ),
-    played(2, *at([5], _NOISE)),
-    turned="amplitude",
+    design_on(2, *tracks_at([5], _NOISE)),
+    control="amplitude",
     axes="x",
     outputs=_NOISE_OUTPUTS,
     panels=OWN_MEAN_SPECTRA,
 )
 
-_TAPS = made(
+_TAPS = made_scene(
     Scene(
         name="2E",
         title="Four fingers tapped at once",
@@ -466,15 +474,15 @@ _TAPS = made(
         arrangement="design",
         panels=("skin", "side_by_side"),
     ),
-    *(played(limb, *at([7, 8, 9, 10], Tap())) for limb in (2, 3, 4)),
+    *(design_on(limb, *tracks_at([7, 8, 9, 10], Tap())) for limb in (2, 3, 4)),
     shown=1,
-    turned="onset",
+    control="onset",
     method="mag",
     outputs=(19, 43),
-    panels=BESIDE,
+    panels=SIDE_BY_SIDE,
 )
 
-_INTERFERENCE = made(
+_INTERFERENCE = made_scene(
     Scene(
         name="2F",
         title="Two inputs interfere",
@@ -484,16 +492,16 @@ _INTERFERENCE = made(
         arrangement="design",
         panels=("skin", "traces", "compare"),
     ),
-    *(played(3, *at(places, _TEN_CYCLES)) for places in ([8], [13], [8, 13])),
+    *(design_on(3, *tracks_at(places, _TEN_CYCLES)) for places in ([8], [13], [8, 13])),
     shown=2,
-    turned="onset",
+    control="onset",
     axes="x",
     outputs=(19, 21, 24, 32),
     time_range_s=(0.0, 0.16),
     panels={"traces": {"layout": "stacked"}},
 )
 
-_CONTRACTION = made(
+_CONTRACTION = made_scene(
     Scene(
         name="2H",
         title="A sensation that contracts",
@@ -506,8 +514,8 @@ _CONTRACTION = made(
         arrangement="analysis",
         panels=("traces", "windowed"),
     ),
-    played(4, *at([7], WaveletTrain())),
-    turned="amplitude",
+    design_on(4, *tracks_at([7], WaveletTrain())),
+    control="amplitude",
     method="mag",
     outputs=(30, 33, 52),
     windows_cut="length",
@@ -524,11 +532,5 @@ STIMULI: tuple[MadeScene, ...] = (
     _CONTRACTION,
 )
 
-
-# The scenes as they are made; their design files lie in the data folder.
-#
-# ``python -m skinsource.studies.scenes`` writes the files anew; the list of data files
-# follows with ``python tests/core/test_shipped_files.py``.  To add a scene, describe it in one of
-# these modules, and draw its figure in `skinsource.studies.figures.writing`.
 
 SHIPPED: tuple[MadeScene, ...] = (*IMPULSE_RESPONSES, *STIMULI, *CHECKS)

@@ -1,6 +1,6 @@
 """Many stimuli at once: designs × frequencies × places × …, measured on all cores.
 
-Where a sweep ends before its end, by a kill too, it goes on in the same folder.
+A sweep that was stopped or killed continues in the same folder.
 """
 
 from skinsource.studies.sweeps.measuring import Measurer

@@ -1,4 +1,4 @@
-"""Measures stimuli on the machines of a Dask cluster (extra ``cluster``)."""
+"""Measurement of stimuli on the machines of a Dask cluster (extra ``cluster``)."""
 
 from collections.abc import Iterable, Iterator
 from itertools import islice
@@ -14,15 +14,15 @@ from skinsource.studies.sweeps.plan import Plan, chunks, plan_of
 from skinsource.studies.sweeps.workers import Row
 
 #: Chunks that wait at the scheduler for each thread that measures.
-_WAITING = 3
+_CHUNKS_PER_THREAD = 3
 _CONNECT_S = 30
 # A chunk is given up when so many machines were lost while they did it.
 _RETRIES = 5
-_LOOK_S = 0.5
+_POLL_S = 0.5
 
 
 class ClusterError(SkinSourceError):
-    """The cluster cannot be reached, or lost too much of what it was given."""
+    """The cluster cannot be reached, or lost a piece of the work too often."""
 
 
 class Cluster:
@@ -31,7 +31,7 @@ class Cluster:
     Parameters
     ----------
     address
-        Of the scheduler: ``"tcp://host:8786"``.
+        Address of the scheduler: ``"tcp://host:8786"``.
 
     Raises
     ------
@@ -44,14 +44,14 @@ class Cluster:
         self._address = address
 
     def __call__(self, plan: Plan, numbers: Iterable[int], stop: Stop) -> Iterator[Row]:
-        """Give what is found of some stimuli of ``plan``, in any order, each once.
+        """Yield the metrics, or errors, of some stimuli of ``plan``, in any order.
 
         Raises
         ------
         ClusterError
             The scheduler does not answer, or a piece of the work was lost again and again.
         Stopped
-            ``stop`` said so; what waits on the cluster is taken back.
+            ``stop`` said so; pending work is cancelled.
         """
         with self._client() as client:
             yield from self._measured(client, plan, numbers, stop)
@@ -76,39 +76,39 @@ class Cluster:
             return client.submit(measure_chunk, text, digest, chunk, pure=False, retries=_RETRIES)
 
         n_threads = max(sum(client.nthreads().values()), 1)
-        running = {submitted(chunk) for chunk in islice(waiting, _WAITING * n_threads)}
+        running = {submitted(chunk) for chunk in islice(waiting, _CHUNKS_PER_THREAD * n_threads)}
         try:
             while running:
                 stop_if(stop)
                 done = self._some(client, running)
                 running -= done
                 running |= {submitted(chunk) for chunk in islice(waiting, len(done))}
-                for one in done:
-                    yield from _rows(one)
+                for future in done:
+                    yield from _rows(future)
         finally:
             client.cancel(list(running), force=True)
 
     def _some(self, client: Any, running: set[Any]) -> set[Any]:
-        """Those that are done; after a while, none."""
+        """Return the futures that are done; after a while, none."""
         try:
             with client.as_current():
-                found = self._distributed.wait(
-                    list(running), timeout=_LOOK_S, return_when="FIRST_COMPLETED"
+                result = self._distributed.wait(
+                    list(running), timeout=_POLL_S, return_when="FIRST_COMPLETED"
                 )
         except TimeoutError:
             return set()
-        return set(found.done)
+        return set(result.done)
 
 
-_known = local()
+_thread_state = local()
 
 
 def measure_chunk(text: str, digest: str, numbers: tuple[int, ...]) -> list[Row]:
-    """Measure on a worker: what a plan needs is read once for each of its threads."""
-    known: tuple[str, Measurer] | None = getattr(_known, "measurer", None)
-    if known is None or known[0] != digest:
-        known = _known.measurer = (digest, Measurer(plan_of(text)))
-    return [(number, metrics_or_reason(known[1], number)) for number in numbers]
+    """Measure on a worker; each of its threads has a measurer for the plan."""
+    cached: tuple[str, Measurer] | None = getattr(_thread_state, "measurer", None)
+    if cached is None or cached[0] != digest:
+        cached = _thread_state.measurer = (digest, Measurer(plan_of(text)))
+    return [(number, metrics_or_reason(cached[1], number)) for number in numbers]
 
 
 def _rows(future: Any) -> list[tuple[int, Metrics | str]]:

@@ -1,4 +1,7 @@
-"""What a stimulus plays, before anything moves."""
+"""Metrics of the stimuli of a sweep: their drives, actuators, main axes and extent.
+
+Inputs that do not vary are drawn and measured once.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -19,6 +22,7 @@ from skinsource.engine.gains import Placed, Remembered, Responses
 from skinsource.engine.quantities import voices
 from skinsource.engine.shared import Shared
 from skinsource.engine.transforms import length_at_once
+from skinsource.export.tables import EXTENT_COLUMNS
 from skinsource.limbs.extent import distances_mm, spread
 from skinsource.limbs.limb import Limb
 from skinsource.signals.spectra import share_outside_band
@@ -30,16 +34,12 @@ class PreparedStimulus:
 
     Attributes
     ----------
-    design
-        Of which it is.
-    limb
-        What it moves.
     placed
-        Inputs that are heard, with what they play, in their order.
+        Audible inputs with their drives, in their order.
     n_taps
-        Samples of a response of the limb itself, without what actuators ring.
+        Samples of a response of the limb itself, without the ringing of actuators.
     stimulus_samples
-        Samples from time 0 to the end of the last drive; 1 where nothing is heard.
+        Samples from time 0 to the end of the last drive; 1 where nothing is audible.
     """
 
     design: Design
@@ -61,11 +61,11 @@ class PreparedStimulus:
     @property
     def moving(self) -> tuple[Placed, ...]:
         """Inputs that move the skin at all."""
-        return tuple(one for one in self.placed if one.moves)
+        return tuple(placed for placed in self.placed if placed.moves)
 
     def n_fft(self, response_samples: int | None = None) -> int | None:
-        """Length of transforms of its response, or of a longer one; None: too long at once."""
-        places = {one.voice.location for one in self.placed}
+        """Length of transforms of its response, or of a longer one; None: it is too long."""
+        places = {placed.voice.location for placed in self.placed}
         return length_at_once(
             response_samples or self.response_samples,
             len(places),
@@ -74,8 +74,8 @@ class PreparedStimulus:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Known:
-    """What an input plays at a rate, and through which actuators it was found to be possible."""
+class _DrawnTrack:
+    """The drive of an input at a rate, and the actuators that can play it."""
 
     input: Input
     rate_hz: float
@@ -84,35 +84,35 @@ class _Known:
     placed: Placed
 
     def holds_for(
-        self, one: Input, rate_hz: float, band_hz: Band | None, actuation: Actuation | None
+        self, track: Input, rate_hz: float, band_hz: Band | None, actuation: Actuation | None
     ) -> bool:
-        """Whether it is what ``one`` plays."""
-        followed = self.rate_hz, self.band_hz, self.actuation
-        return self.input is one and followed == (rate_hz, band_hz, actuation)
+        """Return whether it is the drive of ``track`` under these conditions."""
+        conditions = self.rate_hz, self.band_hz, self.actuation
+        return self.input is track and conditions == (rate_hz, band_hz, actuation)
 
 
 class Preparing:
-    """Prepares stimuli; remembers what they have in common.
+    """Prepares stimuli; caches what they have in common.
 
     Parameters
     ----------
     shared
-        Limbs, and what rendering remembers.
+        Limbs, and the caches of rendering.
     """
 
     def __init__(self, shared: Shared) -> None:
         self._shared = shared
-        # Nobody else keeps the responses that were read of it.
+        # This reference keeps the responses of the limb in memory.
         self._latest: Limb | None = None
-        # Of the latest design, by id: neighbours share the inputs that do not vary.
-        self._known: dict[int, _Known] = {}
+        # Tracks of the latest design, by id: the next stimulus shares those that do not vary.
+        self._drawn: dict[int, _DrawnTrack] = {}
 
     @property
     def _remembered(self) -> Remembered:
         return self._shared.remembered()
 
     def of(self, design: Design, stop: Stop) -> PreparedStimulus:
-        """Draw what the inputs of ``design`` play.
+        """Draw the drives of the inputs of ``design``.
 
         Raises
         ------
@@ -124,53 +124,50 @@ class Preparing:
         limb = self._shared.limb_of(design.limb, design.limb_digest)
         rate_hz, band_hz, n_taps = limb.sample_rate_hz, limb.band_hz, limb.n_taps
         limb = self._latest = self._shared.driven_limb(limb, design.actuated, design.scaling)
-        known = {}
+        drawn = {}
         for index in audible_indices(design.inputs):
-            one = design.inputs[index]
-            before = self._known.get(one.id)
-            if before is None or not before.holds_for(one, rate_hz, band_hz, design.actuated):
+            track = design.inputs[index]
+            before = self._drawn.get(track.id)
+            if before is None or not before.holds_for(track, rate_hz, band_hz, design.actuated):
                 stop_if(stop)
-                placed = self._placed(one, rate_hz, band_hz, design.actuated)
-                before = _Known(one, rate_hz, band_hz, design.actuated, placed)
-            known[one.id] = before
-        self._known = known
-        found = tuple(one.placed for one in known.values())
-        end = max([1, *(one.end for one in found)])
-        return PreparedStimulus(design, limb, found, n_taps, end)
+                placed = self._placed(track, rate_hz, band_hz, design.actuated)
+                before = _DrawnTrack(track, rate_hz, band_hz, design.actuated, placed)
+            drawn[track.id] = before
+        self._drawn = drawn
+        inputs = tuple(each.placed for each in drawn.values())
+        end = max([1, *(each.end for each in inputs)])
+        return PreparedStimulus(design, limb, inputs, n_taps, end)
 
     def _placed(
-        self, one: Input, rate_hz: float, band_hz: Band | None, actuation: Actuation | None
+        self, track: Input, rate_hz: float, band_hz: Band | None, actuation: Actuation | None
     ) -> Placed:
-        """An input that is heard, with what it plays."""
-        (voice,) = voices(self._remembered, (one,), rate_hz)
+        """Return an audible input with its drive."""
+        (voice,) = voices(self._remembered, (track,), rate_hz)
         drive = self._remembered.drives.drawn(voice.unit, rate_hz)
         check_drive(actuation, drive, rate_hz, band_hz, voice.location)
         return Placed(voice, drive, voice.start)
 
-    def responses(self, one: PreparedStimulus, n_fft: int | None) -> Responses:
-        """Responses of its limb at the length ``n_fft``."""
-        return Responses(self._remembered, one.limb, one.design.scaling, n_fft)
+    def responses(self, stimulus: PreparedStimulus, n_fft: int | None) -> Responses:
+        """Return the responses of its limb at the length ``n_fft``."""
+        return Responses(self._remembered, stimulus.limb, stimulus.design.scaling, n_fft)
 
-
-# Main axes of many outputs at once.
-#
-# A library for linear algebra takes one small matrix after the other, and longer for the way to
-# each than for the matrix itself.  Jacobi's rotations are done here with all of them side by side
-# (Golub and Van Loan, "Matrix Computations", 4th ed., 8.5), which is as exact.
 
 # Convergence is quadratic: four sweeps reach rounding, whatever the matrix; most need two.
 _SWEEPS = 5
-#: An axis that turns less does not move.
+#: A smaller tangent does not change an axis.
 _LEAST_TANGENT = 2.0**-54
 _PAIRS = ((0, 1, 2), (0, 2, 1), (1, 2, 0))
 
 
 def main_axes(covariance: Floats) -> Floats:
-    """Unit vectors along the largest eigenvalue of symmetric matrices, (n, 3), of (n, 3, 3).
+    """Return unit vectors along the largest eigenvalue of symmetric matrices, (n, 3), of (n, 3, 3).
 
-    Of either sign; along the first axis where a matrix is zero.
+    They have either sign, and lie along the first axis where a matrix is zero.  A library for
+    linear algebra takes one small matrix after the other, and longer for each call than for the
+    matrix.  Here Jacobi's rotations are applied to all matrices at once (Golub and Van Loan,
+    "Matrix Computations", 4th ed., 8.5), which is as exact.
     """
-    # Powers of two, so that nothing over- or underflows, and nothing rounds.
+    # Scaled by powers of two, nothing over- or underflows, and nothing rounds.
     exponent = np.frexp(np.abs(covariance).max(axis=(1, 2)))[1]
     scaled = np.ldexp(covariance, -exponent[:, None, None])
     rows = [[scaled[:, a, b].copy() for b in range(3)] for a in range(3)]
@@ -181,12 +178,12 @@ def main_axes(covariance: Floats) -> Floats:
         if _are_diagonal(rows):
             break
     values = np.stack([rows[0][0], rows[1][1], rows[2][2]])
-    found: Floats = np.choose(values.argmax(axis=0), vectors).T
-    return found
+    axes: Floats = np.choose(values.argmax(axis=0), vectors).T
+    return axes
 
 
 def _are_diagonal(rows: list[list[Floats]]) -> bool:
-    """Whether what is left between the axes of all matrices turns none of them."""
+    """Return whether the elements beside the diagonals are too small to turn an axis."""
     return all(
         bool(np.all(np.abs(rows[p][q]) <= _LEAST_TANGENT * np.abs(rows[q][q] - rows[p][p])))
         for p, q, _ in _PAIRS
@@ -194,19 +191,19 @@ def _are_diagonal(rows: list[list[Floats]]) -> bool:
 
 
 def _rotate(rows: list[list[Floats]], vectors: list[Floats], p: int, q: int, r: int) -> None:
-    """Turn axes ``p`` and ``q`` so that nothing is left between them.
+    """Turn axes ``p`` and ``q`` so that the element between them is 0.
 
     Parameters
     ----------
     rows
-        Of the matrices, (n,) each; turned in place, as the axes are, (3, n) each.
+        Elements of the matrices, (n,) each; turned in place, as the axes are, (3, n) each.
     """
-    between, apart = rows[p][q], rows[q][q] - rows[p][p]
+    between, difference = rows[p][q], rows[q][q] - rows[p][p]
     # tan of the angle, the smaller of the two, in a form that divides by nothing small.
     twice = 2.0 * between
-    # Numbers of at most 1: what is lost of a square here is nothing beside the other one.
-    longest = np.abs(apart) + np.sqrt(apart * apart + twice * twice)
-    tangent = twice * np.copysign(1.0, apart) / (longest + (longest == 0.0))
+    # Numbers are at most 1: where a square underflows, the other one is much larger.
+    longest = np.abs(difference) + np.sqrt(difference * difference + twice * twice)
+    tangent = twice * np.copysign(1.0, difference) / (longest + (longest == 0.0))
     cosine = 1.0 / np.sqrt(1.0 + tangent * tangent)
     sine = tangent * cosine
     rows[p][p] = rows[p][p] - tangent * between
@@ -219,9 +216,7 @@ def _rotate(rows: list[list[Floats]], vectors: list[Floats], p: int, q: int, r: 
     vectors[p], vectors[q] = cosine * first - sine * second, sine * first + cosine * second
 
 
-# What the actuators of a stimulus have to do, and which of their limits it passes.
-
-#: Of the channel where each is largest, in the order of the columns.
+#: Metrics of actuators, each of the channel where it is largest, in the order of the columns.
 ACTUATOR_METRICS = (
     "peak_voltage_v",
     "rms_voltage_v",
@@ -232,12 +227,12 @@ ACTUATOR_METRICS = (
     "linear_share",
     "limits_passed",
 )
-# What an equaliser rings for before and after belongs to what the actuator does.
+# An equaliser rings before and after the drive, and the actuator has to play that too.
 _RINGS_S = 0.1
 
 
-def actuator_metrics(one: PreparedStimulus, factor: float, limits: Limits) -> dict[str, float]:
-    """Metrics of the voltages at the actuators that a design is predicted through.
+def actuator_metrics(stimulus: PreparedStimulus, factor: float, limits: Limits) -> dict[str, float]:
+    """Return metrics of the voltages at the actuators that a design is predicted through.
 
     ``limits_passed`` counts the limits that any channel passes, of ``limits`` and those that the
     library knows of the actuator; NaN where there are none.  All are NaN where the design is not
@@ -246,7 +241,7 @@ def actuator_metrics(one: PreparedStimulus, factor: float, limits: Limits) -> di
     Parameters
     ----------
     factor
-        What all amplitudes are multiplied with.
+        Factor of all amplitudes.
 
     Raises
     ------
@@ -254,26 +249,26 @@ def actuator_metrics(one: PreparedStimulus, factor: float, limits: Limits) -> di
         A place has no actuator, or drives at one place leave a velocity, so that nothing can follow
         them.
     """
-    actuation = one.design.actuated
+    actuation = stimulus.design.actuated
     if actuation is None:
         return dict.fromkeys(ACTUATOR_METRICS, np.nan)
-    found = dict.fromkeys(ACTUATOR_METRICS, 0.0)
+    metrics = dict.fromkeys(ACTUATOR_METRICS, 0.0)
     passed: set[str] = set()
     known = False
-    for place, drive in _drives_of(one, factor).items():
+    for place, drive in _drives_of(stimulus, factor).items():
         at = actuation.at(place)
-        own, thermal = _known_of(at)
+        own, thermal = _limits_of(at)
         allowed = strictest(limits, own)
         known = known or allowed != Limits()
-        told = _told(drive, one.limb, at, actuation, thermal)
-        passed |= {breach.name for breach in breaches(told, allowed)}
+        demand = _actuator_demand(drive, stimulus.limb, at, actuation, thermal)
+        passed |= {breach.name for breach in breaches(demand, allowed)}
         for name in ACTUATOR_METRICS[:-1]:
-            found[name] = float(np.maximum(found[name], getattr(told, name)))
-    found["limits_passed"] = float(len(passed)) if known else np.nan
-    return found
+            metrics[name] = float(np.maximum(metrics[name], getattr(demand, name)))
+    metrics["limits_passed"] = float(len(passed)) if known else np.nan
+    return metrics
 
 
-def _told(
+def _actuator_demand(
     drive: Floats, limb: Limb, at: ActuatorAt, actuation: Actuation, thermal: Thermal | None
 ) -> Prediction:
     voltage, rate_hz = drive, limb.sample_rate_hz
@@ -287,35 +282,32 @@ def _told(
             lead_s=_RINGS_S,
             tail_s=_RINGS_S,
         )
-    (told,) = predicted(voltage, round(rate_hz), at.model, thermal=thermal)
-    return told
+    (demand,) = predicted(voltage, round(rate_hz), at.model, thermal=thermal)
+    return demand
 
 
-def _known_of(at: ActuatorAt) -> tuple[Limits, Thermal | None]:
-    """What the library knows of an actuator by its name."""
+def _limits_of(at: ActuatorAt) -> tuple[Limits, Thermal | None]:
+    """Return the limits and the thermal model of an actuator in the catalog."""
     if at.actuator not in names():
         return Limits(), None
-    about = profile(at.actuator)
-    return about.limits, about.thermal
+    known = profile(at.actuator)
+    return known.limits, known.thermal
 
 
-def _drives_of(one: PreparedStimulus, factor: float) -> dict[int, Floats]:
-    """The drive of each place where anything moves, (n_times,), m/s² or V."""
-    n_times = one.stimulus_samples
+def _drives_of(stimulus: PreparedStimulus, factor: float) -> dict[int, Floats]:
+    """Return the drive of each place where anything moves, (n_times,), m/s² or V."""
+    n_times = stimulus.stimulus_samples
     channels: dict[int, Floats] = {}
-    for each in one.moving:
+    for each in stimulus.moving:
         drive = channels.setdefault(each.voice.location, np.zeros(n_times))
         weight = each.voice.amplitude * each.drive.factor * factor
         drive[each.start : each.end] += weight * each.drive.samples
     return channels
 
 
-# What actuators get, in numbers.
-
-
 @dataclass(frozen=True, slots=True, eq=False)
-class _drive_metrics_Known:
-    """Of a drive: its largest sample, its energy, and the share of that outside the band."""
+class _MeasuredDrive:
+    """The largest sample of a drive, its energy, and the share of energy outside the band."""
 
     drive: Drive
     peak: float
@@ -324,34 +316,34 @@ class _drive_metrics_Known:
 
 
 class DriveMetrics:
-    """Measures drives; those of inputs that stay as they are once."""
+    """Measures drives; those of inputs that do not vary once."""
 
     def __init__(self) -> None:
-        self._known: dict[int, _drive_metrics_Known] = {}
+        self._cached: dict[int, _MeasuredDrive] = {}
 
-    def of(self, one: PreparedStimulus, factor: float) -> dict[str, float]:
-        """Peak and RMS of all channels, and the share of energy outside the band.
+    def of(self, stimulus: PreparedStimulus, factor: float) -> dict[str, float]:
+        """Return peak and RMS of all channels, and the share of energy outside the band.
 
         Parameters
         ----------
         factor
-            What all amplitudes are multiplied with.
+            Factor of all amplitudes.
         """
-        rate_hz, n_times = one.limb.sample_rate_hz, one.stimulus_samples
-        channels: dict[int, list[tuple[float, Placed, _drive_metrics_Known]]] = {}
+        rate_hz, n_times = stimulus.limb.sample_rate_hz, stimulus.stimulus_samples
+        channels: dict[int, list[tuple[float, Placed, _MeasuredDrive]]] = {}
         energy = outside = 0.0
-        for each in one.placed:
+        for each in stimulus.placed:
             weight = each.voice.amplitude * each.drive.factor * factor
-            known = self._of_drive(each, rate_hz, one.limb.band_hz)
-            channels.setdefault(each.voice.location, []).append((weight, each, known))
-            energy += weight**2 * known.energy
-            outside += weight**2 * known.energy * known.outside
+            measured = self._of_drive(each, rate_hz, stimulus.limb.band_hz)
+            channels.setdefault(each.voice.location, []).append((weight, each, measured))
+            energy += weight**2 * measured.energy
+            outside += weight**2 * measured.energy * measured.outside
         peak = squares = 0.0
         for inputs in channels.values():
             if len(inputs) == 1:
-                weight, _, known = inputs[0]
-                peak = max(peak, abs(weight) * known.peak)
-                squares += weight**2 * known.energy
+                weight, _, measured = inputs[0]
+                peak = max(peak, abs(weight) * measured.peak)
+                squares += weight**2 * measured.energy
             else:
                 total = _sum(inputs, n_times)
                 peak = max(peak, float(np.abs(total).max()))
@@ -362,79 +354,73 @@ class DriveMetrics:
             "share_outside_band": outside / energy if energy > 0.0 else np.nan,
         }
 
-    def _of_drive(self, one: Placed, rate_hz: float, band_hz: Band | None) -> _drive_metrics_Known:
-        known = self._known.get(one.voice.id)
-        if known is None or known.drive is not one.drive:
-            samples = one.drive.samples
-            known = self._known[one.voice.id] = _drive_metrics_Known(
-                one.drive,
+    def _of_drive(self, placed: Placed, rate_hz: float, band_hz: Band | None) -> _MeasuredDrive:
+        measured = self._cached.get(placed.voice.id)
+        if measured is None or measured.drive is not placed.drive:
+            samples = placed.drive.samples
+            measured = self._cached[placed.voice.id] = _MeasuredDrive(
+                placed.drive,
                 float(np.abs(samples).max(initial=0.0)),
                 float(np.vecdot(samples, samples)),
                 share_outside_band(samples, rate_hz, band_hz) if band_hz else np.nan,
             )
-        return known
+        return measured
 
 
-def _sum(inputs: list[tuple[float, Placed, _drive_metrics_Known]], n_times: int) -> Floats:
-    """What inputs at one place play together, (n_times,)."""
+def _sum(inputs: list[tuple[float, Placed, _MeasuredDrive]], n_times: int) -> Floats:
+    """Return the sum of the drives at one place, (n_times,)."""
     total = np.zeros(n_times)
-    for weight, one, _ in inputs:
-        total[one.start : one.end] += weight * one.drive.samples
+    for weight, placed, _ in inputs:
+        total[placed.start : placed.end] += weight * placed.drive.samples
     return total
 
 
-# How far the vibrations of a sweep reach.
-
-OF_EXTENT = (
-    "mean_distance_mm",
-    "d90_mm",
-    "share_above_12_db",
-    "share_above_20_db",
-    "participation",
-)
-# Sets of places whose distances are remembered.
+# Sets of places whose distances are cached.
 _MOST = 1000
 _Key = tuple[str, tuple[int, ...]]
 
 
 class Extents:
-    """Says how far vibrations reach; remembers where places lie."""
+    """Computes how far vibrations reach; caches the distances of outputs."""
 
     def __init__(self) -> None:
-        self._known: dict[_Key, Floats] = {}
+        self._distances: dict[_Key, Floats] = {}
 
     def of(
         self, rms: Sequence[Floats], stimuli: Sequence[PreparedStimulus | None]
     ) -> list[dict[str, float]]:
-        """What `skinsource.extent` says, by name, of each stimulus; NaN where there is none.
+        """Return the metrics of `skinsource.extent` of each stimulus; NaN where there is none.
 
         Parameters
         ----------
         rms : (n_outputs,) each
-            Of the outputs.
+            RMS of the outputs.
         """
-        found = [dict.fromkeys(OF_EXTENT, np.nan) for _ in stimuli]
-        alike: dict[_Key, list[int]] = {}
-        for which, one in enumerate(stimuli):
-            if one is None:
+        extents = [dict.fromkeys(EXTENT_COLUMNS, np.nan) for _ in stimuli]
+        by_places: dict[_Key, list[int]] = {}
+        for which, stimulus in enumerate(stimuli):
+            if stimulus is None:
                 continue
-            key = one.limb.name, tuple(dict.fromkeys(each.voice.location for each in one.moving))
-            distance_mm = self._distances_mm(one.limb, key)
+            key = (
+                stimulus.limb.name,
+                tuple(dict.fromkeys(each.voice.location for each in stimulus.moving)),
+            )
+            distance_mm = self._distances_mm(stimulus.limb, key)
             if rms[which][np.isfinite(distance_mm)].any():
-                alike.setdefault(key, []).append(which)
-        for key, numbers in alike.items():
-            made = spread(np.array([rms[which] for which in numbers]), self._known[key])
+                by_places.setdefault(key, []).append(which)
+        for key, numbers in by_places.items():
+            metrics = spread(np.array([rms[which] for which in numbers]), self._distances[key])
             for row, which in enumerate(numbers):
-                found[which] = {name: float(made[name][row]) for name in OF_EXTENT}
-        return found
+                extents[which] = {name: float(metrics[name][row]) for name in EXTENT_COLUMNS}
+        return extents
 
     def _distances_mm(self, limb: Limb, key: _Key) -> Floats:
-        """Distance of each output from the nearest place, mm; NaN where nothing plays."""
-        if key not in self._known:
-            if len(self._known) >= _MOST:
-                self._known.clear()
+        """Return the distance of each output from the nearest place, mm; NaN: nothing plays."""
+        if key not in self._distances:
+            if len(self._distances) >= _MOST:
+                self._distances.clear()
             places = key[1]
-            self._known[key] = (
+            self._distances[key] = (
                 distances_mm(limb, places) if places else np.full(limb.n_outputs, np.nan)
             )
-        return self._known[key]
+        return self._distances[key]

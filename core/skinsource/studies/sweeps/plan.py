@@ -1,4 +1,4 @@
-"""How strong the stimuli of a sweep are: as drawn, as predicted, or as people matched them."""
+"""The plan of a sweep: its stimuli, their levels, and the order of their presentation."""
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -33,16 +33,16 @@ from skinsource.specs.spec import Address
 
 Level = Literal["drive", "loudest_100ms", "above_threshold", "matched"]
 LEVELS: tuple[Level, ...] = get_args(Level)
-#: Those that are predicted, and brought to so many decibels.
+#: Levels that are predicted, and brought to `level_db`.
 PREDICTED: tuple[Level, ...] = ("loudest_100ms", "above_threshold")
-# A level below it is that of silence.
+# Lower levels mean silence.
 _SILENCE_DB = -290.0
 
 
 def equally_strong(design: Design, strengths: Strengths) -> Design:
-    """The design with the drive of each input as people matched it.
+    """Return the design with the drive of each input as people matched it.
 
-    An amplitude then means how strong it feels: that of a reference of this amplitude.
+    An amplitude then stands for the perceived strength of a reference of this amplitude.
 
     Raises
     ------
@@ -50,14 +50,14 @@ def equally_strong(design: Design, strengths: Strengths) -> Design:
         An input plays no single frequency, or its frequency or place was not matched.
     """
     inputs = (
-        one if one.muted else _equally_strong(number, one, strengths)
-        for number, one in enumerate(design.inputs, start=1)
+        track if track.muted else _matched_track(number, track, strengths)
+        for number, track in enumerate(design.inputs, start=1)
     )
     return replace(design, inputs=tuple(inputs))
 
 
 def above_threshold(acceleration: Floats, sample_rate_hz: float, scaling: str) -> float:
-    """How far the most sensitive channel at the loudest output is above threshold, as a ratio.
+    """Return the ratio of the most sensitive channel at the loudest output to threshold.
 
     Parameters
     ----------
@@ -77,36 +77,36 @@ def above_threshold(acceleration: Floats, sample_rate_hz: float, scaling: str) -
             "scaling Probe acceleration."
         )
     levels_db = sensation_levels_db(acceleration, sample_rate_hz)
-    highest_db = max(float(one.max()) for one in levels_db.values())
+    highest_db = max(float(channel_db.max()) for channel_db in levels_db.values())
     return float(10.0 ** (highest_db / 20.0)) if highest_db > _SILENCE_DB else 0.0
 
 
-def _equally_strong(number: int, one: Input, strengths: Strengths) -> Input:
-    found = {getattr(clip.waveform, "frequency_hz", None) for clip in one.clips if not clip.muted}
-    frequencies_hz = [each for each in found if isinstance(each, float)]
-    if not found:
-        return one
-    if len(found) != 1 or len(frequencies_hz) != 1:
+def _matched_track(number: int, track: Input, strengths: Strengths) -> Input:
+    played_hz = {
+        getattr(clip.waveform, "frequency_hz", None) for clip in track.clips if not clip.muted
+    }
+    frequencies_hz = [each for each in played_hz if isinstance(each, float)]
+    if not played_hz:
+        return track
+    if len(played_hz) != 1 or len(frequencies_hz) != 1:
         raise InvalidInputError(
             f"input {number} does not play one frequency, expected waveforms of one frequency_hz: "
             "only such vibrations were matched"
         )
-    level_db = strengths.level_db(frequencies_hz[0], one.location)
-    return replace(one, amplitude=one.amplitude * float(np.power(10.0, level_db / 20.0)))
+    level_db = strengths.level_db(frequencies_hz[0], track.location)
+    return replace(track, amplitude=track.amplitude * float(np.power(10.0, level_db / 20.0)))
 
 
-# What a sweep can vary: a name and a value make one design of another.
-
-#: What a variable can be set to.
+#: Values of a variable.
 Value = bool | int | float | str | tuple[int, ...]
 
-#: At all places, with the equaliser of the design; predictions then go through it.
+#: An actuator at all places, with the equaliser of the design; predictions then go through it.
 ACTUATOR = "actuator"
 OF_DESIGN = ("limb", "scaling", ACTUATOR)
 OF_INPUT = ("location", "amplitude", "muted")
 OF_CLIP = ("onset_s", "gain")
-#: Inputs are numbered as they are listed: "2.frequency_hz" is of the second one alone.
-_OF_ONE = "."
+#: Inputs are numbered in their order: "2.frequency_hz" is that of the second one alone.
+_NUMBER_SEPARATOR = "."
 
 
 def varied(design: Design, name: str, value: Value) -> Design:
@@ -128,23 +128,23 @@ def varied(design: Design, name: str, value: Value) -> Design:
         Nothing in the design has such a field, or the value does not fit it.
     """
     if name == "limb":
-        # Whichever has the name; the digest is that of the one before.
+        # Any limb of this name: the digest is that of the limb before.
         return replace(design, limb=value, limb_digest="")  # type: ignore[arg-type]
     if name == ACTUATOR:
         return replace(design, actuation=_actuation(design, value))
     if name in OF_DESIGN:
         return replace(design, **{name: value})  # type: ignore[arg-type]
-    number, field = _read(name, len(design.inputs))
+    number, field = _target_of(name, len(design.inputs))
     if field == "location" and isinstance(value, tuple):
-        return _placed(design, number, value)
+        return _with_locations(design, number, value)
     chosen = range(len(design.inputs)) if number is None else (number,)
     inputs = list(design.inputs)
-    found = False
+    has_field = False
     for index in chosen:
         changed = _input_with(inputs[index], field, value)
-        found = found or changed is not None
+        has_field = has_field or changed is not None
         inputs[index] = changed or inputs[index]
-    if not found:
+    if not has_field:
         raise InvalidInputError(
             f"nothing in the design has {quoted(name)}; a sweep can vary "
             f"{', '.join(names_in(design))}"
@@ -153,7 +153,7 @@ def varied(design: Design, name: str, value: Value) -> Design:
 
 
 def names_in(design: Design) -> tuple[str, ...]:
-    """What can be varied in ``design``, without the numbers of inputs."""
+    """Return the names that can be varied in ``design``, without the numbers of inputs."""
     of_waveforms = {
         name: None for clip in design.clips for name in specs_of(clip.waveform) if clip.waveform
     }
@@ -166,7 +166,7 @@ def names_in(design: Design) -> tuple[str, ...]:
 
 
 def _actuation(design: Design, value: Value) -> Actuation:
-    """One kind of actuator at all places; it follows the drives unless the design says else."""
+    """Return one kind of actuator at all places, with the equaliser of the design, if any."""
     if not isinstance(value, str):
         raise InvalidInputError(f"actuator is {quoted(value)}, expected a name")
     equaliser = RegularisedInverse() if design.actuation is None else design.actuation.equaliser
@@ -175,9 +175,9 @@ def _actuation(design: Design, value: Value) -> Actuation:
     )
 
 
-def _read(name: str, n_inputs: int) -> tuple[int | None, str]:
-    """Index of the input that ``name`` speaks of, None: of all; and the field."""
-    before, dot, field = name.partition(_OF_ONE)
+def _target_of(name: str, n_inputs: int) -> tuple[int | None, str]:
+    """Return the index of the input in ``name``, None: all inputs; and the field."""
+    before, dot, field = name.partition(_NUMBER_SEPARATOR)
     if not dot:
         return None, name
     if not (before.isdecimal() and len(before) < 10 and 1 <= int(before) <= n_inputs):
@@ -188,24 +188,24 @@ def _read(name: str, n_inputs: int) -> tuple[int | None, str]:
     return int(before) - 1, field
 
 
-def _placed(design: Design, number: int | None, places: tuple[int, ...]) -> Design:
+def _with_locations(design: Design, number: int | None, places: tuple[int, ...]) -> Design:
     if number is not None or len(places) != len(design.inputs):
         raise InvalidInputError(
             f"location is {quoted(places)}, expected one place for each of the "
             f"{len(design.inputs)} inputs"
         )
     inputs = (
-        replace(one, location=place) for one, place in zip(design.inputs, places, strict=True)
+        replace(track, location=place) for track, place in zip(design.inputs, places, strict=True)
     )
     return replace(design, inputs=tuple(inputs))
 
 
-def _input_with(one: Input, field: str, value: Value) -> Input | None:
-    """The input with ``field`` set; None where it has none."""
+def _input_with(track: Input, field: str, value: Value) -> Input | None:
+    """Return the input with ``field`` set; None: it has no such field."""
     if field in OF_INPUT:
-        return replace(one, **{field: value})  # type: ignore[arg-type]
-    clips = _each(one.clips, lambda clip: _clip_with(clip, field, value))
-    return None if clips is None else replace(one, clips=clips)
+        return replace(track, **{field: value})  # type: ignore[arg-type]
+    clips = _changed_clips(track.clips, lambda clip: _clip_with(clip, field, value))
+    return None if clips is None else replace(track, clips=clips)
 
 
 def _clip_with(clip: Clip, field: str, value: Value) -> Clip | None:
@@ -216,15 +216,15 @@ def _clip_with(clip: Clip, field: str, value: Value) -> Clip | None:
     return replace(clip, waveform=replace(clip.waveform, **{field: value}))  # type: ignore[type-var]
 
 
-def _each(clips: Iterable[Clip], change: Callable[[Clip], Clip | None]) -> tuple[Clip, ...] | None:
-    """Clips changed where they can be; None where none can."""
+def _changed_clips(
+    clips: Iterable[Clip], change: Callable[[Clip], Clip | None]
+) -> tuple[Clip, ...] | None:
+    """Return clips, changed where that is possible; None: no clip can be changed."""
     pairs: list[tuple[Clip, Any]] = [(clip, change(clip)) for clip in clips]
     if all(changed is None for _, changed in pairs):
         return None
     return tuple(changed or clip for clip, changed in pairs)
 
-
-# In which order stimuli are presented: blocks of trials for each participant.
 
 Kind = Literal["given", "random", "counterbalanced"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
@@ -235,7 +235,7 @@ _MOST_SEED = 2**63 - 1
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Order:
-    """How trials follow each other.
+    """Order of trials: blocks for each participant.
 
     Attributes
     ----------
@@ -246,11 +246,11 @@ class Order:
         and follows each other one, equally often (Williams, "Experimental designs balanced for the
         estimation of residual effects of treatments", Aust. J. Chem. 2, 1949).
     seed
-        Of what is random: the permutations, or which stimulus is which letter of the square.
+        Seed of the permutations, or of the assignment of stimuli to letters of the square.
     participants
-        How many; each has blocks of its own.
+        Number of participants; each has blocks of its own.
     blocks
-        For each participant; every block holds every stimulus once.
+        Number of blocks for each participant; every block holds every stimulus once.
     """
 
     kind: Kind = "given"
@@ -291,9 +291,9 @@ def trials(order: Order, stimuli: Sequence[int]) -> tuple[Trial, ...]:
             f"{n_blocks * n_stimuli} trials, expected at most {_MOST_TRIALS}"
         )
     rng = np.random.default_rng(order.seed)
-    # Which stimulus is which letter: the square itself is the same for all seeds.
+    # The assignment of stimuli to letters: the square itself is the same for all seeds.
     letters = rng.permutation(n_stimuli)
-    found = []
+    presented = []
     for block in range(n_blocks):
         if order.kind == "random":
             sequence = rng.permutation(n_stimuli)
@@ -302,11 +302,11 @@ def trials(order: Order, stimuli: Sequence[int]) -> tuple[Trial, ...]:
         else:
             sequence = np.arange(n_stimuli)
         participant, of_participant = divmod(block, order.blocks)
-        found += [
+        presented += [
             Trial(participant + 1, of_participant + 1, k + 1, stimuli[stimulus])
             for k, stimulus in enumerate(sequence)
         ]
-    return tuple(found)
+    return tuple(presented)
 
 
 def latin_row(row: int, n: int) -> np.ndarray:
@@ -315,19 +315,17 @@ def latin_row(row: int, n: int) -> np.ndarray:
     For odd n the square is followed by its mirror image: balance takes 2 n rows.
     """
     steps = np.arange(n)
-    # 0, 1, n-1, 2, n-2, …: the steps between neighbours are all different.
+    # 0, 1, n-1, 2, n-2, …: the steps between adjacent letters are all different.
     first = np.where(steps % 2 == 1, (steps + 1) // 2, (n - steps // 2) % n)
     which, mirrored = row % n, n % 2 == 1 and (row // n) % 2 == 1
-    found: np.ndarray = (first + which) % n
-    return found[::-1] if mirrored else found
+    letters: np.ndarray = (first + which) % n
+    return letters[::-1] if mirrored else letters
 
-
-# Which stimuli a sweep consists of.
 
 MOST_STIMULI = 1_000_000
-#: Neighbours that are measured together: what they have in common is computed once for them.
-TOGETHER = 16
-#: The predicted level that a sweep can bring its stimuli to, in dB.
+#: Stimuli in a batch: what they have in common is computed once.
+BATCH_SIZE = 16
+#: Range of the predicted level that stimuli are brought to, in dB.
 LOWEST_DB, HIGHEST_DB = -100.0, 100.0
 _FORMAT = "skinsource sweep"
 
@@ -343,22 +341,21 @@ class Plan:
     variables
         Name and values of each.  The last one varies first, the designs last.
     outputs
-        What is measured beside the loudest output.
+        Outputs that are measured besides the loudest one.
     axes, method
-        How the axes of an output become one signal, see `skinsource.View`.
+        Projection of the axes of an output onto one signal, see `skinsource.View`.
     level
-        How strong the stimuli are: ``"drive"``: as the designs say; ``"loudest_100ms"`` and
+        Level of the stimuli: ``"drive"``: that of the designs; ``"loudest_100ms"`` and
         ``"above_threshold"``: brought to ``level_db``, see
-        `skinsource.studies.sweeps.measuring.Measurer.measure`; ``"matched"``: as strong as people
-        found them, by ``strengths``.  None: what ``level_db`` and ``strengths`` ask for: the
-        loudest 100 ms, matched, or the drive.
+        `skinsource.studies.sweeps.measuring.Measurer.measure`; ``"matched"``: the strength that
+        people perceived, by ``strengths``.  None: it follows from ``level_db`` and ``strengths``:
+        the loudest 100 ms, matched, or the drive.
     level_db
-        What predicted levels are brought to: dB re 1 m/s², or above threshold.
+        Level that predicted levels are brought to: dB re 1 m/s², or above threshold.
     strengths
-        What people matched.
+        Matches of people.
     limits
-        What actuators must not pass, beside their own limits; where designs are predicted
-        through actuators.
+        Limits of actuators besides their own; where designs are predicted through actuators.
     """
 
     designs: tuple[tuple[str, Design], ...]
@@ -384,17 +381,17 @@ class Plan:
                 f"the sweep has {len(self)} stimuli, expected at most {MOST_STIMULI}. Leave some "
                 "values out, or make several sweeps."
             )
-        self._settle_level()
-        # Whether axes, method and outputs are known is checked where they are put to use.
+        self._set_level()
+        # A view checks axes, method and outputs.
         View(axes=self.axes, method=self.method, outputs=self.outputs)
 
-    def _settle_level(self) -> None:
-        wanted: Level = "drive"
+    def _set_level(self) -> None:
+        default: Level = "drive"
         if self.strengths is not None:
-            wanted = "matched"
+            default = "matched"
         elif self.level_db is not None:
-            wanted = "loudest_100ms"
-        level = wanted if self.level is None else one_of("level", self.level, LEVELS)
+            default = "loudest_100ms"
+        level = default if self.level is None else one_of("level", self.level, LEVELS)
         object.__setattr__(self, "level", level)
         if (level in PREDICTED) != (self.level_db is not None):
             raise InvalidInputError(
@@ -413,12 +410,12 @@ class Plan:
 
     @property
     def drives_actuators(self) -> bool:
-        """Whether it says what actuators have to do."""
-        varied_ones = any(name == ACTUATOR for name, _ in self.variables)
-        return varied_ones or any(design.actuated is not None for _, design in self.designs)
+        """Whether designs are predicted through actuators, so that their demand is measured."""
+        is_varied = any(name == ACTUATOR for name, _ in self.variables)
+        return is_varied or any(design.actuated is not None for _, design in self.designs)
 
     def __len__(self) -> int:
-        """How many stimuli there are."""
+        """Return the number of stimuli."""
         return len(self.designs) * math.prod(len(values) for _, values in self.variables)
 
     @property
@@ -428,13 +425,13 @@ class Plan:
         return (*of_designs, *(name for name, _ in self.variables))
 
     def values_of(self, number: int) -> dict[str, Value]:
-        """Values of the variables in stimulus ``number``, from 1."""
+        """Return the values of the variables in stimulus ``number``, from 1."""
         which, picked = self._picked(number)
         of_designs = {"design": self.designs[which][0]} if len(self.designs) > 1 else {}
         return {**of_designs, **dict(picked)}
 
     def design_of(self, number: int) -> Design:
-        """Design of stimulus ``number``, from 1; as matched, but not brought to `level_db`.
+        """Return the design of stimulus ``number``, from 1; matched, but not at `level_db`.
 
         Raises
         ------
@@ -448,37 +445,37 @@ class Plan:
         return design if self.strengths is None else equally_strong(design, self.strengths)
 
     def neighbours(self, number: int) -> range:
-        """Numbers of the stimuli that are measured together with ``number``."""
-        first = number - (number - 1) % TOGETHER
-        return range(first, min(first + TOGETHER, len(self) + 1))
+        """Return the numbers of the batch of stimulus ``number``."""
+        first = number - (number - 1) % BATCH_SIZE
+        return range(first, min(first + BATCH_SIZE, len(self) + 1))
 
     @property
     def varying(self) -> frozenset[int]:
-        """Ids of the inputs that neighbours differ in; all where they differ in more than inputs.
+        """Ids of the inputs that vary within a batch; all where more than inputs varies.
 
-        It follows from the plan and not from what was measured before, so that a stimulus has the
-        same metrics to the last bit wherever and after whatever it is measured.
+        They follow from the plan and not from earlier measurements, so that a stimulus has the
+        same metrics to the last bit wherever and whenever it is measured.
         """
-        everything = frozenset(id for _, design in self.designs for id in design.ids)
+        all_ids = frozenset(id for _, design in self.designs for id in design.ids)
         if len(self) == 1:
-            return everything
+            return all_ids
         try:
-            one, other = self.design_of(1), self.design_of(2)
+            first, second = self.design_of(1), self.design_of(2)
         except InvalidInputError:
-            return everything
-        if one.limb != other.limb or one.scaling != other.scaling or one.ids != other.ids:
-            return everything
-        pairs = zip(one.inputs, other.inputs, strict=True)
+            return all_ids
+        if first.limb != second.limb or first.scaling != second.scaling or first.ids != second.ids:
+            return all_ids
+        pairs = zip(first.inputs, second.inputs, strict=True)
         return frozenset(after.id for before, after in pairs if before != after)
 
     @property
     def digest(self) -> str:
-        """What tells this plan from others, hexadecimal."""
+        """SHA-256 of the plan, hexadecimal."""
         return sha256(self.text.encode()).hexdigest()
 
     @property
     def text(self) -> str:
-        """All of it, for `plan_of`."""
+        """The whole plan as text, for `plan_of`."""
         tree: Tree = {
             "designs": [[name, models.encode(design)] for name, design in self.designs],
             "variables": [[name, list(values)] for name, values in self.variables],
@@ -493,7 +490,7 @@ class Plan:
         return to_text(tree, _FORMAT)
 
     def _picked(self, number: int) -> tuple[int, tuple[tuple[str, Value], ...]]:
-        """Which design, and one value of each variable."""
+        """Return the index of the design, and one value of each variable."""
         if not 1 <= number <= len(self):
             raise InvalidInputError(f"there is no stimulus {number}, expected 1 to {len(self)}")
         rest = number - 1
@@ -505,7 +502,7 @@ class Plan:
 
 
 def plan_of(text: str) -> Plan:
-    """The plan that `Plan.text` wrote.
+    """Return the plan that `Plan.text` wrote.
 
     Raises
     ------
@@ -530,8 +527,8 @@ def plan_of(text: str) -> Plan:
 
 
 def chunks(numbers: Iterable[int]) -> Iterator[tuple[int, ...]]:
-    """Numbers of stimuli in their order, those that are measured together in one piece."""
-    for _, chunk in groupby(numbers, lambda number: (number - 1) // TOGETHER):
+    """Yield numbers of stimuli in their order, a batch at a time."""
+    for _, chunk in groupby(numbers, lambda number: (number - 1) // BATCH_SIZE):
         yield tuple(chunk)
 
 
@@ -550,5 +547,5 @@ def _strengths(tree: Tree) -> Strengths | None:
     return Strengths(points, (place, hertz))
 
 
-def _value(found: Tree) -> Value:
-    return tuple(found) if isinstance(found, list) else found
+def _value(tree: Tree) -> Value:
+    return tuple(tree) if isinstance(tree, list) else tree

@@ -1,4 +1,4 @@
-"""Runs a sweep: what is left of it, in processes, into a folder."""
+"""Runs a sweep, or the rest of it, in processes and into a folder; reads sweeps from TOML."""
 
 import os
 import tomllib
@@ -38,12 +38,12 @@ from skinsource.studies.sweeps.table import Folder, StimulusFiles, SweepTable, t
 from skinsource.studies.sweeps.workers import Row, measured
 
 _MOST_PROCESSES = 256
-#: Fewer stimuli are measured before a second process has started.
+#: Fewer stimuli are measured faster than a second process starts.
 _WORTH_PROCESSES = 50
 
 
 class Measuring(Protocol):
-    """Gives what is found of some stimuli of a plan, each once, in any order."""
+    """Yields the metrics, or errors, of some stimuli of a plan, in any order."""
 
     def __call__(self, plan: Plan, numbers: Iterable[int], stop: Stop) -> Iterator[Row]:
         """Measure; raise `skinsource.base.errors.Stopped` once ``stop`` says so."""
@@ -51,16 +51,16 @@ class Measuring(Protocol):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sweep:
-    """All that a sweep is to do.
+    """A sweep: its plan and its output.
 
     Attributes
     ----------
     plan
         Its stimuli.
     order
-        How they are presented; None: no table of trials is written.
+        Order of their presentation; None: no table of trials is written.
     files
-        In which form the stimuli are exported; None: they are not.
+        Format of the exported stimuli; None: they are not exported.
     parquet
         Whether the table is written as Parquet too.
     """
@@ -96,17 +96,17 @@ def sweep(
     designs
         A design or the path of a design file, or several.
     vary
-        Values by the name of what they are of, see `skinsource.studies.sweeps.plan.varied`:
+        Values by the name of the variable, see `skinsource.studies.sweeps.plan.varied`:
         ``{"frequency_hz": [50, 100], "location": [1, 2]}``.  The last one varies first.
     out
-        Folder for all that is written, where a sweep that was stopped or killed goes on; or None.
+        Folder for all files, where a sweep that was stopped or killed continues; or None.
     outputs, axes, method, level, level_db, limits
-        What is measured, and how strong: see `skinsource.studies.sweeps.plan.Plan`.  A level may be
-        the path of a table of matches, too.
+        Measurement and level: see `skinsource.studies.sweeps.plan.Plan`.  A level may be the path
+        of a table of matches, too.
     order, files, parquet
-        What is written beside ``stimuli.csv``: see `skinsource.studies.sweeps.running.Sweep`.
+        Files besides ``stimuli.csv``: see `skinsource.studies.sweeps.running.Sweep`.
     processes
-        How many measure at the same time; None: as many as cores, or this one for a few stimuli.
+        Number of processes; None: as many as cores, or this one for a few stimuli.
 
     Returns
     -------
@@ -116,20 +116,20 @@ def sweep(
     Raises
     ------
     InvalidInputError
-        The sweep cannot be.  A single stimulus that cannot be measured has it in its row.
+        The sweep is not possible.  A single stimulus that fails has the error in its row.
     StorageError
         The folder cannot be written.
 
     >>> import skinsource as ss
-    >>> one = ss.Design(limb="synthetic-1", inputs=(ss.track(7),))
-    >>> ss.sweep(one, {"frequency_hz": [50.0, 200.0]}).column("frequency_hz")
+    >>> design = ss.Design(limb="synthetic-1", inputs=(ss.track(7),))
+    >>> ss.sweep(design, {"frequency_hz": [50.0, 200.0]}).column("frequency_hz")
     array([ 50., 200.])
     """
     settings: dict[str, Any] = {"outputs": tuple(outputs), "axes": axes, "method": method}
     settings |= {**level_of(level), "level_db": level_db, "limits": limits or Limits()}
     plan = Plan(designs=named_designs(designs), variables=variables_of(vary), **settings)
-    wanted = Sweep(plan=plan, order=order, files=files, parquet=parquet)
-    return run(wanted, out, processes=processes, progress=progress, stop=stop)
+    planned = Sweep(plan=plan, order=order, files=files, parquet=parquet)
+    return run(planned, out, processes=processes, progress=progress, stop=stop)
 
 
 def run(
@@ -141,12 +141,12 @@ def run(
     progress: Progress = silent,
     stop: Stop = never,
 ) -> SweepTable:
-    """Do what is left of a sweep; see `sweep`.
+    """Run a sweep, or the rest of it; see `sweep`.
 
     Parameters
     ----------
     measuring
-        What measures instead of processes of this computer.
+        Measures instead of processes of this computer, such as `cluster.Cluster`.
     """
     plan = wanted.plan
     if out is None and (wanted.order or wanted.files or wanted.parquet):
@@ -156,16 +156,16 @@ def run(
     if wanted.order is not None:
         trials(wanted.order, range(1, len(plan) + 1))
     with nullcontext() if out is None else Folder(Path(out), plan.digest) as folder:
-        found: dict[int, Metrics | str] = {} if folder is None else dict(folder.journal.rows)
-        left = [number for number in range(1, len(plan) + 1) if number not in found]
-        measure = measuring or _measuring(len(left), processes)
-        progress(len(found), len(plan), "Measuring")
-        for number, row in measure(plan, left, stop):
-            found[number] = row
+        outcomes: dict[int, Metrics | str] = {} if folder is None else dict(folder.journal.rows)
+        remaining = [number for number in range(1, len(plan) + 1) if number not in outcomes]
+        measure = measuring or _measuring(len(remaining), processes)
+        progress(len(outcomes), len(plan), "Measuring")
+        for number, row in measure(plan, remaining, stop):
+            outcomes[number] = row
             if folder is not None:
                 folder.journal.add(number, row)
-            progress(len(found), len(plan), f"Measured stimulus {number} of {len(plan)}")
-        table = table_of(plan, found)
+            progress(len(outcomes), len(plan), f"Measured stimulus {number} of {len(plan)}")
+        table = table_of(plan, outcomes)
         if folder is not None:
             folder.finish(wanted.plan, table, wanted.order, parquet=wanted.parquet)
             if wanted.files is not None:
@@ -180,43 +180,43 @@ def _measuring(n_left: int, processes: int | None) -> Measuring:
     if count == 1:
         return measured_here
 
-    def beside_each_other(plan: Plan, numbers: Iterable[int], stop: Stop) -> Iterator[Row]:
+    def in_processes(plan: Plan, numbers: Iterable[int], stop: Stop) -> Iterator[Row]:
         return measured(plan, numbers, count, stop)
 
-    return beside_each_other
+    return in_processes
 
 
 def named_designs(
     designs: Design | str | os.PathLike[str] | Sequence[Design | str | os.PathLike[str]],
 ) -> tuple[tuple[str, Design], ...]:
-    """Return each design with a name of its own: of its file, its title, or a number."""
+    """Return each design with a unique name: its file, its title, or a number."""
     several = [designs] if isinstance(designs, Design | str | os.PathLike) else list(designs)
-    found: list[tuple[str, Design]] = []
-    for number, one in enumerate(several, start=1):
-        if isinstance(one, Design):
-            found.append((one.title or f"design {number}", one))
-        elif isinstance(one, str | os.PathLike):
-            found.append((Path(one).stem, open_design(one).design))
+    named: list[tuple[str, Design]] = []
+    for number, source in enumerate(several, start=1):
+        if isinstance(source, Design):
+            named.append((source.title or f"design {number}", source))
+        elif isinstance(source, str | os.PathLike):
+            named.append((Path(source).stem, open_design(source).design))
         else:
             raise InvalidInputError(
-                f"designs holds {quoted(one)}, expected designs or paths of design files"
+                f"designs holds {quoted(source)}, expected designs or paths of design files"
             )
-    names = [name for name, _ in found]
+    names = [name for name, _ in named]
     return tuple(
         (name if names.count(name) == 1 else f"{name} ({number})", design)
-        for number, (name, design) in enumerate(found, start=1)
+        for number, (name, design) in enumerate(named, start=1)
     )
 
 
 def variables_of(
     vary: Mapping[str, Iterable[Any]] | None,
 ) -> tuple[tuple[str, tuple[Value, ...]], ...]:
-    """Return variables and their values as a plan has them."""
+    """Return variables and their values for a plan."""
     return tuple((name, values_of(name, values)) for name, values in (vary or {}).items())
 
 
 def level_of(level: str | os.PathLike[str] | None) -> dict[str, Any]:
-    """Return what a plan has of a level: its name, or what a table of matches says.
+    """Return the fields of a plan for a level: its name, or the strengths of a table of matches.
 
     Raises
     ------
@@ -239,16 +239,16 @@ def values_of(name: str, values: Iterable[Any]) -> tuple[Value, ...]:
     """Return the values of a variable as plain ones."""
     if isinstance(values, str | bytes) or not isinstance(values, Iterable):
         raise InvalidInputError(f"{quoted(name)} is {quoted(values)}, expected a list of values")
-    return tuple(_value(name, one) for one in values)
+    return tuple(_value(name, value) for value in values)
 
 
 def _value(name: str, value: Any) -> Value:
-    """A plain value: of numpy, too, so that the same sweep has the same digest."""
+    """Return a plain value, also for one of numpy, so that the same sweep has the same digest."""
     if hasattr(value, "item") and not isinstance(value, str | bytes):
         value = value.tolist()
     if isinstance(value, list | tuple):
-        return tuple(integer(f"{name}[{k}]", one, 1, 2**31) for k, one in enumerate(value))
-    # What a report cannot hold is no value, and would be found out at the end.
+        return tuple(integer(f"{name}[{k}]", number, 1, 2**31) for k, number in enumerate(value))
+    # A table cannot hold other values, which would fail at the end only.
     if isinstance(value, bool | int | str) or (isinstance(value, float) and isfinite(value)):
         return value
     raise InvalidInputError(
@@ -256,11 +256,10 @@ def _value(name: str, value: Any) -> Value:
     )
 
 
-# Sweeps written down in TOML, as docs/sweeps.md says.
-
+# Limits and keys of sweeps in TOML, see docs/sweeps.md.
 _MOST_BYTES = 16 * 2**20
 _MOST = 2**31 - 1
-_KNOWN = {
+_KEYS = {
     "": (
         "designs",
         "outputs",
@@ -286,71 +285,73 @@ def read_sweep(path: Path) -> Sweep:
     Raises
     ------
     FileFormatError
-        The file is no TOML, names what there is not, or holds a value that cannot be.
+        The file is no TOML, has an unknown name, or an invalid value.
     StorageError
         It, or a design, cannot be read.
     """
     try:
-        found = tomllib.loads(read_bytes(path, most=_MOST_BYTES).decode())
+        content = tomllib.loads(read_bytes(path, most=_MOST_BYTES).decode())
     except (ValueError, RecursionError) as error:
         raise FileFormatError(
             f"{named(path)}: is no TOML text ({printable(error)}). Correct that place, and try "
             "again."
         ) from error
     try:
-        return _sweep(found, path.parent)
+        return _sweep(content, path.parent)
     except InvalidInputError as error:
         raise FileFormatError(f"{named(path)}: {sentence(str(error))}") from error
 
 
-def _sweep(found: dict[str, Any], folder: Path) -> Sweep:
-    _refuse_unknown("", found)
-    names = found.get("designs")
-    if not isinstance(names, list) or not names or not all(isinstance(one, str) for one in names):
+def _sweep(content: dict[str, Any], folder: Path) -> Sweep:
+    _check_keys("", content)
+    names = content.get("designs")
+    if not isinstance(names, list) or not names or not all(isinstance(name, str) for name in names):
         raise InvalidInputError(
             f"designs is {quoted(names)}, expected a list of names of design files"
         )
-    files = [folder / one for one in names]
-    for one in files:
-        open_design(one)
-    level_db = found.get("level_db")
-    parquet = found.get("parquet", False)
+    files = [folder / name for name in names]
+    for file in files:
+        open_design(file)
+    level_db = content.get("level_db")
+    parquet = content.get("parquet", False)
     if not isinstance(parquet, bool):
         raise InvalidInputError(f"parquet is {quoted(parquet)}, expected true or false")
     plan = Plan(
         designs=named_designs(files),
-        variables=variables_of(_table(found, "vary")),
-        outputs=tuple(integer("an output", one, 1, _MOST) for one in _list(found, "outputs")),
-        axes=one_of("axes", found.get("axes", "xyz"), AXES),
-        method=one_of("method", found.get("method", "pca"), METHODS),
-        **level_of(_level(found, folder)),
-        limits=_limits(found),
+        variables=variables_of(_table(content, "vary")),
+        outputs=tuple(
+            integer("an output", output, 1, _MOST) for output in _list(content, "outputs")
+        ),
+        axes=one_of("axes", content.get("axes", "xyz"), AXES),
+        method=one_of("method", content.get("method", "pca"), METHODS),
+        **level_of(_level(content, folder)),
+        limits=_limits(content),
         level_db=None
         if level_db is None
         else real_number("level_db", level_db, least=LOWEST_DB, most=HIGHEST_DB),
     )
-    return Sweep(plan=plan, order=_order(found), files=_files(found), parquet=parquet)
+    return Sweep(plan=plan, order=_order(content), files=_files(content), parquet=parquet)
 
 
-def _level(found: dict[str, Any], folder: Path) -> str | Path | None:
-    """Name of a level, or where its table is: beside the sweep."""
-    level = found.get("level")
+def _level(content: dict[str, Any], folder: Path) -> str | Path | None:
+    """Return the name of a level, or the path of its table in the folder of the sweep."""
+    level = content.get("level")
     if level is not None and not isinstance(level, str):
         raise InvalidInputError(f"level is {quoted(level)}, expected a text")
     return folder / level if level is not None and level.lower().endswith(".csv") else level
 
 
-def _limits(found: dict[str, Any]) -> Limits:
-    table = _table(found, "limits")
-    _refuse_unknown("limits", table)
+def _limits(content: dict[str, Any]) -> Limits:
+    table = _table(content, "limits")
+    _check_keys("limits", table)
     return Limits(**table)
 
 
-def _order(found: dict[str, Any]) -> Order | None:
-    if "trials" not in found:
+def _order(content: dict[str, Any]) -> Order | None:
+    if "trials" not in content:
         return None
-    table = _table(found, "trials")
-    _refuse_unknown("trials", table)
+    table = _table(content, "trials")
+    _check_keys("trials", table)
     return Order(
         kind=one_of("order", table.get("order", "random"), KINDS),
         seed=table.get("seed", 0),
@@ -359,11 +360,11 @@ def _order(found: dict[str, Any]) -> Order | None:
     )
 
 
-def _files(found: dict[str, Any]) -> StimulusFiles | None:
-    if "stimuli" not in found:
+def _files(content: dict[str, Any]) -> StimulusFiles | None:
+    if "stimuli" not in content:
         return None
-    table = _table(found, "stimuli")
-    _refuse_unknown("stimuli", table)
+    table = _table(content, "stimuli")
+    _check_keys("stimuli", table)
     rate_hz = table.get("rate_hz")
     return StimulusFiles(
         format=table.get("format", "wav"),
@@ -371,35 +372,35 @@ def _files(found: dict[str, Any]) -> StimulusFiles | None:
     )
 
 
-def _table(found: dict[str, Any], name: str) -> dict[str, Any]:
-    table = found.get(name, {})
+def _table(content: dict[str, Any], name: str) -> dict[str, Any]:
+    table = content.get(name, {})
     if not isinstance(table, dict):
         raise InvalidInputError(f"{name} is {quoted(table)}, expected a table, [{name}]")
     return _flat(table)
 
 
 def _flat(table: dict[str, Any]) -> dict[str, Any]:
-    """TOML reads ``2.frequency_hz = […]`` as a table within the table."""
+    """Return a table without inner ones: TOML reads ``2.frequency_hz = […]`` as one."""
     flat: dict[str, Any] = {}
     for name, value in table.items():
         if isinstance(value, dict):
-            flat |= {f"{name}.{inner}": one for inner, one in value.items()}
+            flat |= {f"{name}.{inner}": inner_value for inner, inner_value in value.items()}
         else:
             flat[name] = value
     return flat
 
 
-def _list(found: dict[str, Any], name: str) -> list[Any]:
-    values = found.get(name, [])
+def _list(content: dict[str, Any], name: str) -> list[Any]:
+    values = content.get(name, [])
     if not isinstance(values, list):
         raise InvalidInputError(f"{name} is {quoted(values)}, expected a list")
     return values
 
 
-def _refuse_unknown(where: str, table: dict[str, Any]) -> None:
-    unknown = [name for name in table if name not in _KNOWN[where]]
+def _check_keys(where: str, table: dict[str, Any]) -> None:
+    unknown = [name for name in table if name not in _KEYS[where]]
     if unknown:
         raise InvalidInputError(
             f"{quoted(unknown[0])} is not known{f' in [{where}]' if where else ''}; there are "
-            f"{', '.join(_KNOWN[where])}"
+            f"{', '.join(_KEYS[where])}"
         )

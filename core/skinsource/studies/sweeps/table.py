@@ -1,4 +1,9 @@
-"""What a sweep found: one row of metrics for each stimulus."""
+"""The output of a sweep: its table, its journal and folder, and its stimuli as files.
+
+The journal holds all stimuli measured so far.  It has one line for each stimulus, with a checksum;
+a line that was cut or damaged does not count, and its stimulus is measured again.  The first line
+names the plan.
+"""
 
 import csv
 import io
@@ -42,7 +47,7 @@ from skinsource.studies.sweeps.plan import Order, Plan, trials
 from skinsource.version import __version__
 
 Cell = bool | int | float | str
-#: Name of the column that says why a stimulus has no metrics.
+#: Name of the column with the reason why a stimulus has no metrics.
 ERROR = "error"
 
 
@@ -82,20 +87,20 @@ class SweepTable:
 
     @property
     def failed(self) -> dict[int, str]:
-        """Why stimuli have no metrics, by number."""
+        """Reasons why stimuli have no metrics, by number."""
         return {int(row[0]): str(row[-1]) for row in self.rows if row[-1]}
 
 
-def table_of(plan: Plan, found: dict[int, Metrics | str]) -> SweepTable:
-    """The table of the stimuli of ``plan`` that were ``found`` so far."""
+def table_of(plan: Plan, outcomes: dict[int, Metrics | str]) -> SweepTable:
+    """Return the table of the stimuli of ``plan`` that were measured so far."""
     metrics = columns_of(plan)
     rows = [
         (
             number,
             *(_cell(value) for value in plan.values_of(number).values()),
-            *_measured(found[number], metrics),
+            *_metric_cells(outcomes[number], metrics),
         )
-        for number in sorted(found)
+        for number in sorted(outcomes)
     ]
     return SweepTable(("stimulus", *plan.names, *metrics, ERROR), tuple(rows))
 
@@ -124,12 +129,12 @@ def write_parquet(table: SweepTable, path: Path) -> None:
         parquet.write_table(arrow.table(columns), temporary)
 
 
-def _measured(found: Metrics | str, names: tuple[str, ...]) -> Iterator[Cell]:
-    if isinstance(found, str):
+def _metric_cells(outcome: Metrics | str, names: tuple[str, ...]) -> Iterator[Cell]:
+    if isinstance(outcome, str):
         yield from (math.nan for _ in names)
-        yield found
+        yield outcome
         return
-    yield from (found[name] for name in names)
+    yield from (outcome[name] for name in names)
     yield ""
 
 
@@ -145,14 +150,9 @@ def _as_text(value: Cell) -> str:
 
 
 def _uniform(values: np.ndarray) -> list[Any]:
-    found: list[Any] = values.tolist()
-    return found
+    plain: list[Any] = values.tolist()
+    return plain
 
-
-# What a sweep has measured so far, on disk: a kill loses nothing, and doubles nothing.
-#
-# One line for each stimulus, with a checksum; a line that was cut or damaged does not count, and
-# its stimulus is measured again.  The first line names the plan.
 
 _MOST_BYTES = 2**32
 _CHECKED = 16
@@ -166,15 +166,14 @@ class Journal:
     Parameters
     ----------
     path
-        The file; it is made where it does not exist.  What is no journal is renamed.
+        The file; it is created where it does not exist.  A file that is no journal is renamed.
     digest
-        Of the plan.  A file of another plan is refused.
+        Digest of the plan; a file of another plan is an error.
 
     Attributes
     ----------
     rows
-        What was measured: metrics by number of the stimulus; the sentence that says why where it
-        could not be.
+        Metrics by number of the stimulus; the reason where it could not be measured.
 
     Raises
     ------
@@ -193,15 +192,15 @@ class Journal:
             if first.startswith(content):
                 content = b""
             elif not _is_nearly(content[: len(first)], first):
-                _refuse_another_sweep(path, content)
+                _check_same_sweep(path, content)
                 _set_aside(path)
                 content = b""
-            # What was cut short goes, so that the next line begins a line.
-            sound = max(len(first), content.rfind(b"\n") + 1) if content else 0
-            self._read(content[len(first) : sound])
+            # An incomplete last line is deleted.
+            n_complete = max(len(first), content.rfind(b"\n") + 1) if content else 0
+            self._read(content[len(first) : n_complete])
             self._file = path.open("r+b" if is_there(path) else "w+b")
-            self._file.truncate(sound)
-            self._file.seek(sound)
+            self._file.truncate(n_complete)
+            self._file.seek(n_complete)
         except OSError as error:
             raise _unwritable(path, error) from error
         if not content:
@@ -213,15 +212,15 @@ class Journal:
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    def add(self, number: int, found: Metrics | str) -> None:
-        """Keep what was found of a stimulus, from 1, on disk; a second time changes nothing."""
+    def add(self, number: int, outcome: Metrics | str) -> None:
+        """Store the metrics, or error, of a stimulus, from 1; a second time changes nothing."""
         if number in self.rows:
             return
-        self.rows[number] = found
-        if isinstance(found, str):
-            self._write(_line({"stimulus": number, "error": found}))
+        self.rows[number] = outcome
+        if isinstance(outcome, str):
+            self._write(_line({"stimulus": number, "error": outcome}))
         else:
-            self._write(_line({"stimulus": number, "metrics": _finite(found)}))
+            self._write(_line({"stimulus": number, "metrics": _finite(outcome)}))
 
     def close(self) -> None:
         """Close the file; it stays."""
@@ -229,9 +228,9 @@ class Journal:
 
     def _read(self, content: bytes) -> None:
         for line in content.split(b"\n"):
-            tree = _checked(line)
+            tree = _content_of(line)
             if tree is not None:
-                self.rows[int(tree["stimulus"])] = _found_in(tree)
+                self.rows[int(tree["stimulus"])] = _outcome_of(tree)
 
     def _write(self, line: bytes) -> None:
         try:
@@ -244,30 +243,30 @@ class Journal:
 
 def _line(tree: dict[str, Any]) -> bytes:
     text = json.dumps(tree, allow_nan=False, separators=(",", ":")).encode()
-    return _sum(text) + b" " + text + b"\n"
+    return _checksum(text) + b" " + text + b"\n"
 
 
-def _sum(text: bytes) -> bytes:
+def _checksum(text: bytes) -> bytes:
     return sha256(text).hexdigest()[:_CHECKED].encode()
 
 
-def _checked(line: bytes) -> dict[str, Any] | None:
-    """What a line holds; None where it is damaged."""
+def _content_of(line: bytes) -> dict[str, Any] | None:
+    """Return the content of a line; None: it is damaged."""
     text = line[_CHECKED + 1 :]
-    if line[:_CHECKED] != _sum(text):
+    if line[:_CHECKED] != _checksum(text):
         return None
     tree: dict[str, Any] = json.loads(text)
     return tree
 
 
 def _is_nearly(line: bytes, expected: bytes) -> bool:
-    """Whether ``line`` is ``expected``, perhaps with a few damaged bytes."""
+    """Return whether ``line`` is ``expected``, perhaps with a few damaged bytes."""
     damaged = sum(a != b for a, b in zip(line, expected, strict=False))
     return len(line) == len(expected) and damaged <= _MOST_DAMAGED
 
 
-def _refuse_another_sweep(path: Path, content: bytes) -> None:
-    if _checked(content.partition(b"\n")[0]) is not None:
+def _check_same_sweep(path: Path, content: bytes) -> None:
+    if _content_of(content.partition(b"\n")[0]) is not None:
         raise InvalidInputError(
             f"{named(path)} belongs to another sweep. Choose another folder, or delete the file to "
             "begin anew."
@@ -275,7 +274,7 @@ def _refuse_another_sweep(path: Path, content: bytes) -> None:
 
 
 def _set_aside(path: Path) -> None:
-    """Rename ``path`` to a name that is free."""
+    """Rename ``path`` to a free name."""
     names = (path.with_stem(f"{path.stem} set aside {number}") for number in count(1))
     path.rename(next(name for name in names if not is_there(name)))
 
@@ -284,7 +283,7 @@ def _finite(metrics: Metrics) -> dict[str, float | None]:
     return {name: value if math.isfinite(value) else None for name, value in metrics.items()}
 
 
-def _found_in(tree: dict[str, Any]) -> Metrics | str:
+def _outcome_of(tree: dict[str, Any]) -> Metrics | str:
     if "error" in tree:
         return str(tree["error"])
     return {
@@ -298,22 +297,20 @@ def _unwritable(path: Path, error: OSError) -> StorageError:
     )
 
 
-# The folder of a sweep.
-
-#: What was measured so far; it stays, so that a sweep that is run again has nothing to do.
+#: The journal; it stays, so that a sweep that is run again has nothing to do.
 JOURNAL = "measured.jsonl"
 TABLE, PARQUET, TRIALS, ABOUT = "stimuli.csv", "stimuli.parquet", "trials.csv", "sweep.json"
 
 
 class Folder:
-    """Where a sweep writes; one process at a time.
+    """The folder of a sweep; one process writes to it at a time.
 
     Parameters
     ----------
     path
-        It is made where it does not exist.
+        The folder; it is created where it does not exist.
     digest
-        Of the plan: a folder of another one is refused.
+        Digest of the plan; a folder of another plan is an error.
 
     Raises
     ------
@@ -370,33 +367,33 @@ class Folder:
 
 
 def _trials_csv(order: Order, table: SweepTable) -> bytes:
-    """Trials of the stimuli that there are: those that could not be measured are left out."""
+    """Return the trials as CSV, without stimuli that could not be measured."""
     failed = table.failed
     stimuli = [number for row in table.rows if (number := int(row[0])) not in failed]
     text = io.StringIO(newline="")
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(("participant", "block", "trial", "stimulus"))
     writer.writerows(
-        (one.participant, one.block, one.trial, one.stimulus) for one in trials(order, stimuli)
+        (trial.participant, trial.block, trial.trial, trial.stimulus)
+        for trial in trials(order, stimuli)
     )
     return text.getvalue().encode()
 
 
-# The stimuli of a sweep as files that actuators play.
-
+#: Name of the folder of the stimuli as files that actuators play.
 FOLDER = "stimuli"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StimulusFiles:
-    """In which form stimuli are exported.
+    """Format of the exported stimuli of a sweep.
 
     Attributes
     ----------
     format
         One of `skinsource.export_formats`.
     rate_hz
-        Sample rate; None: what the format usually has.
+        Sample rate; None: the usual one of the format.
     """
 
     format: str = "wav"
@@ -416,10 +413,10 @@ class StimulusFiles:
         progress: Progress = silent,
         stop: Stop = never,
     ) -> None:
-        """Export each stimulus that was measured; those that are there already are left alone.
+        """Export each stimulus that was measured; existing files stay.
 
-        A file of another rate than is asked for is written anew.  The largest drive of all of
-        them is full scale in every file, so that their differences stay.
+        A file of another rate is written anew.  The largest drive of all stimuli is full scale in
+        every file, so that their differences stay.
 
         Raises
         ------
@@ -431,7 +428,7 @@ class StimulusFiles:
         waiting = [
             (path, design)
             for path, design in self._files(plan, table, out / FOLDER)
-            if not self._there(path)
+            if not self._is_exported(path)
         ]
         if not waiting:
             return
@@ -443,20 +440,20 @@ class StimulusFiles:
             progress(done, len(waiting), f"Exporting {path.name}")
             export_stimulus(design, path, self.format, self.rate_hz, options=options, stop=stop)
 
-    def _there(self, path: Path) -> bool:
-        """Whether a stimulus is exported in this form."""
-        beside, kind = sidecar_path(path), format_named(self.format, Path())
-        if not (is_there(path) and is_there(beside)):
+    def _is_exported(self, path: Path) -> bool:
+        """Return whether a stimulus is exported in this format."""
+        sidecar, kind = sidecar_path(path), format_named(self.format, Path())
+        if not (is_there(path) and is_there(sidecar)):
             return False
         own_rate = kind.fixed_rate or self.rate_hz is None
         try:
-            about = json.loads(beside.read_text(encoding="utf-8"))
+            about = json.loads(sidecar.read_text(encoding="utf-8"))
             return bool(about["rate_hz"] == (kind.rate_hz if own_rate else self.rate_hz))
         except (OSError, ValueError, KeyError, TypeError):
             return False
 
     def _files(self, plan: Plan, table: SweepTable, folder: Path) -> Iterator[tuple[Path, Design]]:
-        """Where each stimulus that was measured goes, and its design."""
+        """Yield the path and the design of each stimulus that was measured."""
         suffix = format_named(self.format, Path()).suffix
         failed, width = table.failed, len(str(len(plan)))
         for number, factor in zip(table.column("stimulus"), table.column("factor"), strict=True):
@@ -467,20 +464,22 @@ class StimulusFiles:
     def _full_scale(
         self, plan: Plan, table: SweepTable, out: Path, *, progress: Progress, stop: Stop
     ) -> float:
-        """The largest drive of any stimulus, at the rate of the files; 1 where all are silent."""
+        """Return the largest drive of all stimuli, at the rate of the files; 1 for silence."""
         kind, largest = format_named(self.format, Path()), 0.0
         for done, (path, design) in enumerate(self._files(plan, table, out / FOLDER)):
             stop_if(stop)
             progress(done, len(table), "Looking for the largest drive")
-            found = prepare_stimulus(design, path, kind, self.rate_hz, StimulusOptions(), stop=stop)
-            largest = max(largest, float(np.abs(found.drives.samples).max(initial=0.0)))
-        # A little more, so that rounding takes no sample beyond it.
+            prepared = prepare_stimulus(
+                design, path, kind, self.rate_hz, StimulusOptions(), stop=stop
+            )
+            largest = max(largest, float(np.abs(prepared.drives.samples).max(initial=0.0)))
+        # A little more, so that no sample is rounded beyond it.
         return largest * (1.0 + 2.0**-50) or 1.0
 
 
 def louder(design: Design, factor: float) -> Design:
-    """The design with all amplitudes times ``factor``."""
+    """Return the design with all amplitudes times ``factor``."""
     if factor == 1.0 or math.isnan(factor):
         return design
-    inputs = (replace(one, amplitude=one.amplitude * factor) for one in design.inputs)
+    inputs = (replace(track, amplitude=track.amplitude * factor) for track in design.inputs)
     return replace(design, inputs=tuple(inputs))

@@ -20,7 +20,7 @@ def main() -> None:
     """Answer requests until there are no more."""
     answers = _own_output()
     keep_freed_memory()
-    # Modules stay: to look through them for what can be freed takes as long as a hundred stimuli.
+    # Modules stay: a garbage collection through them takes as long as a hundred stimuli.
     gc.freeze()
     measurer: Measurer | None = None
     for line in sys.stdin.buffer:
@@ -29,15 +29,15 @@ def main() -> None:
             measurer = Measurer(plan_of(request["plan"]))
         elif measurer is not None:
             for number in request["measure"]:
-                found = metrics_or_reason(measurer, number)
-                kind = "error" if isinstance(found, str) else "metrics"
-                text = json.dumps({"stimulus": number, kind: found})
+                outcome = metrics_or_reason(measurer, number)
+                kind = "error" if isinstance(outcome, str) else "metrics"
+                text = json.dumps({"stimulus": number, kind: outcome})
                 answers.write(text.encode() + b"\n")
                 answers.flush()
 
 
 def _own_output() -> IO[bytes]:
-    """What answers are written to; libraries that print do not write into it."""
+    """Return the file for the answers; prints of libraries go to another one."""
     own = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
     return own

@@ -1,6 +1,6 @@
-"""Measures stimuli in several processes, so that all cores are used.
+"""Measurement of stimuli in several processes, so that all cores are used.
 
-A process that ends by itself is started anew; a stimulus that ended two of them is given up.
+A process that ends by itself is started anew; a stimulus that ended two processes gets an error.
 """
 
 import json
@@ -20,19 +20,19 @@ from skinsource.base.job import Stop, never, stop_if
 from skinsource.studies.sweeps.measuring import Metrics
 from skinsource.studies.sweeps.plan import Plan, chunks
 
-#: The child; it takes no module from the folder that happens to be the current one.
+#: Command of the process; it imports no module from the current folder.
 COMMAND = (sys.executable, "-P", "-m", "skinsource.studies.sweeps.worker")
-_BETWEEN_LOOKS_S = 0.05
+_POLL_S = 0.05
 _MOST_LOST = 2
 
-#: Number of a stimulus, and its metrics or the sentence that says why it has none.
+#: Number of a stimulus, and its metrics or the reason why it has none.
 Row = tuple[int, Metrics | str]
 
 
 def measured(
     plan: Plan, numbers: Iterable[int], processes: int, stop: Stop = never
 ) -> Iterator[Row]:
-    """Give what is found of some stimuli of ``plan``, in any order, each once.
+    """Yield the metrics, or errors, of some stimuli of ``plan``, in any order.
 
     Raises
     ------
@@ -45,13 +45,13 @@ def measured(
     rows: SimpleQueue[Row | BaseException | None] = SimpleQueue()
     servers = [_Server(plan, tasks, rows) for _ in range(max(1, processes))]
     try:
-        for one in servers:
-            one.start()
+        for server in servers:
+            server.start()
         running = len(servers)
         while running:
             stop_if(stop)
             try:
-                row = rows.get(timeout=_BETWEEN_LOOKS_S)
+                row = rows.get(timeout=_POLL_S)
             except Empty:
                 continue
             if row is None:
@@ -61,12 +61,12 @@ def measured(
             else:
                 yield row
     finally:
-        for one in servers:
-            one.end()
+        for server in servers:
+            server.end()
 
 
 class _Tasks:
-    """What is left to do; threads take pieces of it."""
+    """The remaining stimuli; threads take chunks of them."""
 
     def __init__(self, numbers: Iterable[int]) -> None:
         self._waiting = deque(chunks(numbers))
@@ -78,7 +78,10 @@ class _Tasks:
             return self._waiting.popleft() if self._waiting else None
 
     def give_back(self, numbers: tuple[int, ...]) -> tuple[int, ...]:
-        """Do the rest of a chunk again, whose first one ended its process; returns the given up."""
+        """Put back the rest of a chunk, whose first stimulus ended its process.
+
+        Returns the stimuli that are given up.
+        """
         if not numbers:
             return ()
         with self._lock:
@@ -105,7 +108,7 @@ class _Server(Thread):
         """Work until nothing is left, or `end`."""
         try:
             while not self._given_up and (chunk := self._tasks.next()) is not None:
-                self._do(chunk)
+                self._measure(chunk)
         except BaseException as error:  # noqa: BLE001  raised by whoever takes the rows
             self._rows.put(error)
         finally:
@@ -121,28 +124,28 @@ class _Server(Thread):
                 process.kill()
         self.join()
 
-    def _do(self, chunk: tuple[int, ...]) -> None:
-        left = deque(chunk)
+    def _measure(self, chunk: tuple[int, ...]) -> None:
+        remaining = deque(chunk)
         try:
             pipe = self._pipe()
             pipe.write(json.dumps({"measure": chunk}).encode() + b"\n")
             pipe.flush()
-            while left:
-                left_number, found = self._answer()
-                self._rows.put((left_number, found))
-                left.remove(left_number)
-        except (_Lost, OSError):
+            while remaining:
+                number, outcome = self._answer()
+                self._rows.put((number, outcome))
+                remaining.remove(number)
+        except (_ProcessLost, OSError):
             self._close()
             if self._given_up:
                 return
-            for number in self._tasks.give_back(tuple(left)):
+            for number in self._tasks.give_back(tuple(remaining)):
                 self._rows.put((number, "the process that measured it ended, twice"))
 
     def _answer(self) -> Row:
         out = self._process.stdout if self._process else None
         line = out.readline() if out else b""
         if not line.endswith(b"\n"):
-            raise _Lost
+            raise _ProcessLost
         tree = json.loads(line)
         if "error" in tree:
             return int(tree["stimulus"]), str(tree["error"])
@@ -158,7 +161,7 @@ class _Server(Thread):
                 pipe.flush()
         pipe = self._process.stdin
         if pipe is None:
-            raise _Lost
+            raise _ProcessLost
         return pipe
 
     def _close(self) -> None:
@@ -173,7 +176,7 @@ class _Server(Thread):
                     pipe.close()
 
 
-class _Lost(Exception):
+class _ProcessLost(Exception):
     """The process ended before it had answered."""
 
 
