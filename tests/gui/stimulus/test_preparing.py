@@ -26,7 +26,7 @@ def gate(monkeypatch):
             stop_if(stop)
         return whole(*arguments, progress=progress, stop=stop, **options)
 
-    monkeypatch.setattr(preparing_worker, "prepared", held)
+    monkeypatch.setattr(preparing_worker, "prepare_stimulus", held)
     yield gate
     gate.set()
 
