@@ -114,9 +114,9 @@ def paint_curve(
     theme: Theme,
 ) -> None:
     """Paint a line at 1, the curve and its points, of which the ``chosen`` one is filled."""
-    one = scale.place(0.0, 1.0, inside).y()
+    one_y = scale.place(0.0, 1.0, inside).y()
     painter.setPen(QPen(QColor(theme.grid), 1))
-    painter.drawLine(QPointF(inside.left(), one), QPointF(inside.right(), one))
+    painter.drawLine(QPointF(inside.left(), one_y), QPointF(inside.right(), one_y))
     painter.setPen(QPen(QColor(theme.accent), 1.5))
     painter.drawPolyline(QPolygonF(scale.course(points, inside)))
     for k, (x, y, _) in enumerate(points):
@@ -267,7 +267,7 @@ class CurveMouse:
         if self._drag is None:
             return
         gesture, start, pressed = self._drag
-        here, there = (self.scale.value(one, self._area()) for one in (at, pressed))
+        here, there = (self.scale.value(point, self._area()) for point in (at, pressed))
         chosen = self._points.chosen
         x, y, _ = start[min(chosen, len(start) - 1)]
         to_x, to_y = self._rounded(x + here[0] - there[0]), round(y + here[1] - there[1], 3)

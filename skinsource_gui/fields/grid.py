@@ -227,7 +227,7 @@ class FieldGrid(QWidget):
         self._above = self.width() < self._paired_px
         self._arrange()
         proxies = (cell.focusProxy() for cell in cells)
-        stops = [one for one in proxies if one is not None]
+        stops = [proxy for proxy in proxies if proxy is not None]
         for before, after in pairwise(stops):
             self.setTabOrder(before, after)
         for cell in cells:

@@ -76,12 +76,12 @@ def figure_text(waveform: Waveform) -> str:
     if name:
         return printable(name)
     if path := _path_hz(waveform):
-        return f"{waveform.title} {'–'.join(number_text(one, 'Hz', digits=4) for one in path)} Hz"
+        return f"{waveform.title} {'–'.join(number_text(hz, 'Hz', digits=4) for hz in path)} Hz"
     for name, spec in specs_of(waveform).items():
         if isinstance(spec, ListSpec) and isinstance(spec.of, NumberSpec):
             values = getattr(waveform, name)
             ends = values[:: max(len(values) - 1, 1)]
-            words = "–".join(number_text(one, spec.of.unit, digits=4) for one in ends)
+            words = "–".join(number_text(end, spec.of.unit, digits=4) for end in ends)
             return f"{waveform.title} {words} {spec.of.unit}"
         if isinstance(spec, NumberSpec) and name != DURATION_FIELD:
             number = value_text(getattr(waveform, name), spec.unit, digits=4)
@@ -114,14 +114,14 @@ def full_label(waveform: Waveform) -> str:
         if isinstance(spec, NumberSpec) and name not in _SAID and spec.unit != "rad":
             number = value_text(value, spec.unit, digits=4)
             if not any(
-                figure.endswith(f" {one}") for one in (number, f"{spec.label.lower()} {number}")
+                figure.endswith(f" {ending}") for ending in (number, f"{spec.label.lower()} {number}")
             ):
                 more.append(f"{spec.label.lower()} {number}")
         elif isinstance(spec, TextSpec) and name != "name":
             words = printable(value)
             more.append(words if len(words) <= _MOST_LETTERS else f"{words[:_MOST_LETTERS]}…")
         elif isinstance(spec, ListSpec) and isinstance(spec.of, ModelSpec):
-            inside = [full_label(one.waveform) for one in value if isinstance(one, Clip)]
+            inside = [full_label(clip.waveform) for clip in value if isinstance(clip, Clip)]
             more += [*inside[:_MOST_PARTS], *["…"] * (len(inside) > _MOST_PARTS)]
     return f"{figure} ({', '.join(more)})" if more else figure
 
@@ -163,10 +163,10 @@ def _path_hz(waveform: Waveform) -> tuple[float, ...]:
             return tuple(getattr(waveform, name) for name in ends)
     for name, spec in specs.items():
         if isinstance(spec, PointsSpec):
-            at = next((k for k, one in enumerate(spec.columns) if one.unit == "Hz"), None)
+            at = next((k for k, column in enumerate(spec.columns) if column.unit == "Hz"), None)
             if at is not None:
                 path = [point[at] for point in getattr(waveform, name)]
-                turns = tuple(one for k, one in enumerate(path) if k == 0 or one != path[k - 1])
+                turns = tuple(hz for k, hz in enumerate(path) if k == 0 or hz != path[k - 1])
                 return turns if len(turns) <= _MOST_TOLD else (min(turns), max(turns))
     return ()
 
@@ -181,8 +181,8 @@ def waveforms_of(results: Mapping[str, Any]) -> dict[int, Floats]:
     """
     return {
         clip.id: samples
-        for one, waveforms in zip(results["inputs"], results["clip_waveforms"], strict=True)
-        for clip, samples in zip(one.clips, waveforms, strict=True)
+        for track, waveforms in zip(results["inputs"], results["clip_waveforms"], strict=True)
+        for clip, samples in zip(track.clips, waveforms, strict=True)
         if samples is not None
     }
 
@@ -220,8 +220,8 @@ class Entry:
 
 #: What can be done to inputs wherever they are.
 ENTRIES = (
-    Entry(words="Mute{}", key="mute", edit=edits.toggle_mute, on=lambda one: one.muted),
-    Entry(words="Solo{}", key="solo", edit=edits.toggle_solo, on=lambda one: one.solo),
+    Entry(words="Mute{}", key="mute", edit=edits.toggle_mute, on=lambda track: track.muted),
+    Entry(words="Solo{}", key="solo", edit=edits.toggle_solo, on=lambda track: track.solo),
     Entry(words="Duplicate{}", key="duplicate", edit=edits.duplicate_inputs, separated=True),
     Entry(words="Remove{}", key="remove", edit=edits.remove_inputs),
 )

@@ -126,7 +126,7 @@ def _colour(mode: QIcon.Mode) -> QColor:
 
 
 def _samples_of(kind: type[Waveform]) -> Floats:
-    shown = next((one for one in _SHOWN if type(one) is kind), None) or kind()
+    shown = next((waveform for waveform in _SHOWN if type(waveform) is kind), None) or kind()
     try:
         return shown.samples(_RATE_HZ)
     except InvalidInputError:

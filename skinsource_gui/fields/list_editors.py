@@ -120,7 +120,7 @@ class SweepDialog(QDialog):
         return field
 
     def _show_list(self, *_: object) -> None:
-        values = tuple(float(f"{one:.5g}") for one in self.values)
+        values = tuple(float(f"{value:.5g}") for value in self.values)
         more = f" … ({len(values)})" if len(values) > _MOST_SHOWN else ""
         self._list.setText(f"{numbers_text(values[:_MOST_SHOWN], self._spec)}{more} Hz")
 
@@ -210,7 +210,7 @@ class NumbersEditor(Listed):
 
     def advice(self) -> str:
         """Warn of frequencies that were not measured."""
-        outside = tuple(one for one in self._value if not self._spec.of.is_known(one))
+        outside = tuple(value for value in self._value if not self._spec.of.is_known(value))
         if not outside:
             return ""
         words = numbers_text(outside[:3], self._spec) + (" …" if len(outside) > 3 else "")
@@ -236,7 +236,7 @@ class CurveText(Listed):
         self._pairs = PointsSpec(
             label=spec.label, columns=(spec.x, spec.y), fewest=spec.fewest, most=spec.most
         )
-        names = ", ".join(column_label(one) for one in self._pairs.columns)
+        names = ", ".join(column_label(column) for column in self._pairs.columns)
         super().__init__(spec, parent, f"{spec.hint}. Each point: {names}; semicolons between")
 
     def _read(self, text: str) -> tuple[tuple[float, ...], ...]:
@@ -272,10 +272,10 @@ class GlideCurve(CurveField):
         """The points, within what is allowed; a held one stays until just before the next."""
         low, high = self._y.minimum, self._y.maximum
         within = [(x, min(max(y, low), high), kind) for x, y, kind in self.value]
-        found = []
+        points = []
         for (x, y, kind), after in pairwise(within):
-            found += [(x, y), (after[0], y)] if kind == "held" else [(x, y)]
-        return (*found, within[-1][:2])
+            points += [(x, y), (after[0], y)] if kind == "held" else [(x, y)]
+        return (*points, within[-1][:2])
 
     def show_curve(self, curve: Curve) -> None:
         """Show a curve, and tell nobody; a point that bends nothing yet stays."""
@@ -287,7 +287,7 @@ class PointsEditor(Listed):
     """Edits points of time, frequency and amplitude."""
 
     def __init__(self, spec: PointsSpec, parent: QWidget) -> None:
-        names = ", ".join(column_label(one) for one in spec.columns)
+        names = ", ".join(column_label(column_spec) for column_spec in spec.columns)
         super().__init__(spec, parent, f"{spec.hint}. Each point: {names}; semicolons between")
         self.field = QWidget(parent)
         column = QVBoxLayout(self.field)
@@ -295,8 +295,8 @@ class PointsEditor(Listed):
         column.setSpacing(4)
         column.addWidget(self.line)
         self.curves: dict[Column, GlideCurve] = {}
-        for name, one in zip(_COLUMNS, spec.columns[1:], strict=False):
-            curve = GlideCurve(_spec_of(spec.columns[0], one), self.field)
+        for name, column_spec in zip(_COLUMNS, spec.columns[1:], strict=False):
+            curve = GlideCurve(_spec_of(spec.columns[0], column_spec), self.field)
             curve.setObjectName(f"{name}_curve")
             curve.edited.connect(partial(self._draw, name))
             self.curves[name] = curve

@@ -113,7 +113,7 @@ class PartFields(QObject):
     def cells(self) -> tuple[EditedCell, ...]:
         """All cells, in reading order."""
         kind = () if self._kind is None else (self._kind,)
-        held = [cell for one in self._held.values() for cell in one.cells]
+        held = [cell for part_fields in self._held.values() for cell in part_fields.cells]
         plain = [cell for cell in self._own.values() if not cell.across]
         lists = [cell for cell in self._own.values() if cell.across]
         return (*kind, *held, *plain, *lists)
@@ -177,8 +177,8 @@ class PartFields(QObject):
         self.rebuilt.emit()
         for part in (widget for cell in gone for widget in (cell.label, cell)):
             part.deleteLater()
-        for one in old:
-            one.deleteLater()
+        for part_fields in old:
+            part_fields.deleteLater()
 
     def _cell(self, name: str, spec: Spec) -> EditedCell:
         cell = EditedCell(name, spec, self._new_editor)
@@ -201,7 +201,7 @@ class PartFields(QObject):
 
     def _change_kind(self, _: str, name: str, gesture: int | None) -> None:
         self._last = "kind"
-        kind = next(one for one in self._spec.kinds() if one.__name__ == name)
+        kind = next(kind for kind in self._spec.kinds() if kind.__name__ == name)
         rate_hz = self._spec.rate_hz or facts_of("").sample_rate_hz
         self._tell(as_kind(self._recipe, kind, rate_hz), gesture)
 
@@ -676,10 +676,10 @@ class PartsEditor(QObject):
             row.forget_typing()
 
     def _show(self) -> None:
-        count, found = len(self._value), _rows_of(self._value, self.rows, self._new_row)
+        count, rows = len(self._value), _rows_of(self._value, self.rows, self._new_row)
         for index, part in enumerate(self._value):
-            found[index].show_part(part, index, count, self._spec.fewest)
-        self._column.show_rows(found)
+            rows[index].show_part(part, index, count, self._spec.fewest)
+        self._column.show_rows(rows)
         self._add.show_count(count)
 
     def _new_row(self) -> PartRow:
@@ -732,15 +732,15 @@ def _rows_of(
 ) -> tuple[PartRow, ...]:
     """A row goes on with its part, wherever that stands, or with what came to its place."""
     left = list(rows)
-    found: dict[int, PartRow] = {}
+    row_at: dict[int, PartRow] = {}
     for index, part in enumerate(parts):
         own = next((row for row in left if row.part is part), None)
         if own is not None:
-            found[index] = own
+            row_at[index] = own
             left.remove(own)
     for index in range(len(parts)):
-        if index not in found:
+        if index not in row_at:
             here = [row for row in rows[index : index + 1] if row in left]
-            found[index] = here[0] if here else new_row()
+            row_at[index] = here[0] if here else new_row()
             left = [row for row in left if row not in here]
-    return tuple(found[index] for index in range(len(parts)))
+    return tuple(row_at[index] for index in range(len(parts)))

@@ -245,8 +245,8 @@ def parse_number(text: str, spec: NumberSpec, beside_si: float = 0.0) -> float:
         raise InvalidInputError(f"{spec.label}: the number is too long. {allowed}") from None
     if math.isinf(value) or not spec.minimum <= value <= spec.maximum:
         side = "low" if value < spec.minimum else "high"
-        found = minus(with_unit(match[1], unit) if not match[2] else typed)
-        raise InvalidInputError(f"{spec.label}: {found} is too {side}. {allowed}")
+        written = minus(with_unit(match[1], unit) if not match[2] else typed)
+        raise InvalidInputError(f"{spec.label}: {written} is too {side}. {allowed}")
     if spec.whole and value != int(value):
         raise InvalidInputError(f"{spec.label}: {typed} is not a whole number. {allowed}")
     return value
@@ -383,7 +383,7 @@ def read_numbers(text: str, spec: ListSpec) -> tuple[float, ...]:
     InvalidInputError
         One of them is no number that is allowed, or there are too few or too many.
     """
-    values = tuple(parse_number(one, number_of(spec)) for one in _parts(text))
+    values = tuple(parse_number(part, number_of(spec)) for part in _parts(text))
     if not spec.fewest <= len(values) <= spec.most:
         raise InvalidInputError(
             f"{spec.label}: {len(values)} typed. Allowed: {spec.fewest} to {spec.most} numbers, "
@@ -400,11 +400,11 @@ def points_text(points: tuple[tuple[float, ...], ...], spec: PointsSpec) -> str:
     """
     if spec.columns[0].unit == "s":
         times_s = [point[0] for point in points]
-        rounded = [_rounded(one) for one in times_s]
+        rounded = [_rounded(time_s) for time_s in times_s]
         if len(set(rounded)) == len(set(times_s)):
             points = tuple((time, *point[1:]) for time, point in zip(rounded, points, strict=True))
     return "; ".join(
-        " ".join(_shown(value, one) for value, one in zip(point, spec.columns, strict=True))
+        " ".join(_shown(value, column) for value, column in zip(point, spec.columns, strict=True))
         for point in points
     )
 
@@ -418,7 +418,7 @@ def read_points(text: str, spec: PointsSpec) -> tuple[tuple[float, ...], ...]:
         One of the numbers is not allowed, a point has too few or too many, there are too few or
         too many points, or they go back.
     """
-    names = ", ".join(column_label(one) for one in spec.columns)
+    names = ", ".join(column_label(column) for column in spec.columns)
     points = []
     for row in filter(str.strip, text.split(";")):
         parts = list(filter(None, re.split(r"[,\s]+", row.strip())))

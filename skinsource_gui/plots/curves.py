@@ -126,10 +126,10 @@ class Curves:
         """Lowest and highest value of all curves, and of the wave where it is known."""
         low, high = float(self.y.min()), float(self.y.max())
         finite = np.isfinite(low) and np.isfinite(high)
-        found = None if self.wave is None or not finite else self.wave.extremes(0, self.x.size)
-        if found is None:
+        extremes = None if self.wave is None or not finite else self.wave.extremes(0, self.x.size)
+        if extremes is None:
             return low, high
-        wave_low, wave_high = found.range
+        wave_low, wave_high = extremes.range
         return min(low, wave_low), max(high, wave_high)
 
     @property
@@ -235,8 +235,8 @@ class VisibleRange:
 
     def beyond(self, values: Range) -> Range | None:
         """Lowest and highest value of a wave that leaves a range; a wave passes its points."""
-        found = self.extremes if self.wave else None
-        return found if found and (found[0] < values[0] or found[1] > values[1]) else None
+        extremes = self.extremes if self.wave else None
+        return extremes if extremes and (extremes[0] < values[0] or extremes[1] > values[1]) else None
 
 
 def visible_range(
@@ -265,8 +265,8 @@ def visible_range(
     if window.axis.log:
         x, y = x[curves.x > 0], y[:, curves.x > 0]
     wave = None if curves.wave is None else _placed(curves.wave, window, n_drawn)
-    found = columns.of(x, window.shown, int(row.width() * ratio))
-    return course_of(found, y, wave, row.width(), ratio)
+    visible = columns.of(x, window.shown, int(row.width() * ratio))
+    return course_of(visible, y, wave, row.width(), ratio)
 
 
 def _placed(wave: Wave, window: XWindow, n_drawn: int) -> Wave:
@@ -277,14 +277,14 @@ def _placed(wave: Wave, window: XWindow, n_drawn: int) -> Wave:
         return window.axis.positions(x), y[:n_drawn]
 
     def extremes(first: int, end: int) -> Extremes | None:
-        found = wave.extremes(first, end)
-        return None if found is None else found.of_first(n_drawn)
+        extremes_of_all = wave.extremes(first, end)
+        return None if extremes_of_all is None else extremes_of_all.of_first(n_drawn)
 
     return Wave(points=points, extremes=extremes)
 
 
 def course_of(
-    found: Columns, y: Floats, wave: Wave | None, width_px: float, ratio: float
+    columns: Columns, y: Floats, wave: Wave | None, width_px: float, ratio: float
 ) -> VisibleRange:
     """What is seen of curves ``y``, (n_curves, n_points), where their columns are known.
 
@@ -296,16 +296,16 @@ def course_of(
         Over how many px they go, and dots in a px.
     """
     if wave is None:
-        return VisibleRange(line=found.points(y))
-    part = found.part.start, found.part.stop
+        return VisibleRange(line=columns.points(y))
+    part = columns.part.start, columns.part.stop
     apart_px = width_px / max(part[1] - part[0], 1)
-    if found.starts is not None or apart_px * ratio < _WAVE_PX:
+    if columns.starts is not None or apart_px * ratio < _WAVE_PX:
         extremes = wave.extremes(*part)
         if extremes is None:
-            return VisibleRange(line=found.points(y))
-        return VisibleRange(line=found.reached(y, extremes), wave=True)
+            return VisibleRange(line=columns.points(y))
+        return VisibleRange(line=columns.reached(y, extremes), wave=True)
     instants, waves = wave.points(*part)
-    dots = found.points(y) if apart_px >= _DOTS_PX else None
+    dots = columns.points(y) if apart_px >= _DOTS_PX else None
     return VisibleRange(line=Points(x=instants, y=waves), wave=True, dots=dots)
 
 

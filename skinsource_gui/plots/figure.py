@@ -32,7 +32,7 @@ _LEAST = 0.4
 
 def shrunk(font: QFont, words: Sequence[str], room_px: float) -> QFont:
     """The font, or a smaller one, in which each of some words has room: numbers are not cut."""
-    widest = max((QFontMetricsF(font).horizontalAdvance(one) for one in words), default=0.0)
+    widest = max((QFontMetricsF(font).horizontalAdvance(text) for text in words), default=0.0)
     return scaled(font, max(room_px / widest, _LEAST)) if widest > room_px else font
 
 
@@ -187,7 +187,7 @@ class Axis:
         if self.log:
             # Numbers that rise by factors stand apart, where as many round ones would not.
             ticks = log_ticks(low * self.factor, high * self.factor, 2.0 * airy)
-            return tuple(replace(one, value=one.value / self.factor) for one in ticks)
+            return tuple(replace(tick, value=tick.value / self.factor) for tick in ticks)
         return readable_ticks(low, high, airy, 2.0 * airy, self.factor)
 
 
@@ -510,7 +510,7 @@ _STROKE_PX, _WIDE_PX, _OUTPUT_LEGEND_GAP_PX = 3.0, 12.0, 5.0
 def legend_texts(outputs: tuple[int, ...], room_px: float, painter: QPainter) -> list[str]:
     """Its head, numbers of the outputs, and how many more there is no room for."""
     head = "Output" if len(outputs) == 1 else "Outputs"
-    numbers = [str(one) for one in outputs]
+    numbers = [str(output) for output in outputs]
     for count in range(len(numbers), 0, -1):
         left = len(numbers) - count
         words = [head, *numbers[:count], *([f"+{left}"] if left else [])]

@@ -115,8 +115,8 @@ class OutputMouse(QObject):
             return
         band, self.band, self._pressed = self.band, None, None
         if band is not None:
-            found = outputs_inside(points, band)
-            self.meant.emit(joined(outputs, found) if adds else found)
+            inside = outputs_inside(points, band)
+            self.meant.emit(joined(outputs, inside) if adds else inside)
             return
         number = output_at(points, at)
         if number is not None:

@@ -120,7 +120,7 @@ OWN = "own"
 
 def layout_of(name: str) -> Layout | None:
     """The layout of that name; None for a size of one's own."""
-    return next((one for one in LAYOUTS if one.name == name), None)
+    return next((layout for layout in LAYOUTS if layout.name == name), None)
 
 
 # Pages whose words are found by those who search and copy.
@@ -158,12 +158,12 @@ def searchable(pdf: bytes) -> bytes:
 
 def _mended(pdf: bytes, number: int) -> bytes:
     """What the letters of a font mean, with blanks; nothing where there is nothing to mend."""
-    found = re.search(
+    stream = re.search(
         rb"(?<!\d)%d 0 obj\s*<<(.*?)>>\s*stream\r?\n(.*?)\r?\nendstream" % number, pdf, re.DOTALL
     )
-    if found is None:
+    if stream is None:
         return b""
-    letters = zlib.decompress(found[2]) if b"/FlateDecode" in found[1] else found[2]
+    letters = zlib.decompress(stream[2]) if b"/FlateDecode" in stream[1] else stream[2]
     mended = _MEANINGS.sub(lambda meanings: meanings[0].replace(_TAB, _BLANK), letters)
     return b"" if mended == letters else mended
 
@@ -389,7 +389,7 @@ Named = tuple[str, Design]
 def stimulus_text(design: Design) -> str:
     """What is heard, where, how strong."""
     heard = audible_inputs(design.inputs)
-    said = [_input_words(one, design) for one in heard[:_MOST_INPUTS]]
+    said = [_input_words(track, design) for track in heard[:_MOST_INPUTS]]
     if len(heard) > _MOST_INPUTS:
         said.append(f"and {counted(len(heard) - _MOST_INPUTS, 'more input')}")
     return "; ".join(said) or "Silent: nothing is driven"
@@ -405,16 +405,16 @@ def stimuli_text(named: Sequence[Named]) -> str:
     if len(named) == 1:
         return told[0]
     names = [name for name, _ in named]
-    words = [BREAKS.split(one) for one in told]
-    if len({len(one) for one in words}) == 1:
+    words = [BREAKS.split(text) for text in told]
+    if len({len(row) for row in words}) == 1:
         together = " ".join(_beside(column) for column in zip(*words, strict=True))
         return f"{_listed(names)}: {together}"
-    return ". ".join(f"{name}: {one}" for name, one in zip(names, told, strict=True))
+    return ". ".join(f"{name}: {text}" for name, text in zip(names, told, strict=True))
 
 
 def common_title(titles: Sequence[str]) -> str:
     """What titles have in common, of their parts between middle dots; empty where it is nothing."""
-    parts = [one.split(" · ") for one in titles]
+    parts = [title.split(" · ") for title in titles]
     alike: list[str] = []
     for column in zip(*parts, strict=False):
         if len(set(column)) > 1:
@@ -426,9 +426,9 @@ def common_title(titles: Sequence[str]) -> str:
 def _listed(names: Sequence[str]) -> str:
     """``"Edited, Snapshots 1, 2"``: what the last names begin with is said once."""
     first = names[-1].partition(" ")[0]
-    numbers = [one.removeprefix(f"{first} ") for one in names if one.startswith(f"{first} ")]
+    numbers = [name.removeprefix(f"{first} ") for name in names if name.startswith(f"{first} ")]
     before = names[: len(names) - len(numbers)]
-    if len(numbers) < 2 or any(one.startswith(f"{first} ") for one in before):
+    if len(numbers) < 2 or any(name.startswith(f"{first} ") for name in before):
         return ", ".join(names)
     return ", ".join((*before, f"{first}s {', '.join(numbers)}"))
 
@@ -437,26 +437,26 @@ def _beside(words: Sequence[str]) -> str:
     """``"50/100 Hz,"`` of ``"50 Hz,"`` and ``"100 Hz,"``."""
     if len(set(words)) == 1:
         return words[0]
-    behind = {_behind(one) for one in words}
+    behind = {_behind(word) for word in words}
     if len(behind) > 1:
         return "/".join(words)
     [last] = behind
-    return "/".join(one.removesuffix(last) for one in words) + last
+    return "/".join(word.removesuffix(last) for word in words) + last
 
 
 def _behind(word: str) -> str:
-    found = _BEHIND.search(word)
-    return found[0] if found else ""
+    match = _BEHIND.search(word)
+    return match[0] if match else ""
 
 
-def _input_words(one: Input, design: Design) -> str:
-    clips = [clip for clip in one.clips if not clip.muted]
+def _input_words(track: Input, design: Design) -> str:
+    clips = [clip for clip in track.clips if not clip.muted]
     said = [_clip_words(clip) for clip in clips[:_MOST_CLIPS]]
     if len(clips) > _MOST_CLIPS:
         said.append(counted(len(clips) - _MOST_CLIPS, "more clip"))
-    curve = f", with a gain curve {_points(one.gain_curve)}" if one.gain_curve else ""
-    strength = amplitude_text(design, one)
-    return f"Place {one.location}, {strength}{curve}: {', '.join(said) or 'no clips'}"
+    curve = f", with a gain curve {_points(track.gain_curve)}" if track.gain_curve else ""
+    strength = amplitude_text(design, track)
+    return f"Place {track.location}, {strength}{curve}: {', '.join(said) or 'no clips'}"
 
 
 def _clip_words(clip: Clip) -> str:
@@ -471,10 +471,10 @@ def _clip_words(clip: Clip) -> str:
 def _effects_words(clip: Clip) -> list[str]:
     """What a clip goes through, each in words, in their order."""
     said, lasts_s = [], clip.waveform.duration_s
-    for one in clip.effects:
-        if one.on and _changes(one):
-            said.append(_effect_words(one, lasts_s))
-        lasts_s = one.length(lasts_s) if one.on else lasts_s
+    for effect in clip.effects:
+        if effect.on and _changes(effect):
+            said.append(_effect_words(effect, lasts_s))
+        lasts_s = effect.length(lasts_s) if effect.on else lasts_s
     return said
 
 
@@ -528,15 +528,15 @@ def caption_of(
         `skinsource.perception.validity`.
     """
     named = compared or [("", design)]
-    designs = [one for _, one in named]
-    title = common_title([scenes.title_of(one) if one.title else "" for one in designs])
+    designs = [named_design for _, named_design in named]
+    title = common_title([scenes.title_of(each) if each.title else "" for each in designs])
     first = f"{sentence(title)} " if title else ""
-    scalings = dict.fromkeys(word_of(SCALINGS, one.scaling).title.lower() for one in designs)
-    titles = [limb_word(one).title for one in dict.fromkeys((*(d.limb for d in designs), *limbs))]
+    scalings = dict.fromkeys(word_of(SCALINGS, each.scaling).title.lower() for each in designs)
+    titles = [limb_word(limb_name).title for limb_name in dict.fromkeys((*(d.limb for d in designs), *limbs))]
     limb = f"Limb{'s' if len(titles) > 1 else ''}: {', '.join(titles)}"
-    through = dict.fromkeys(one.actuated.words for one in designs if one.actuated is not None)
+    through = dict.fromkeys(each.actuated.words for each in designs if each.actuated is not None)
     driven = f"; predicted through {', '.join(through)}" if through else ""
-    said_last = "".join(f" {one}" for one in notes)
+    said_last = "".join(f" {note}" for note in notes)
     scaling = ", ".join(scalings)
     return minus(f"{first}{stimuli_text(named)}. {limb}; scaling: {scaling}{driven}.{said_last}")
 
@@ -635,7 +635,7 @@ def _height(lines: Sequence[str], font: QFont) -> float:
 
 LAYOUT = ChoiceSpec(
     label="For",
-    options=((OWN, "A size of its own"), *((one.name, one.title) for one in LAYOUTS)),
+    options=((OWN, "A size of its own"), *((layout.name, layout.title) for layout in LAYOUTS)),
     hint="Width and height for a column of a paper, a slide, or a poster",
 )
 _SIDE: dict[str, Any] = {
@@ -703,7 +703,7 @@ class PictureOptions:
     @property
     def pixels_words(self) -> str:
         """How many pixels it has where it is made of pixels."""
-        across, down = (round(one * self.dpi / PER_INCH) for one in (self.width_px, self.height_px))
+        across, down = (round(side_px * self.dpi / PER_INCH) for side_px in (self.width_px, self.height_px))
         return f"In pixels: {across} × {down}"
 
 
@@ -897,9 +897,9 @@ def _remark(
         return Remark("")
     needed_px = ceil(options.width_px * SMALLEST_PT / size_pt / _ROUND_PX) * _ROUND_PX
     large = [
-        one.title
-        for one in LAYOUTS
-        if _letters_points(letters_px, *one.size_px(usual, below)) >= SMALLEST_PT
+        layout.title
+        for layout in LAYOUTS
+        if _letters_points(letters_px, *layout.size_px(usual, below)) >= SMALLEST_PT
     ]
     sizes = [f"a width of {needed_px} px", *large]
     choose = f"{', '.join(sizes[:-1])} or {sizes[-1]}" if large else sizes[0]

@@ -490,10 +490,10 @@ def moved_playhead(event: QKeyEvent, design: Design, playhead_s: float) -> float
 
 def stops_of(design: Design) -> tuple[float, ...]:
     """Rising times at which something is: the start, ends of clips and of the loop, markers, s."""
-    found = {0.0, *(one.time_s for one in design.markers), *(design.loop_s or ())}
+    times_s = {0.0, *(marker.time_s for marker in design.markers), *(design.loop_s or ())}
     for clip in design.clips:
-        found.update((clip.onset_s, clip.end_s))
-    return tuple(sorted(found))
+        times_s.update((clip.onset_s, clip.end_s))
+    return tuple(sorted(times_s))
 
 
 # Curves over one x axis, on pyqtgraph: no toolbar, no legend.
@@ -718,17 +718,17 @@ class Plot(Canvas):
         ratio = PAPER_DOTS if self._on_paper else self.devicePixelRatioF()
         seen = visible_range(self.curves, self.x_window, n_drawn, rows[0], ratio, self.columns)
         fitted = self.fitted and self.zoom is not None
-        if found := seen.extremes if fitted else seen.beyond(self.value_scale.values):
-            self._fit(self.curves, found)
+        if values := seen.extremes if fitted else seen.beyond(self.value_scale.values):
+            self._fit(self.curves, values)
             self._place()
         self.stack.show_points(curve_points(seen, self.value_scale, rows, ratio))
         if other_rows:  # only now has each row its curves
             self._colour()
         self.crosshair.draw()
 
-    def _fit(self, curves: Curves, found: Range) -> None:
+    def _fit(self, curves: Curves, extremes: Range) -> None:
         """Have room for values that were found."""
-        values = self.held.follow(*found, curves.kind)
+        values = self.held.follow(*extremes, curves.kind)
         self.value_scale = ValueScale(values=values, edge=self.value_scale.edge)
         self.unit = value_unit(curves.kind, *values)
 

@@ -299,8 +299,8 @@ class WaveformPreview(QWidget):
             drawn.size / self._sample_rate_hz,
         )
         wave, across = wave_of(time_s, drawn[np.newaxis]), max(int(shown_px * ratio), 1)
-        found = self._columns.of(time_s, (0.0, end_s), across)
-        points = course_of(found, drawn[np.newaxis], wave, shown_px, ratio).line
+        columns = self._columns.of(time_s, (0.0, end_s), across)
+        points = course_of(columns, drawn[np.newaxis], wave, shown_px, ratio).line
         samples = points.y[0]
         # Between samples it may be higher than they are.
         highest = max(self._height, float(np.abs(samples).max()))

@@ -205,7 +205,7 @@ def save_table(path: Path, plot: Plot, title: str, lines: Sequence[str] = ()) ->
     if curves.peaks:
         pairs = zip(curves.names, curves.peaks, strict=True)
         about.append(
-            f"peaks in m/s²: {', '.join(f'{one.number}: {peak!r}' for one, peak in pairs)}"
+            f"peaks in m/s²: {', '.join(f'{name.number}: {peak!r}' for name, peak in pairs)}"
         )
     about.extend(line for line in lines if line not in about)
     if plot.words.synthetic:

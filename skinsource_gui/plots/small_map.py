@@ -327,7 +327,7 @@ def spacing_px(limb_map: LimbMap, frame: Frame) -> float:
 def _paint_noise(painter: QPainter, frame: Frame, outline: QPainterPath, shown: SmallMap) -> None:
     places = frame.to_screen(shown.limb_map.output_positions)
     noisy = [QPointF(*places[number - 1]) for number in shown.noisy if number <= len(places)]
-    placed = [one for one in noisy if np.isfinite((one.x(), one.y())).all()]
+    placed = [place for place in noisy if np.isfinite((place.x(), place.y())).all()]
     reach = max(_NOISE_SPACINGS * spacing_px(shown.limb_map, frame), _DISC_PX)
     paint_strokes(painter, placed, reach, outline)
 
@@ -337,14 +337,14 @@ def _paint_inputs(
 ) -> None:
     heard = set(audible_indices(design.inputs))
     places = frame.to_screen(limb_map.input_positions)
-    for index, one in enumerate(design.inputs):
-        if index in heard and one.location <= len(places):
-            centre = QPointF(*places[one.location - 1])
+    for index, track in enumerate(design.inputs):
+        if index in heard and track.location <= len(places):
+            centre = QPointF(*places[track.location - 1])
             if not np.isfinite((centre.x(), centre.y())).all():
                 continue  # it has no place on the map
             painter.setPen(QPen(QColor(theme.base), 3.0))
             painter.drawEllipse(centre, _RING_PX, _RING_PX)
-            painter.setPen(QPen(theme.input_colour(one.colour), 1.5))
+            painter.setPen(QPen(theme.input_colour(track.colour), 1.5))
             painter.drawEllipse(centre, _RING_PX, _RING_PX)
 
 
@@ -517,7 +517,7 @@ def number_places(
     Where rings are close some stand farther off.
     """
     points = small_frame(small.limb_map, area).to_screen(small.limb_map.output_positions)
-    placed = [one for one in outputs if is_placed(points, one)]
+    placed = [number for number in outputs if is_placed(points, number)]
     if len(outputs) > _FEW_RINGS:
         return []
     side = 2.0 * _OUTPUT_RINGS_RING_PX + _EDGE_PX
@@ -525,9 +525,9 @@ def number_places(
         QRectF(x - side / 2, y - side / 2, side, side)
         for x, y in (points[number - 1] for number in placed)
     ]
-    found: list[tuple[int, QRectF]] = []
+    number_areas: list[tuple[int, QRectF]] = []
     for number in placed:
-        x, y = (float(one) for one in points[number - 1])
+        x, y = (float(value) for value in points[number - 1])
         wide = metrics.horizontalAdvance(str(number)) + 2.0 * _EDGE_PX
         high = metrics.height()
         corners = [
@@ -538,11 +538,11 @@ def number_places(
         ]
         for left, top in corners:
             place = QRectF(left, top, wide, high)
-            if area.contains(place) and not any(place.intersects(one) for one in taken):
+            if area.contains(place) and not any(place.intersects(other) for other in taken):
                 taken.append(place)
-                found.append((number, place))
+                number_areas.append((number, place))
                 break
-    return found
+    return number_areas
 
 
 def paint_numbers(
@@ -553,7 +553,7 @@ def paint_numbers(
     ground.setAlphaF(_GROUND)
     points = small_frame(small.limb_map, area).to_screen(small.limb_map.output_positions)
     for number, place in number_places(small, area, outputs, QFontMetricsF(painter.font())):
-        x, y = (float(one) for one in points[number - 1])
+        x, y = (float(value) for value in points[number - 1])
         right = place.left() > x
         edge = QPointF(place.left() if right else place.right(), place.center().y())
         painter.setPen(theme.output_pen(outputs.index(number), 1.0))

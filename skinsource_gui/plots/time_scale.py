@@ -63,13 +63,13 @@ def rest_of(
         From how far away an edge snaps to a time.
     """
     edges = tuple(edges_s)
-    found: tuple[float, float, float] | None = None
+    nearest: tuple[float, float, float] | None = None
     for edge in edges:
         target = _nearest(neighbours_s, edge + by_s)
         if target is not None:
-            found = _nearer(found, edge, target, by_s)
-    if found is not None and found[0] <= reach_s:
-        return Rest(by_s=found[1], guide_s=found[2])
+            nearest = _nearer(nearest, edge, target, by_s)
+    if nearest is not None and nearest[0] <= reach_s:
+        return Rest(by_s=nearest[1], guide_s=nearest[2])
     if grid_s is None or not edges:
         return Rest(by_s=by_s)
     # The first edge alone follows the grid: it is where something starts.
@@ -82,14 +82,14 @@ def _nearest(rising: Sequence[float], time_s: float) -> float | None:
         return None
     right = bisect_left(rising, time_s)
     around = rising[max(right - 1, 0) : right + 1]
-    return min(around, key=lambda one: abs(one - time_s))
+    return min(around, key=lambda time: abs(time - time_s))
 
 
 def _nearer(
-    found: tuple[float, float, float] | None, edge: float, target: float, by_s: float
+    best: tuple[float, float, float] | None, edge: float, target: float, by_s: float
 ) -> tuple[float, float, float]:
     away = abs(target - edge - by_s)
-    return found if found is not None and found[0] <= away else (away, target - edge, target)
+    return best if best is not None and best[0] <= away else (away, target - edge, target)
 
 
 # From times to pixels and back.

@@ -132,8 +132,8 @@ class PlotToolbar(QWidget):
         the room that is left, and never makes a row fold.
         """
         first = list(self._layout_buttons.values())
-        staying = [one for one in self._shown if one is not self._everything]
-        others = [one for one in staying if one not in first]
+        staying = [button for button in self._shown if button is not self._everything]
+        others = [button for button in staying if button not in first]
         smallest = smallest_of(self.font())
         # What a scroll bar took: a row that folded for it would be higher, and keep it.
         unscrolled_px = self._room_px(others) + bars_px(self)
@@ -148,7 +148,7 @@ class PlotToolbar(QWidget):
             self._rows.setDirection(direction)
             self._rows.activate()
             self.updateGeometry()
-        shown = [one for one in with_exit if one in self._shown]
+        shown = [button for button in with_exit if button in self._shown]
         least = max(width_in(smallest, row) for row in (first, shown))
         around, gap = self._rows.contentsMargins(), self._rows.spacing()
         around_px = around.left() + around.right() + gap * (len(first) + len(shown))
@@ -156,7 +156,7 @@ class PlotToolbar(QWidget):
 
     @property
     def _shown(self) -> list[QToolButton]:
-        return [one for one in self.findChildren(QToolButton) if one.isVisibleTo(self)]
+        return [button for button in self.findChildren(QToolButton) if button.isVisibleTo(self)]
 
     def _room_px(self, others: Sequence[QToolButton]) -> int:
         """Width for words where layouts, which stand close together, have ``others`` beside."""
@@ -180,7 +180,7 @@ class PlotToolbar(QWidget):
             left = min(left, width_in(font, everything))
             write_in(fitting_font((everything,), self.font(), left), everything)
         for row in rows:
-            write_in(font, [one for one in row if one is not self._everything])
+            write_in(font, [button for button in row if button is not self._everything])
 
     def _button(self, name: str, text: str, hint: str) -> QToolButton:
         button = tool_button(self, name, text, hint, checkable=True)

@@ -29,7 +29,7 @@ def may_replace(parent: QWidget, there: Sequence[Path]) -> bool:
     if len(there) == 1:
         question = f"{there[0].name} exists already. Replace it?"
         return agreed(parent, "Replace the file?", question)
-    names = ", ".join(one.name for one in there[:_NAMED])
+    names = ", ".join(path.name for path in there[:_NAMED])
     more = f" and {len(there) - _NAMED} more" if len(there) > _NAMED else ""
     question = f"{len(there)} files exist already: {names}{more}. Replace them?"
     return agreed(parent, "Replace the files?", question)

@@ -69,9 +69,9 @@ def paint_swatch(
 
 
 def _number_font(font: QFont) -> QFont:
-    found = tabular(font)
-    found.setWeight(QFont.Weight.DemiBold)
-    return found
+    bold = tabular(font)
+    bold.setWeight(QFont.Weight.DemiBold)
+    return bold
 
 
 class Swatch(QWidget):

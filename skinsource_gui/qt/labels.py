@@ -99,7 +99,7 @@ class FittingLabel(QLabel):
             self._choose()
 
     def _choose(self) -> None:
-        fitting = (one for one in self._phrases if self._width_of(one) <= self.width())
+        fitting = (phrase for phrase in self._phrases if self._width_of(phrase) <= self.width())
         words = next(fitting, None) or self.fontMetrics().elidedText(
             self._phrases[-1], Qt.TextElideMode.ElideRight, self.contentsRect().width()
         )
@@ -210,7 +210,7 @@ class _NameWidth(QObject):
         margin = table.style().pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, table) + 1
         names = (str(model.index(row, 0).data() or "") for row in range(model.rowCount()))
         metrics = table.fontMetrics()
-        longest = max((metrics.horizontalAdvance(one) for one in names), default=0)
+        longest = max((metrics.horizontalAdvance(name) for name in names), default=0)
         return max(longest + 2 * margin + UNIT_PX, table.horizontalHeader().sectionSizeHint(0))
 
 
@@ -263,8 +263,8 @@ class LevelMeter(QWidget):
     def show_level(self, rms_db: float, peak_db: float) -> None:
         """Show another level; paints only where it can be seen that it is one."""
         width = max(self.width(), 1)
-        before = [_share(one) * width for one in (self.rms_db, self.peak_db)]
-        after = [_share(one) * width for one in (rms_db, peak_db)]
+        before = [_share(level_db) * width for level_db in (self.rms_db, self.peak_db)]
+        after = [_share(level_db) * width for level_db in (rms_db, peak_db)]
         self.rms_db, self.peak_db = rms_db, peak_db
         if any(abs(a - b) >= 0.5 for a, b in zip(after, before, strict=True)):
             self.update()

@@ -167,7 +167,7 @@ _READABLE = 0.8
 def fitting_font(rows: Sequence[Sequence[QAbstractButton]], font: QFont, room_px: int) -> QFont:
     """The largest font, of about the size of ``font``, in which each row has room for its words."""
     fonts = fonts_of(font)
-    fit = (one for one in fonts if max(width_in(one, row) for row in rows) <= room_px)
+    fit = (candidate for candidate in fonts if max(width_in(candidate, row) for row in rows) <= room_px)
     return next(fit, fonts[-1])
 
 
@@ -179,8 +179,8 @@ def width_in(font: QFont, buttons: Sequence[QAbstractButton]) -> int:
     metrics = QFontMetrics(font)
     # What the style leaves around words does not depend on them.
     return sum(
-        _words_px(one, metrics) + one.sizeHint().width() - _words_px(one, one.fontMetrics())
-        for one in buttons
+        _words_px(button, metrics) + button.sizeHint().width() - _words_px(button, button.fontMetrics())
+        for button in buttons
     )
 
 
@@ -198,7 +198,7 @@ def readable_in(words: str, font: QFont, room_px: float) -> QFont:
     For words that may be cut, if they have to be: in the smallest of these.
     """
     fonts = [scaled(font, scale) for scale in _SCALES if scale >= _WORTH_READING]
-    fit = (one for one in fonts if QFontMetrics(one).horizontalAdvance(words) <= room_px)
+    fit = (candidate for candidate in fonts if QFontMetrics(candidate).horizontalAdvance(words) <= room_px)
     return next(fit, fonts[-1])
 
 
@@ -214,15 +214,15 @@ def readable_of(font: QFont) -> QFont:
 
 def write_in(font: QFont, buttons: Sequence[QAbstractButton]) -> None:
     """Have the words of buttons in that font."""
-    for one in buttons:
-        if one.font() != font:
-            one.setFont(font)
+    for button in buttons:
+        if button.font() != font:
+            button.setFont(font)
 
 
 def fonts_of(font: QFont) -> list[QFont]:
     """Those in which words of ``font`` may be written, from large to small."""
     large = (scaled(font, scale) for scale in _SCALES_OF_LARGE)
-    readable = [one for one in large if QFontInfo(one).pixelSize() >= _LEAST_PX]
+    readable = [candidate for candidate in large if QFontInfo(candidate).pixelSize() >= _LEAST_PX]
     return [*(scaled(font, scale) for scale in _SCALES), *readable]
 
 
@@ -247,14 +247,14 @@ class ButtonRow(QWidget):
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(UNIT_PX // 2)
-        for one in self._buttons:
-            row.addWidget(one)
+        for button in self._buttons:
+            row.addWidget(button)
         row.addStretch(1)
         self._gap_px = row.spacing()
         RoomOrText(self).changed.connect(self._fit)
 
     def _fit(self) -> None:
-        shown = [one for one in self._buttons if not one.isHidden()]
+        shown = [button for button in self._buttons if not button.isHidden()]
         gaps_px = self._gap_px * len(shown)
         write_in(fitting_font((shown,), self.font(), self.width() - gaps_px), self._buttons)
         self.setMinimumWidth(width_in(smallest_of(self.font()), shown) + gaps_px)
@@ -384,9 +384,9 @@ class FoldingRow(QWidget):
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setSpacing(spacing_px)
-        for one in self._widgets:
+        for widget in self._widgets:
             # One that is hidden now would be a window of its own once it is shown.
-            one.setParent(self)
+            widget.setParent(self)
         self.fold()
 
     def minimumSizeHint(self) -> QSize:
@@ -398,7 +398,7 @@ class FoldingRow(QWidget):
 
     def fold(self) -> None:
         """Place them anew: the width is another one, or others are shown."""
-        shown = tuple(one for one in self._widgets if not one.isHidden())
+        shown = tuple(widget for widget in self._widgets if not widget.isHidden())
         room = self.width() + bars_px(self) + self._spacing_px
         fit = max(room // max(self._widest_px + self._spacing_px, 1), 1)
         rows = -(-len(shown) // fit) or 1
@@ -406,10 +406,10 @@ class FoldingRow(QWidget):
         if (shown, columns) == self._placed:
             return
         self._placed = shown, columns
-        for one in self._widgets:
-            self._grid.removeWidget(one)
-        for k, one in enumerate(shown):
-            self._grid.addWidget(one, k // columns, k % columns)
+        for widget in self._widgets:
+            self._grid.removeWidget(widget)
+        for k, widget in enumerate(shown):
+            self._grid.addWidget(widget, k // columns, k % columns)
         for column in range(len(self._widgets) + 1):
             self._grid.setColumnStretch(column, int(self._left and column == columns))
         self.setMinimumHeight(self._grid.minimumSize().height())
@@ -417,9 +417,9 @@ class FoldingRow(QWidget):
 
     def px_of(self, columns: int) -> int:
         """How wide it has to be for so many widgets in a row, or for all if they are fewer."""
-        count = min(sum(not one.isHidden() for one in self._widgets), columns)
+        count = min(sum(not widget.isHidden() for widget in self._widgets), columns)
         return count * (self._widest_px + self._spacing_px) - self._spacing_px
 
     @property
     def _widest_px(self) -> int:
-        return max((one.minimumSizeHint().width() for one in self._widgets), default=0)
+        return max((widget.minimumSizeHint().width() for widget in self._widgets), default=0)

@@ -275,7 +275,7 @@ class PanZoom(QObject):
         At each edge it leaves free what the whole drawing would, or what it left free before.
         """
         whole, drawn, left = (
-            _box(one.to_screen(self._outline)) for one in (self._fits[WHOLE], frame, before)
+            _box(shown_frame.to_screen(self._outline)) for shown_frame in (self._fits[WHOLE], frame, before)
         )
         room = self._room
         return (
