@@ -109,8 +109,8 @@ class ChoiceField(DropDown):
         value = self.value
         self.blockSignals(True)
         self.clear()
-        for option, words in spec.options:
-            self.addItem(words, option)
+        for option, title in spec.options:
+            self.addItem(title, option)
         self.blockSignals(False)
         index = self.findData(value) if value else self.currentIndex()
         self._strange = "" if index >= 0 else value

@@ -87,9 +87,9 @@ class CurveScale:
     def course(self, points: Points, area: QRectF) -> list[QPointF]:
         """The curve, at each pixel and at each point; a jump is upright."""
         pixels = np.linspace(0.0, self.x, max(int(area.width()), 2))
-        own = np.array([x for x, _, _ in points])
+        point_x = np.array([x for x, _, _ in points])
         # Just before each point, too, for what jumps there.
-        x = np.sort(np.concatenate((pixels, own, np.maximum(own - 1e-9, 0.0))))
+        x = np.sort(np.concatenate((pixels, point_x, np.maximum(point_x - 1e-9, 0.0))))
         return [self.place(*pair, area) for pair in zip(x, curve_at(points, x), strict=True)]
 
 
@@ -98,11 +98,11 @@ class CurveScale:
 _POINT_PX = 3.5
 
 
-def paint_frame(painter: QPainter, whole: QRectF, theme: Theme, *, focused: bool) -> None:
+def paint_frame(painter: QPainter, area: QRectF, theme: Theme, *, focused: bool) -> None:
     """Paint the ground of a field, which shows whether it has the keyboard."""
     painter.setPen(QPen(QColor(theme.accent if focused else theme.border), 1))
     painter.setBrush(QColor(theme.base))
-    painter.drawRoundedRect(whole.adjusted(0.5, 0.5, -0.5, -0.5), 4, 4)
+    painter.drawRoundedRect(area.adjusted(0.5, 0.5, -0.5, -0.5), 4, 4)
 
 
 def paint_curve(
@@ -267,10 +267,10 @@ class CurveMouse:
         if self._drag is None:
             return
         gesture, start, pressed = self._drag
-        here, there = (self.scale.value(point, self._area()) for point in (at, pressed))
+        now, then = (self.scale.value(point, self._area()) for point in (at, pressed))
         chosen = self._points.chosen
         x, y, _ = start[min(chosen, len(start) - 1)]
-        to_x, to_y = self._rounded(x + here[0] - there[0]), round(y + here[1] - there[1], 3)
+        to_x, to_y = self._rounded(x + now[0] - then[0]), round(y + now[1] - then[1], 3)
         self._points.put(moved(start, {chosen}, to_x - x, to_y - y), chosen, gesture)
 
     def let_go(self) -> None:
@@ -325,8 +325,8 @@ def fill_point_menu(
         for segment in SEGMENTS:
             menu.addAction(f"After this point: {SEGMENT_WORDS[segment]}", partial(bend, segment))
         menu.addSeparator()
-    words = "Remove point" if n_chosen == 1 else f"Remove {n_chosen} points"
-    menu.addAction(words, remove).setEnabled(n_points > 1)
+    text = "Remove point" if n_chosen == 1 else f"Remove {n_chosen} points"
+    menu.addAction(text, remove).setEnabled(n_points > 1)
 
 
 def fill_ground_menu(menu: QMenu, add: Callable[[], object]) -> None:
@@ -422,8 +422,8 @@ class CurveField(QWidget):
         self.set_value(self.value)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        beside = self._mouse.point_at(event.position()) is None
-        if event.button() == Qt.MouseButton.LeftButton and beside:
+        is_free = self._mouse.point_at(event.position()) is None
+        if event.button() == Qt.MouseButton.LeftButton and is_free:
             self._mouse.put(event.position())
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
@@ -462,10 +462,10 @@ class CurveField(QWidget):
         paint_curve(painter, inside, self._mouse.scale, self.value, chosen, current_theme())
         painter.setPen(QColor(current_theme().dim))
         room = QRectF(inside.left(), 2, inside.width(), _WORDS_PX)
-        words = painter.fontMetrics().elidedText(
+        text = painter.fontMetrics().elidedText(
             self.words, Qt.TextElideMode.ElideRight, round(room.width())
         )
-        painter.drawText(room, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, words)
+        painter.drawText(room, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, text)
 
     @property
     def words(self) -> str:

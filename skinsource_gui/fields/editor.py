@@ -187,8 +187,8 @@ class UnitBeside:
 
     def width_px(self, number: str) -> int:
         """Width of a line that has just room for a number."""
-        around = self._line.width() - self.room_px
-        return around + self._line.fontMetrics().horizontalAdvance(number)
+        edges_px = self._line.width() - self.room_px
+        return edges_px + self._line.fontMetrics().horizontalAdvance(number)
 
     def make_room(self, symbol: str) -> None:
         """Keep room for a unit, or for the widest one."""

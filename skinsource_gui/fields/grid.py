@@ -27,8 +27,8 @@ _DIFFERS = tooltip(
 class _FieldLabel(QLabel):
     """As high as one line of the field beside it, in letters of any size."""
 
-    def __init__(self, words: str) -> None:
-        super().__init__(words)
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
 
     def sizeHint(self) -> QSize:
@@ -50,10 +50,10 @@ class LabelledCell(QWidget):
         Whether it holds its label itself, and takes the whole width.
     """
 
-    def __init__(self, words: str, parent: QWidget | None = None) -> None:
+    def __init__(self, text: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.across = False
-        self.label: QLabel = _FieldLabel(words)
+        self.label: QLabel = _FieldLabel(text)
         set_tone(self.label, "dim")
         self.stack = QVBoxLayout(self)
         self.stack.setContentsMargins(0, 0, 0, 0)
@@ -63,9 +63,9 @@ class LabelledCell(QWidget):
 class TextCell(LabelledCell):
     """A label and words that cannot be edited."""
 
-    def __init__(self, label: str, words: str, parent: QWidget | None = None) -> None:
+    def __init__(self, label: str, text: str, parent: QWidget | None = None) -> None:
         super().__init__(label, parent)
-        self.words = QLabel(words)
+        self.words = QLabel(text)
         self.words.setObjectName("fixed_length")
         self.words.setWordWrap(True)
         self.words.setMinimumHeight(LABEL_PX)
@@ -175,11 +175,11 @@ class EditedCell(LabelledCell):
         wrong = self._problem or self._reason
         self._set_note(wrong or self.editor.advice(), warns=not wrong)
 
-    def _set_note(self, words: str, *, warns: bool) -> None:
-        if (words, warns) != (self.note, self._warns):
+    def _set_note(self, text: str, *, warns: bool) -> None:
+        if (text, warns) != (self.note, self._warns):
             self._warns = warns
-            self._note.setText(words)
-            self._note.setVisible(bool(words))
+            self._note.setText(text)
+            self._note.setVisible(bool(text))
             set_tone(self._note, "warning" if warns else "error")
 
 
@@ -253,9 +253,9 @@ class FieldGrid(QWidget):
     @property
     def _paired_px(self) -> int:
         """Least width of a label with its field beside it."""
-        beside = [cell for cell in self._cells if not cell.across]
-        labels = max((cell.label.sizeHint().width() for cell in beside), default=0)
-        fields = max((cell.minimumSizeHint().width() for cell in beside), default=0)
+        paired = [cell for cell in self._cells if not cell.across]
+        labels = max((cell.label.sizeHint().width() for cell in paired), default=0)
+        fields = max((cell.minimumSizeHint().width() for cell in paired), default=0)
         margins = self._grid.contentsMargins()
         gap = self._grid.horizontalSpacing()
         return labels + gap + fields + margins.left() + margins.right()

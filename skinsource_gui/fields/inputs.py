@@ -81,8 +81,8 @@ def figure_text(waveform: Waveform) -> str:
         if isinstance(spec, ListSpec) and isinstance(spec.of, NumberSpec):
             values = getattr(waveform, name)
             ends = values[:: max(len(values) - 1, 1)]
-            words = "–".join(number_text(end, spec.of.unit, digits=4) for end in ends)
-            return f"{waveform.title} {words} {spec.of.unit}"
+            frequencies = "–".join(number_text(end, spec.of.unit, digits=4) for end in ends)
+            return f"{waveform.title} {frequencies} {spec.of.unit}"
         if isinstance(spec, NumberSpec) and name != DURATION_FIELD:
             number = value_text(getattr(waveform, name), spec.unit, digits=4)
             if spec.unit:
@@ -114,12 +114,13 @@ def full_label(waveform: Waveform) -> str:
         if isinstance(spec, NumberSpec) and name not in _SAID and spec.unit != "rad":
             number = value_text(value, spec.unit, digits=4)
             if not any(
-                figure.endswith(f" {ending}") for ending in (number, f"{spec.label.lower()} {number}")
+                figure.endswith(f" {ending}")
+                for ending in (number, f"{spec.label.lower()} {number}")
             ):
                 more.append(f"{spec.label.lower()} {number}")
         elif isinstance(spec, TextSpec) and name != "name":
-            words = printable(value)
-            more.append(words if len(words) <= _MOST_LETTERS else f"{words[:_MOST_LETTERS]}…")
+            text = printable(value)
+            more.append(text if len(text) <= _MOST_LETTERS else f"{text[:_MOST_LETTERS]}…")
         elif isinstance(spec, ListSpec) and isinstance(spec.of, ModelSpec):
             inside = [full_label(clip.waveform) for clip in value if isinstance(clip, Clip)]
             more += [*inside[:_MOST_PARTS], *["…"] * (len(inside) > _MOST_PARTS)]
@@ -264,9 +265,9 @@ def fill_inputs_menu(
     for entry in entries:
         if entry.separated:
             menu.addSeparator()
-        words = entry.words.format(several)
+        text = entry.words.format(several)
         key = key_text(place, entry.key) if entry.key in KEYS[place].gestures else ""
-        action = menu.addAction(f"{words}\t{key}" if key else words)
+        action = menu.addAction(f"{text}\t{key}" if key else text)
         action.setEnabled(bool(chosen))
         action.setCheckable(entry.on is not None)
         action.setChecked(bool(chosen) and entry.on is not None and all(map(entry.on, chosen)))

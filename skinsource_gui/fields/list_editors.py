@@ -86,8 +86,8 @@ class SweepDialog(QDialog):
             "Spacing": self.spacing,
             "Order": self.order,
         }
-        for words, field in rows.items():
-            form.addRow(words, field)
+        for title, field in rows.items():
+            form.addRow(title, field)
         form.addRow(self._list)
         form.addRow(buttons)
         self._show_list()
@@ -213,8 +213,8 @@ class NumbersEditor(Listed):
         outside = tuple(value for value in self._value if not self._spec.of.is_known(value))
         if not outside:
             return ""
-        words = numbers_text(outside[:3], self._spec) + (" …" if len(outside) > 3 else "")
-        return f"{words} Hz: {outside_band_text(self._spec.of)}"
+        text = numbers_text(outside[:3], self._spec) + (" …" if len(outside) > 3 else "")
+        return f"{text} Hz: {outside_band_text(self._spec.of)}"
 
     def _read(self, text: str) -> tuple[float, ...]:
         return read_numbers(text, self._spec)

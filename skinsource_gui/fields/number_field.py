@@ -147,8 +147,8 @@ def begins_typing(event: QKeyEvent) -> bool:
 
 def first_text(event: QKeyEvent) -> str | None:
     """What stands in the editor that a key opened; None: the number itself."""
-    wanted = meaning_of("number", event)
-    return None if wanted == "type" else "" if wanted == "empty" else event.text()
+    meaning = meaning_of("number", event)
+    return None if meaning == "type" else "" if meaning == "empty" else event.text()
 
 
 class NumberTyping(QObject):
@@ -321,21 +321,21 @@ class NumberGestures(QObject):
 
     def press(self, event: QMouseEvent, number: NumberDisplay) -> None:
         """The button goes down on the number."""
-        here = event.globalPosition().toPoint()
-        self._drag = _Drag(last=here, start_si=number.value_si)
+        position = event.globalPosition().toPoint()
+        self._drag = _Drag(last=position, start_si=number.value_si)
 
     def move(self, event: QMouseEvent, number: NumberDisplay) -> None:
         """The mouse moves while the button is held."""
-        drag, here = self._drag, event.globalPosition().toPoint()
+        drag, position = self._drag, event.globalPosition().toPoint()
         if drag is None:
             return
-        way = here - drag.last
+        travel = position - drag.last
         if drag.gesture is None:
-            if way.manhattanLength() < DRAG_BEGINS_PX:
+            if travel.manhattanLength() < DRAG_BEGINS_PX:
                 return
             drag.gesture = new_gesture()
-        drag.last = here
-        drag.travel_px += way.x() - way.y()
+        drag.last = position
+        drag.travel_px += travel.x() - travel.y()
         self._follow(drag, number, _size(event.modifiers()))
 
     def release(self) -> None:

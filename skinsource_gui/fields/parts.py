@@ -66,8 +66,8 @@ class AddButton(QToolButton):
         """Offer more, unless there are as many as there may be."""
         full = count >= self._spec.most
         self.setEnabled(not full)
-        most = f"There are at most {self._spec.most}; remove one first"
-        self.setToolTip(tooltip(most if full else "Add one at the end"))
+        reason = f"There are at most {self._spec.most}; remove one first"
+        self.setToolTip(tooltip(reason if full else "Add one at the end"))
 
     def _fill(self) -> None:
         menu, choices = self.menu(), choices_of(self._of)
@@ -113,22 +113,22 @@ class PartFields(QObject):
     def cells(self) -> tuple[EditedCell, ...]:
         """All cells, in reading order."""
         kind = () if self._kind is None else (self._kind,)
-        held = [cell for part_fields in self._held.values() for cell in part_fields.cells]
+        nested = [cell for part_fields in self._held.values() for cell in part_fields.cells]
         plain = [cell for cell in self._own.values() if not cell.across]
         lists = [cell for cell in self._own.values() if cell.across]
-        return (*kind, *held, *plain, *lists)
+        return (*kind, *nested, *plain, *lists)
 
-    def show_recipe(self, recipe: Any) -> None:
+    def show_recipe(self, model: Any) -> None:
         """Show a recipe's values, and tell nobody."""
-        self._recipe = recipe
-        if type(recipe) is not self._built_for:
-            self._build(recipe)
+        self._recipe = model
+        if type(model) is not self._built_for:
+            self._build(model)
         if self._kind is not None:
-            self._kind.set_value(type(recipe).__name__)
+            self._kind.set_value(type(model).__name__)
         for name, cell in self._own.items():
-            cell.set_value(getattr(recipe, name))
-        for name, held in self._held.items():
-            held.show_recipe(getattr(recipe, name))
+            cell.set_value(getattr(model, name))
+        for name, part_fields in self._held.items():
+            part_fields.show_recipe(getattr(model, name))
 
     def set_spec(self, spec: ModelSpec) -> None:
         """Take over the rate of another limb."""
@@ -136,8 +136,8 @@ class PartFields(QObject):
         specs = specs_of(self._built_for) if self._built_for else {}
         for name, cell in self._own.items():
             cell.set_spec(self._at_rate(specs[name]))
-        for name, held in self._held.items():
-            held.set_spec(self._at_rate(specs[name]))
+        for name, part_fields in self._held.items():
+            part_fields.set_spec(self._at_rate(specs[name]))
 
     def show_reason(self, reason: str) -> None:
         """Say at the field that was edited last why it stays as it was."""
@@ -153,29 +153,29 @@ class PartFields(QObject):
         for cell in self.cells:
             cell.forget_typing()
 
-    def _build(self, recipe: Any) -> None:
+    def _build(self, model: Any) -> None:
         old = self._held.values()
         own: dict[str, EditedCell] = {}
-        gone = [cell for cell in self.cells if cell is not self._kind]
-        held: dict[str, PartFields] = {}
-        for name, spec in specs_of(recipe).items():
+        removed = [cell for cell in self.cells if cell is not self._kind]
+        nested: dict[str, PartFields] = {}
+        for name, spec in specs_of(model).items():
             if isinstance(spec, ModelSpec):
-                held[name] = PartFields(self._at_rate(spec), self._new_editor, self)
-                held[name].edited.connect(partial(self._change, name))
-                held[name].rebuilt.connect(self.rebuilt)
+                nested[name] = PartFields(self._at_rate(spec), self._new_editor, self)
+                nested[name].edited.connect(partial(self._change, name))
+                nested[name].rebuilt.connect(self.rebuilt)
             elif spec.asked:
                 own[name] = self._cell(name, self._at_rate(spec))
                 own[name].edited.connect(self._change)
                 editor: Any = own[name].editor
                 if isinstance(spec, ListSpec) and spec.nests:
                     editor.holder = lambda: self._recipe
-        self._own, self._held, self._built_for = own, held, type(recipe)
+        self._own, self._held, self._built_for = own, nested, type(model)
         focused = QApplication.focusWidget()
-        within = focused is not None and any(cell.isAncestorOf(focused) for cell in gone)
+        within = focused is not None and any(cell.isAncestorOf(focused) for cell in removed)
         if within and self._kind is not None:
             self._kind.field.setFocus(Qt.FocusReason.OtherFocusReason)
         self.rebuilt.emit()
-        for part in (widget for cell in gone for widget in (cell.label, cell)):
+        for part in (widget for cell in removed for widget in (cell.label, cell)):
             part.deleteLater()
         for part_fields in old:
             part_fields.deleteLater()
@@ -249,7 +249,7 @@ class RowTitle(QToolButton):
     #: The drag was given up.
     given_up = Signal()
 
-    def __init__(self, words: str, place: str, where: str, parent: QWidget | None = None) -> None:
+    def __init__(self, text: str, place: str, where: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._words, self._place = "", place
         self._start_y: int | None = None
@@ -263,16 +263,16 @@ class RowTitle(QToolButton):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         keys = f"{key_text(place, 'shift_up')}, {key_text(place, 'shift_down')}"
         self._hint = f"Click: show or hide its settings. Drag, or {keys}: another place {where}"
-        self.set_words(words)
+        self.set_words(text)
         self.clicked.connect(lambda: self.set_open(not self.open))
         self._point()
 
-    def set_words(self, words: str) -> None:
+    def set_words(self, text: str) -> None:
         """Call the part otherwise."""
-        if words != self._words:
-            self._words = words
-            self.setAccessibleName(words)
-            self.setToolTip(tooltip(words, self._hint))
+        if text != self._words:
+            self._words = text
+            self.setAccessibleName(text)
+            self.setToolTip(tooltip(text, self._hint))
             self._fit()
 
     def set_open(self, open_: bool) -> None:
@@ -424,8 +424,8 @@ class PartRow(QWidget):
                 self.title.setFocus(Qt.FocusReason.OtherFocusReason)
             button.setEnabled(can)
         self._remove.setEnabled(count > fewest)
-        words = f"Remove {name} ({key_text(PLACE, 'remove')})"
-        self._remove.setToolTip(tooltip(words if count > fewest else why_required(fewest)))
+        hint = f"Remove {name} ({key_text(PLACE, 'remove')})"
+        self._remove.setToolTip(tooltip(hint if count > fewest else why_required(fewest)))
         self._remove.setAccessibleName(f"Remove {name}")
         if self._fields is not None:
             self._fields.show_recipe(part)
@@ -537,11 +537,11 @@ class RowColumn(QWidget):
         """Show these rows; others are gone."""
         if rows == self._rows:
             return
-        gone = [row for row in self._rows if row not in rows]
-        was_focused = [k for k, row in enumerate(self._rows) if row in gone and _has_focus(row)]
+        removed = [row for row in self._rows if row not in rows]
+        was_focused = [k for k, row in enumerate(self._rows) if row in removed and _has_focus(row)]
         for row in self._rows:
             self._column.removeWidget(row)
-        for row in gone:
+        for row in removed:
             # What was being typed in it is for no other one.
             row.forget_typing()
             row.hide()
@@ -580,9 +580,9 @@ class RowColumn(QWidget):
 
     def _show_line(self, y: int) -> None:
         gap = self._gap(y)
-        behind = gap == len(self._rows)
-        row = self._rows[gap - 1 if behind else gap]
-        at = row.y() + row.height() - _LINE_PX if behind else max(row.y() - _LINE_PX, 0)
+        at_end = gap == len(self._rows)
+        row = self._rows[gap - 1 if at_end else gap]
+        at = row.y() + row.height() - _LINE_PX if at_end else max(row.y() - _LINE_PX, 0)
         self._line.setGeometry(0, at, self.width(), _LINE_PX)
         self._line.raise_()
         self._line.show()
@@ -637,11 +637,11 @@ class PartsEditor(QObject):
         head.setContentsMargins(0, 0, 0, 0)
         head.addWidget(self.label, 1)
         head.addWidget(self._add)
-        whole = QVBoxLayout(self.field)
-        whole.setContentsMargins(0, UNIT_PX // 4, 0, UNIT_PX // 4)
-        whole.setSpacing(UNIT_PX // 4)
-        whole.addLayout(head)
-        whole.addWidget(self._column)
+        column = QVBoxLayout(self.field)
+        column.setContentsMargins(0, UNIT_PX // 4, 0, UNIT_PX // 4)
+        column.setSpacing(UNIT_PX // 4)
+        column.addLayout(head)
+        column.addWidget(self._column)
         self.field.setFocusProxy(self._add)
 
     @property
@@ -740,7 +740,7 @@ def _rows_of(
             left.remove(own)
     for index in range(len(parts)):
         if index not in row_at:
-            here = [row for row in rows[index : index + 1] if row in left]
-            row_at[index] = here[0] if here else new_row()
-            left = [row for row in left if row not in here]
+            same_place = [row for row in rows[index : index + 1] if row in left]
+            row_at[index] = same_place[0] if same_place else new_row()
+            left = [row for row in left if row not in same_place]
     return tuple(row_at[index] for index in range(len(parts)))

@@ -164,9 +164,9 @@ class LiveText(QPlainTextEdit):
         return int(self.document().documentLayout().documentSize().height())
 
     def _fit(self) -> None:
-        wanted = self.sizeHint().height()
-        if wanted != self.height():
-            self.setFixedHeight(wanted)
+        height = self.sizeHint().height()
+        if height != self.height():
+            self.setFixedHeight(height)
         more = self._lines() > _MOST_LINES
         policy = Qt.ScrollBarPolicy
         self.setVerticalScrollBarPolicy(

@@ -236,8 +236,8 @@ def parse_number(text: str, spec: NumberSpec, beside_si: float = 0.0) -> float:
         raise InvalidInputError(f"{spec.label}: “{typed}” is not a number. {allowed}")
     factor = _factor(match[2], unit)
     if factor is None:
-        known = ", ".join(name for name in (unit.symbol, *dict(unit.spellings)) if name)
-        instead = sentence(f"Units: {known}") if known else "Type the number alone."
+        symbols = ", ".join(name for name in (unit.symbol, *dict(unit.spellings)) if name)
+        instead = sentence(f"Units: {symbols}") if symbols else "Type the number alone."
         raise InvalidInputError(f"{spec.label}: “{match[2]}” is not one of its units. {instead}")
     try:
         value = _at_bound(_read(match[1].replace(",", "."), factor), spec)
@@ -348,11 +348,11 @@ class Ladder:
 def _step_shown(value_si: float, spec: NumberSpec, unit: DisplayUnit) -> Fraction:
     """The plain step at a value, as it is shown: 1, 2 or 5 times a power of ten."""
     size_si = spec.step * value_si if spec.logarithmic and value_si > 0 else spec.step
-    wanted = unit.shown(size_si)
-    decade = Fraction(10) ** math.floor(math.log10(wanted))
+    exact = unit.shown(size_si)
+    decade = Fraction(10) ** math.floor(math.log10(exact))
     return min(
         (factor * decade for factor in (1, 2, 5, 10)),
-        key=lambda step: abs(math.log(wanted / step)),
+        key=lambda step: abs(math.log(exact / step)),
     )
 
 
@@ -444,10 +444,10 @@ def read_points(text: str, spec: PointsSpec) -> tuple[tuple[float, ...], ...]:
 
 
 def as_known(
-    points: tuple[tuple[float, ...], ...], known: tuple[tuple[float, ...], ...]
+    points: tuple[tuple[float, ...], ...], before: tuple[tuple[float, ...], ...]
 ) -> tuple[tuple[float, ...], ...]:
     """Points that were typed, with the exact times of those that were shown rounded."""
-    exact = {_rounded(point[0]): point[0] for point in known}
+    exact = {_rounded(point[0]): point[0] for point in before}
     return tuple((exact.get(point[0], point[0]), *point[1:]) for point in points)
 
 

@@ -24,14 +24,14 @@ def agreed(
     return answer == _Answer.Yes
 
 
-def may_replace(parent: QWidget, there: Sequence[Path]) -> bool:
+def may_replace(parent: QWidget, existing: Sequence[Path]) -> bool:
     """Whether the user lets files go that are there already."""
-    if len(there) == 1:
-        question = f"{there[0].name} exists already. Replace it?"
+    if len(existing) == 1:
+        question = f"{existing[0].name} exists already. Replace it?"
         return agreed(parent, "Replace the file?", question)
-    names = ", ".join(path.name for path in there[:_NAMED])
-    more = f" and {len(there) - _NAMED} more" if len(there) > _NAMED else ""
-    question = f"{len(there)} files exist already: {names}{more}. Replace them?"
+    names = ", ".join(path.name for path in existing[:_NAMED])
+    more = f" and {len(existing) - _NAMED} more" if len(existing) > _NAMED else ""
+    question = f"{len(existing)} files exist already: {names}{more}. Replace them?"
     return agreed(parent, "Replace the files?", question)
 
 
@@ -170,15 +170,15 @@ class CopyButton(QToolButton):
         self._there, self._late = True, False
         self.clicked.connect(self._copy)
 
-    def offer(self, there: bool) -> None:
+    def offer(self, exists: bool) -> None:
         """Say whether there is a table."""
-        self._there = there
-        self.setEnabled(there and not self._late)
+        self._there = exists
+        self.setEnabled(exists and not self._late)
 
-    def show_late(self, late: bool) -> None:
+    def show_late(self, stale: bool) -> None:
         """Say whether the table is that of an older design."""
-        self._late = late
-        self.setEnabled(self._there and not late)
+        self._late = stale
+        self.setEnabled(self._there and not stale)
 
     def _copy(self) -> None:
         # Who judges the present design lets its numbers be there first: they are taken then.

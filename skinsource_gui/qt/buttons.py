@@ -8,9 +8,9 @@ from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.theme import current_theme, letter_scale, tabular
 
 
-def page_button(name: str, words: str, hint: str = "") -> QPushButton:
+def page_button(name: str, text: str, hint: str = "") -> QPushButton:
     """A button that Enter elsewhere on the page does not press."""
-    button = QPushButton(words)
+    button = QPushButton(text)
     button.setObjectName(name)
     button.setToolTip(hint)
     button.setAutoDefault(False)
@@ -21,12 +21,12 @@ def page_button(name: str, words: str, hint: str = "") -> QPushButton:
 
 
 def tool_button(
-    parent: QWidget | None, name: str, words: str, hint: str = "", *, checkable: bool = False
+    parent: QWidget | None, name: str, text: str, hint: str = "", *, checkable: bool = False
 ) -> QToolButton:
     """A button as narrow as its words, which the keyboard reaches too."""
     button = QToolButton(parent)
     button.setObjectName(name)
-    button.setText(words)
+    button.setText(text)
     button.setToolTip(hint)
     button.setCheckable(checkable)
     button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -95,9 +95,11 @@ class Swatch(QWidget):
 
     def sizeHint(self) -> QSize:
         # The number is whole in letters of any size.
-        words = QFontMetrics(_number_font(self.font()))
-        height = max(SWATCH_PX, words.height() + _ROUNDING_PX)
-        return QSize(max(height, words.horizontalAdvance(str(self._number)) + _ROUNDING_PX), height)
+        metrics = QFontMetrics(_number_font(self.font()))
+        height = max(SWATCH_PX, metrics.height() + _ROUNDING_PX)
+        return QSize(
+            max(height, metrics.horizontalAdvance(str(self._number)) + _ROUNDING_PX), height
+        )
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

@@ -72,13 +72,13 @@ class Frame:
         polygon = QPolygonF([QPointF(x, y) for x, y in outline])
         if polygon.containsPoint(middle, Qt.FillRule.OddEvenFill):
             return self
-        ways = self.to_screen(outline) - (room.center().x(), room.center().y())
-        distances = np.hypot(*ways.T)
+        offsets = self.to_screen(outline) - (room.center().x(), room.center().y())
+        distances = np.hypot(*offsets.T)
         nearest = int(np.argmin(distances))
         reach = _REACH * min(room.width(), room.height())
         if distances[nearest] <= reach:
             return self
-        back = ways[nearest] * (reach / distances[nearest] - 1.0)
+        back = offsets[nearest] * (reach / distances[nearest] - 1.0)
         return self.moved(float(back[0]), float(back[1]))
 
     @property

@@ -70,8 +70,8 @@ SHORTCUTS: dict[str, tuple[str, ...]] = {}
 
 def meaning_of(place: str, event: QKeyEvent) -> str:
     """Name of what a press means at a place; "" where it means nothing there."""
-    held = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
-    return _meanings(place).get(QKeyCombination(held, Qt.Key(event.key())).toCombined(), "")
+    modifiers = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+    return _meanings(place).get(QKeyCombination(modifiers, Qt.Key(event.key())).toCombined(), "")
 
 
 def key_text(place: str, name: str) -> str:

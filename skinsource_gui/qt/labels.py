@@ -36,8 +36,8 @@ def how_to_add(in_sight: frozenset[str], what: str = "an input") -> str:
 def how_to_select_input(in_sight: frozenset[str]) -> str:
     """How to select an input, where there are some."""
     ways = [
-        words
-        for name, words in ((HAND, "on the hand"), (TIMELINE, "in the timeline"))
+        phrase
+        for name, phrase in ((HAND, "on the hand"), (TIMELINE, "in the timeline"))
         if name in in_sight
     ]
     if not ways:
@@ -100,15 +100,15 @@ class FittingLabel(QLabel):
 
     def _choose(self) -> None:
         fitting = (phrase for phrase in self._phrases if self._width_of(phrase) <= self.width())
-        words = next(fitting, None) or self.fontMetrics().elidedText(
+        text = next(fitting, None) or self.fontMetrics().elidedText(
             self._phrases[-1], Qt.TextElideMode.ElideRight, self.contentsRect().width()
         )
-        if words != self.text():
-            self.setText(words)
+        if text != self.text():
+            self.setText(text)
 
-    def _width_of(self, words: str) -> int:
+    def _width_of(self, text: str) -> int:
         margins = self.contentsMargins()
-        return self.fontMetrics().horizontalAdvance(words) + margins.left() + margins.right() + 2
+        return self.fontMetrics().horizontalAdvance(text) + margins.left() + margins.right() + 2
 
 
 # The first column of a table: names that are written shorter where there is little room.
@@ -167,8 +167,8 @@ def give_names_the_rest(table: QTableView) -> None:
 
     There must be one.  Were it wider, nobody could tell which name numbers at the far edge are of.
     """
-    known = table.findChild(_NameWidth)
-    (_NameWidth(table) if known is None else known).begin()
+    name_width = table.findChild(_NameWidth)
+    (_NameWidth(table) if name_width is None else name_width).begin()
 
 
 class _NameWidth(QObject):

@@ -158,17 +158,17 @@ class StaleOverlay(OverAll):
         painter.fillRect(self.rect(), thin)
         # Beside something larger that says it, a line of words says nothing.
         if self.height() >= _LEAST_LINES * self.fontMetrics().height():
-            words = palette.color(QPalette.ColorRole.Text)
-            paint_updating(painter, QRectF(self.rect()), ground, words)
+            text_colour = palette.color(QPalette.ColorRole.Text)
+            paint_updating(painter, QRectF(self.rect()), ground, text_colour)
         painter.end()
 
 
-def paint_updating(painter: QPainter, room: QRectF, ground: QColor, words: QColor) -> None:
+def paint_updating(painter: QPainter, room: QRectF, ground: QColor, text_colour: QColor) -> None:
     """Write in the middle of ``room``, on a ground of its own, that its content is not new."""
     metrics = painter.fontMetrics()
     card = QRectF(0, 0, metrics.horizontalAdvance(UPDATING) + 2 * UNIT_PX, 1.6 * metrics.height())
     card.moveCenter(room.center())
-    painter.setPen(words)
+    painter.setPen(text_colour)
     painter.setBrush(ground)
     painter.drawRoundedRect(card, _RADIUS_PX, _RADIUS_PX)
     painter.drawText(card, Qt.AlignmentFlag.AlignCenter, UPDATING)

@@ -167,7 +167,9 @@ _READABLE = 0.8
 def fitting_font(rows: Sequence[Sequence[QAbstractButton]], font: QFont, room_px: int) -> QFont:
     """The largest font, of about the size of ``font``, in which each row has room for its words."""
     fonts = fonts_of(font)
-    fit = (candidate for candidate in fonts if max(width_in(candidate, row) for row in rows) <= room_px)
+    fit = (
+        candidate for candidate in fonts if max(width_in(candidate, row) for row in rows) <= room_px
+    )
     return next(fit, fonts[-1])
 
 
@@ -179,7 +181,9 @@ def width_in(font: QFont, buttons: Sequence[QAbstractButton]) -> int:
     metrics = QFontMetrics(font)
     # What the style leaves around words does not depend on them.
     return sum(
-        _words_px(button, metrics) + button.sizeHint().width() - _words_px(button, button.fontMetrics())
+        _words_px(button, metrics)
+        + button.sizeHint().width()
+        - _words_px(button, button.fontMetrics())
         for button in buttons
     )
 
@@ -192,13 +196,17 @@ def _words_px(button: QAbstractButton, metrics: QFontMetrics) -> int:
     return words_px
 
 
-def readable_in(words: str, font: QFont, room_px: float) -> QFont:
+def readable_in(text: str, font: QFont, room_px: float) -> QFont:
     """The largest font in which words have room of those that are not too small to be read.
 
     For words that may be cut, if they have to be: in the smallest of these.
     """
     fonts = [scaled(font, scale) for scale in _SCALES if scale >= _WORTH_READING]
-    fit = (candidate for candidate in fonts if QFontMetrics(candidate).horizontalAdvance(words) <= room_px)
+    fit = (
+        candidate
+        for candidate in fonts
+        if QFontMetrics(candidate).horizontalAdvance(text) <= room_px
+    )
     return next(fit, fonts[-1])
 
 
@@ -281,8 +289,8 @@ class HeightInSight(RoomOrText):
     @property
     def px(self) -> int:
         """The height of the widget, or of what it scrolls in."""
-        around = (area.viewport().height() for area in areas_around(self._widget))
-        return min((self._widget.height(), *around))
+        heights = (area.viewport().height() for area in areas_around(self._widget))
+        return min((self._widget.height(), *heights))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Show:

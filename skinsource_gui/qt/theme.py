@@ -275,8 +275,8 @@ def tabular(font: QFont) -> QFont:
 
 def _sheet(theme: Theme) -> str:
     colours = {name: getattr(theme, name) for name in Theme.__slots__}
-    words = {name: value for name, value in colours.items() if isinstance(value, str)}
-    return Template(read_text("theme.qss")).substitute(words)
+    values = {name: value for name, value in colours.items() if isinstance(value, str)}
+    return Template(read_text("theme.qss")).substitute(values)
 
 
 def _palette(theme: Theme) -> QPalette:

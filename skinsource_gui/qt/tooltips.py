@@ -16,16 +16,16 @@ def tooltip(*sentences: str) -> str:
     return "\n".join(_in_lines(sentence) for sentence in sentences if sentence)
 
 
-def show_tooltip(widget: QWidget, words: str) -> None:
+def show_tooltip(widget: QWidget, text: str) -> None:
     """Give a widget a tooltip; one that it has already is told to nobody."""
-    if widget.toolTip() != words:
-        widget.setToolTip(words)
+    if widget.toolTip() != text:
+        widget.setToolTip(text)
 
 
-def show_tip_below(widget: QWidget, words: str) -> None:
+def show_tip_below(widget: QWidget, text: str) -> None:
     """Show words below a widget at once, as a tooltip, while the widget is in sight."""
     if widget.isVisible():
-        QToolTip.showText(widget.mapToGlobal(QPoint(0, widget.height())), words, widget)
+        QToolTip.showText(widget.mapToGlobal(QPoint(0, widget.height())), text, widget)
 
 
 @lru_cache(maxsize=512)

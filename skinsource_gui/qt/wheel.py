@@ -14,11 +14,11 @@ from skinsource_gui.qt.frames import Frame
 
 def areas_around(widget: QWidget) -> Iterator[QScrollArea]:
     """Areas that scroll a widget, the innermost first."""
-    around = widget.parentWidget()
-    while around is not None:
-        if isinstance(around, QScrollArea):
-            yield around
-        around = around.parentWidget()
+    parent = widget.parentWidget()
+    while parent is not None:
+        if isinstance(parent, QScrollArea):
+            yield parent
+        parent = parent.parentWidget()
 
 
 def bars_px(widget: QWidget) -> int:
@@ -95,10 +95,10 @@ class ScrollingOn(QObject):
 
     def was_taken(self) -> bool:
         """Whether the turn that goes on was the widget's own, and still is."""
-        taken = self._clock() - self._taken_s < PAUSE_S
-        if taken:
+        recent = self._clock() - self._taken_s < PAUSE_S
+        if recent:
             self.take()
-        return taken
+        return recent
 
     def _note(self, _value: int = 0) -> None:
         self._last_s, self._pointer = self._clock(), QCursor.pos()
@@ -196,9 +196,9 @@ class PanZoom(QObject):
         """Magnify around a point, no further out than the whole drawing."""
         if self.frame is None:
             return
-        whole = self._fits[WHOLE].scale
-        scale = min(self.frame.scale * factor, _LARGEST_ZOOM * whole)
-        if scale <= whole:
+        whole_scale = self._fits[WHOLE].scale
+        scale = min(self.frame.scale * factor, _LARGEST_ZOOM * whole_scale)
+        if scale <= whole_scale:
             self.show(WHOLE)
         else:
             self._go_to(self.frame.zoomed(scale / self.frame.scale, about))
@@ -251,17 +251,17 @@ class PanZoom(QObject):
             self._grip = None
             self._widget.unsetCursor()
 
-    def step(self, wanted: str) -> bool:
+    def step(self, name: str) -> bool:
         """Zoom by a key, as the table of keys calls it; return whether it was one for this."""
-        factor = _KEY_FACTORS.get(wanted)
+        factor = _KEY_FACTORS.get(name)
         if factor is not None:
             self.zoom(factor, self._room.center())
         return factor is not None
 
     def _leaves(self, event: QWheelEvent) -> bool:
         """Whether the wheel turns out of what is seen as a whole, and did not begin by zooming."""
-        turned, held = event.angleDelta(), event.modifiers().value
-        out = turned.y() < 0 and not turned.x() and not held
+        turned, modifiers = event.angleDelta(), event.modifiers().value
+        out = turned.y() < 0 and not turned.x() and not modifiers
         return out and self.fit == WHOLE and not self.scrolling_on.was_taken()
 
     def _go_to(self, frame: Frame) -> None:
@@ -275,7 +275,8 @@ class PanZoom(QObject):
         At each edge it leaves free what the whole drawing would, or what it left free before.
         """
         whole, drawn, left = (
-            _box(shown_frame.to_screen(self._outline)) for shown_frame in (self._fits[WHOLE], frame, before)
+            _box(shown_frame.to_screen(self._outline))
+            for shown_frame in (self._fits[WHOLE], frame, before)
         )
         room = self._room
         return (
