@@ -1,4 +1,4 @@
-"""A labelled field with room for a remark under it."""
+"""Labelled cells, of a field and a remark under it, in aligned columns."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -15,7 +15,7 @@ from skinsource_gui.qt.tooltips import tooltip
 
 #: Height of a label, and of one line of a field.
 LABEL_PX = 26
-# Above and below its letters.
+# Space above and below the letters of a line.
 _AROUND_LINE_PX = 12
 
 _DIFFERS = tooltip(
@@ -25,7 +25,7 @@ _DIFFERS = tooltip(
 
 
 class _FieldLabel(QLabel):
-    """As high as one line of the field beside it, in letters of any size."""
+    """A label as high as one line of the field beside it, in letters of any size."""
 
     def __init__(self, text: str) -> None:
         super().__init__(text)
@@ -40,14 +40,12 @@ class _FieldLabel(QLabel):
 
 
 class LabelledCell(QWidget):
-    """Something with a label; `FieldGrid` puts the label beside it.
+    """A widget with a label, which `FieldGrid` puts beside it.
 
     Attributes
     ----------
-    label
-        The label.
     across
-        Whether it holds its label itself, and takes the whole width.
+        Whether the cell contains its label and takes the whole width.
     """
 
     def __init__(self, text: str, parent: QWidget | None = None) -> None:
@@ -61,7 +59,7 @@ class LabelledCell(QWidget):
 
 
 class TextCell(LabelledCell):
-    """A label and words that cannot be edited."""
+    """A label and a text that cannot be edited."""
 
     def __init__(self, label: str, text: str, parent: QWidget | None = None) -> None:
         super().__init__(label, parent)
@@ -73,14 +71,12 @@ class TextCell(LabelledCell):
 
 
 class EditedCell(LabelledCell):
-    """The field of a recipe that ``spec`` describes.
+    """A cell for a field of a model that ``spec`` describes.
 
     Attributes
     ----------
-    name
-        Name of the field.
     editor, field
-        What edits it, made by ``new_editor``, and the widget of that.
+        The editor, made by ``new_editor``, and its widget.
     """
 
     #: Name of the field, its new value, number of the gesture or None.
@@ -90,7 +86,7 @@ class EditedCell(LabelledCell):
         self, name: str, spec: Spec, new_editor: NewEditor, parent: QWidget | None = None
     ) -> None:
         super().__init__(spec.label, parent)
-        self.name, self._words = name, spec.label
+        self.name, self._label_text = name, spec.label
         self._value: object = None
         self._warns = self._differs = False
         self._problem, self._reason = "", ""
@@ -122,27 +118,27 @@ class EditedCell(LabelledCell):
         return self._note.text()
 
     def set_spec(self, spec: Spec) -> None:
-        """Change the unit or range, or what it is called."""
+        """Change unit, range or label."""
         self.editor.set_spec(spec)
-        if spec.label != self._words:
-            self._words = spec.label
+        if spec.label != self._label_text:
+            self._label_text = spec.label
             self._show_label()
 
     def set_value(self, value: object) -> None:
-        """Show a value, and tell nobody."""
+        """Show a value without a signal."""
         self.editor.set_value(value)
         if value != self._value:
             self._value, self._reason = value, ""
         self._advise()
 
     def show_differs(self, differs: bool) -> None:
-        """Say whether the value shown is only that of one of several inputs."""
+        """Say whether the selected inputs have different values."""
         if differs != self._differs:
             self._differs = differs
             self._show_label()
 
     def _show_label(self) -> None:
-        self.label.setText(f"{self._words} ≠" if self._differs else self._words)
+        self.label.setText(f"{self._label_text} ≠" if self._differs else self._label_text)
         self.label.setToolTip(_DIFFERS if self._differs else "")
 
     def forget_typing(self) -> None:
@@ -151,9 +147,9 @@ class EditedCell(LabelledCell):
         self._forget_reason()
 
     def show_reason(self, reason: str) -> None:
-        """Say in red why the last edit was refused, until somebody goes on."""
-        self.editor.refuse(reason)
-        # What is typed and stays as it is, its editor says what is wrong with.
+        """Show in red why the last edit was refused, until the next action of the user."""
+        self.editor.mark_error(reason)
+        # Where the typed text stays, its editor already shows the problem.
         if not self._problem:
             self._reason = reason
             self._next_act.wait()
@@ -183,18 +179,16 @@ class EditedCell(LabelledCell):
             set_tone(self._note, "warning" if warns else "error")
 
 
-# Labelled fields in aligned columns.
-
-#: From this width on, two fields stand side by side, in letters of the usual size.
+#: From this width on, in letters of the usual size, two fields stand side by side.
 WIDE_PX = 440
 _MOST_PAIRS = 2
 _ANY_HEIGHT_PX = 16_777_215
 
 
 class FieldGrid(QWidget):
-    """Cells with their labels beside them: one column of pairs, or two where there is room.
+    """Cells with their labels beside them, in one column or in two where there is room.
 
-    Where even one pair has too little room, labels stand above their fields.
+    In a narrow grid labels stand above their fields.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -208,16 +202,16 @@ class FieldGrid(QWidget):
         RoomOrText(self).changed.connect(self._fold)
 
     def set_margins(self, left: int, top: int, right: int, bottom: int) -> None:
-        """Leave room around the cells, px."""
+        """Set the margins around the cells, px."""
         self._grid.setContentsMargins(left, top, right, bottom)
 
     @property
     def pairs(self) -> int:
-        """Fields side by side."""
+        """Number of fields side by side."""
         return self._pairs
 
     def show_cells(self, cells: Sequence[LabelledCell]) -> None:
-        """Show these cells, in reading order; others are taken off and left to the caller."""
+        """Show these cells, in reading order; others are removed but not deleted."""
         for cell in self._cells:
             if cell not in cells:
                 for part in (cell.label, cell):
@@ -235,8 +229,7 @@ class FieldGrid(QWidget):
             cell.show()
 
     def minimumSizeHint(self) -> QSize:
-        # Neither fields side by side nor labels beside them must keep the grid so wide that they
-        # stay there.
+        # The grid must be able to become so narrow that it folds.
         fields = max((cell.minimumSizeHint().width() for cell in self._cells), default=0)
         margins = self._grid.contentsMargins()
         least = fields + margins.left() + margins.right()
@@ -252,7 +245,7 @@ class FieldGrid(QWidget):
 
     @property
     def _paired_px(self) -> int:
-        """Least width of a label with its field beside it."""
+        """Minimum width of a label with its field beside it."""
         paired = [cell for cell in self._cells if not cell.across]
         labels = max((cell.label.sizeHint().width() for cell in paired), default=0)
         fields = max((cell.minimumSizeHint().width() for cell in paired), default=0)
@@ -261,7 +254,7 @@ class FieldGrid(QWidget):
         return labels + gap + fields + margins.left() + margins.right()
 
     def _arrange(self) -> None:
-        # One that is across holds its label, which stands in no layout of the grid.
+        # A cell that is across contains its label, which is in no layout of the grid.
         for part in (widget for cell in self._cells for widget in (cell.label, cell)):
             self._grid.removeWidget(part)
         row, pair = 0, 0

@@ -449,13 +449,13 @@ def moved_playhead(event: QKeyEvent, design: Design, playhead_s: float) -> float
         return max(round(playhead_s + (-by_s if back else by_s), 9), 0.0)
     if meaning != "stop":
         return None
-    stops = _stops_of(design)
+    stops = stops_of(design)
     if back:
         return stops[max(bisect_left(stops, playhead_s) - 1, 0)]
     return stops[min(bisect_right(stops, playhead_s), len(stops) - 1)]
 
 
-def _stops_of(design: Design) -> tuple[float, ...]:
+def stops_of(design: Design) -> tuple[float, ...]:
     """Return the start, markers, and the ends of clips and of the loop, rising, s."""
     times_s = {0.0, *(marker.time_s for marker in design.markers), *(design.loop_s or ())}
     for clip in design.clips:
