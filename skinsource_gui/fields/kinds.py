@@ -1,7 +1,7 @@
 """Kinds of waveforms: their icons, their menu, and the field that chooses one."""
 
 from collections.abc import Callable
-from functools import lru_cache, partial
+from functools import lru_cache
 from math import ceil
 
 import numpy as np
@@ -222,14 +222,10 @@ def fill_kind_menu(menu: QMenu, choose: Callable[[str], None], *, current: str =
 def _add(menu: QMenu, kind: type[Waveform], choose: Callable[[str], None], current: str) -> None:
     action = menu.addAction(waveform_icon(kind), kind.title)
     action.setObjectName(f"kind_{kind.__name__}")
-    action.triggered.connect(partial(_tell, choose, kind.__name__))
+    action.triggered.connect(lambda: choose(kind.__name__))
     if kind.__name__ == current:
         _embolden(action)
         menu.setActiveAction(action)
-
-
-def _tell(choose: Callable[[str], None], name: str, _checked: bool = False) -> None:
-    choose(name)
 
 
 def _embolden(action: QAction) -> None:

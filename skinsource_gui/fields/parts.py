@@ -7,7 +7,7 @@ an `AddButton`.  A row shows the cells of `PartFields` while it is open.
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from typing import Any, Protocol
+from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPalette, QResizeEvent
@@ -465,18 +465,11 @@ def _step_button(letter: str, name: str, key: str) -> LetterButton:
 _LINE_PX = 2
 
 
-class Row(Protocol):
-    """A widget in a `RowColumn`; ``stops`` are its widgets in the order of the Tab key."""
-
-    title: RowTitle
-    stops: tuple[QWidget, ...]
-
-    def forget_typing(self) -> None:
-        """Close an open editor without committing."""
-
-
 class RowColumn(QWidget):
     """Rows one below the other, which the user reorders by mouse or keys.
+
+    A row is a widget with a ``title``, a `RowTitle`, with ``stops``, its widgets in the order of
+    the Tab key, and with ``forget_typing``.
 
     Parameters
     ----------

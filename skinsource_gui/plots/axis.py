@@ -453,8 +453,9 @@ class Stack:
         Where each row has curves along ``n_axes`` axes, these have the colours of axes.
         """
         self._n_axes = n_axes
+        n_curves = sum(row.n_curves for row in self.rows)
         # One pixel of the screen: any wider line takes a hundred times as long.
-        pens = [current_theme().output_pen(rank, 0.0) for rank in range(self._n_curves())]
+        pens = [current_theme().output_pen(rank, 0.0) for rank in range(n_curves)]
         if n_axes:
             pens = [QPen(colour, 0.0) for colour in self._colours(len(pens))]
         for row, of_row in zip(self.rows, self._by_row(pens), strict=True):
@@ -485,9 +486,6 @@ class Stack:
         if not self._n_axes:
             return [current_theme().output_colour(rank) for rank in range(n_curves)]
         return [current_theme().axis_colour(rank % self._n_axes) for rank in range(n_curves)]
-
-    def _n_curves(self) -> int:
-        return sum(row.n_curves for row in self.rows)
 
     def _show_rows(self, count: int) -> None:
         if count == len(self.rows):

@@ -459,7 +459,8 @@ def _effect_texts(clip: Clip) -> list[str]:
     """Return the texts of the effects of a clip that are on, in their order."""
     texts, lasts_s = [], clip.waveform.duration_s
     for effect in clip.effects:
-        if effect.on and _changes(effect):
+        changes = not (isinstance(effect, Envelope) and effect.points == UNCHANGED)
+        if effect.on and changes:
             texts.append(_effect_text(effect, lasts_s))
         lasts_s = effect.length(lasts_s) if effect.on else lasts_s
     return texts
@@ -473,10 +474,6 @@ def _effect_text(effect: Effect, lasts_s: float) -> str:
         addition = " that keeps frequencies" if effect.pitch == "stays" else ""
         return f"stretch ×{effect.factor_of(lasts_s):.3g}{addition}"
     return effect.title.lower()
-
-
-def _changes(effect: Effect) -> bool:
-    return not (isinstance(effect, Envelope) and effect.points == UNCHANGED)
 
 
 def _points(curve: Sequence[object]) -> str:
@@ -560,7 +557,7 @@ def caption_px(caption: str, width: int, height: int) -> int:
 
 
 def _draw(
-    draw: Callable[..., None],
+    draw: Draw,
     caption: str,
     painter: QPainter,
     width: int,

@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QPainter, QPainterPath, QPaintEvent, QPen
+from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.base.arrays import Floats
@@ -319,25 +319,9 @@ class WaveformPreview(QWidget):
         painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
 
     def _paint_axis(self, painter: QPainter, plot: QRectF, span_s: float) -> None:
-        unit, per_s = axis_unit(span_s)
-        span = span_s * per_s
         spacing_px = _TICK_SPACING_PX * letter_scale(self.font())
-        step = tick_step(span, int(plot.width() / spacing_px))
-        unit_px = self.fontMetrics().horizontalAdvance(f" {unit}") + 2
-        for k in range(int(span / step * (1 + 1e-9)) + 1):
-            x = plot.left() + k * step / span * plot.width()
-            painter.setPen(QPen(QColor(current_theme().grid), 1))
-            painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
-            label = f"{k * step:g}"
-            width = self.fontMetrics().horizontalAdvance(label)
-            left = min(max(x - width / 2, plot.left()), plot.right() - width)
-            if left + width > plot.right() - unit_px:
-                # The last tick makes room for the unit of all.
-                continue
-            painter.setPen(QColor(current_theme().dim))
-            painter.drawText(QPointF(left, self.height() - 5), label)
-        painter.setPen(QColor(current_theme().dim))
-        painter.drawText(QPointF(plot.right() - unit_px + 2, self.height() - 5), f" {unit}")
+        baseline = self.height() - 5
+        _paint_time_axis(painter, plot, self.fontMetrics(), (0.0, span_s), spacing_px, baseline)
 
 
 _HEAD_PX, _STRIP_AXIS_PX = 34, 20
@@ -470,7 +454,11 @@ class ClipStrip(QWidget):
         plot = QRectF(self.rect()).adjusted(_HEAD_PX, 2, -UNIT_PX, -_STRIP_AXIS_PX)
         height = min(plot.height() / len(self._lanes), _LANE_PX[1])
         plot.setHeight(height * len(self._lanes))
-        self._paint_axis(painter, plot, start_s, span_s)
+        baseline = plot.bottom() + _STRIP_AXIS_PX - 5
+        part_s = (start_s, span_s)
+        _paint_time_axis(
+            painter, plot, self.fontMetrics(), part_s, _STRIP_TICK_SPACING_PX, baseline
+        )
         x_of = partial(_x_at, plot, start_s, span_s)
         for row, lane in enumerate(self._lanes):
             area = QRectF(plot.left(), plot.top() + row * height, plot.width(), height)
@@ -514,26 +502,35 @@ class ClipStrip(QWidget):
             self._outlines[key] = _outline(samples, size)
         return self._outlines[key].translated(box.topLeft())
 
-    def _paint_axis(self, painter: QPainter, plot: QRectF, start_s: float, span_s: float) -> None:
-        unit, per_s = axis_unit(start_s + span_s)
-        step = tick_step(span_s * per_s, int(plot.width() / _STRIP_TICK_SPACING_PX))
-        first = int(np.ceil(start_s * per_s / step - 1e-9))
-        last = int(np.floor((start_s + span_s) * per_s / step + 1e-9))
-        unit_px = self.fontMetrics().horizontalAdvance(f" {unit}") + 2
-        baseline = plot.bottom() + _STRIP_AXIS_PX - 5
-        for k in range(first, last + 1):
-            x = _x_at(plot, start_s, span_s, k * step / per_s)
-            painter.setPen(QPen(QColor(current_theme().grid), 1))
-            painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
-            label = f"{k * step:g}"
-            width = self.fontMetrics().horizontalAdvance(label)
-            where = min(max(x - width / 2, plot.left()), plot.right() - width)
-            # The last tick makes room for the unit of all.
-            if where + width <= plot.right() - unit_px:
-                painter.setPen(QColor(current_theme().dim))
-                painter.drawText(QPointF(where, baseline), label)
-        painter.setPen(QColor(current_theme().dim))
-        painter.drawText(QPointF(plot.right() - unit_px + 2, baseline), f" {unit}")
+
+def _paint_time_axis(
+    painter: QPainter,
+    plot: QRectF,
+    metrics: QFontMetrics,
+    part_s: tuple[float, float],
+    spacing_px: float,
+    baseline: float,
+) -> None:
+    """Draw grid, labels and unit of an axis of time; ``part_s`` is its start and its length."""
+    start_s, span_s = part_s
+    unit, per_s = axis_unit(start_s + span_s)
+    step = tick_step(span_s * per_s, int(plot.width() / spacing_px))
+    first = math.ceil(start_s * per_s / step - 1e-9)
+    last = math.floor((start_s + span_s) * per_s / step + 1e-9)
+    unit_px = metrics.horizontalAdvance(f" {unit}") + 2
+    for k in range(first, last + 1):
+        x = _x_at(plot, start_s, span_s, k * step / per_s)
+        painter.setPen(QPen(QColor(current_theme().grid), 1))
+        painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
+        label = f"{k * step:g}"
+        width = metrics.horizontalAdvance(label)
+        left = min(max(x - width / 2, plot.left()), plot.right() - width)
+        # The last tick makes room for the unit of all.
+        if left + width <= plot.right() - unit_px:
+            painter.setPen(QColor(current_theme().dim))
+            painter.drawText(QPointF(left, baseline), label)
+    painter.setPen(QColor(current_theme().dim))
+    painter.drawText(QPointF(plot.right() - unit_px + 2, baseline), f" {unit}")
 
 
 def _x_at(plot: QRectF, start_s: float, span_s: float, time_s: float) -> float:

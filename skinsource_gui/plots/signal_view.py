@@ -313,45 +313,6 @@ class SignalExports(QObject):
             self.written.emit(path)
 
 
-def open_menu(
-    parent: QWidget,
-    at: QPoint,
-    show_everything: Callable[[], None],
-    exports: SignalExports,
-    switches: Sequence[QToolButton] = (),
-    *,
-    fresh: bool = True,
-) -> QMenu:
-    """Open the menu of a plot at a place on the screen; it is deleted when it closes.
-
-    ``switches`` of the plot are entries too.  Unless curves are ``fresh``, those of the present
-    design, they cannot be exported.
-    """
-    menu = QMenu(parent)
-    menu.setObjectName("plot-menu")
-    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-    # The plot handles the keys; the menu only shows them.
-    menu.addAction(f"View all\t{key_text('plot', 'whole')}").triggered.connect(show_everything)
-    for switch in switches:
-        chosen = menu.addAction(switch.accessibleName())
-        chosen.setCheckable(True)
-        chosen.setChecked(switch.isChecked())
-        chosen.setToolTip(switch.toolTip())
-        chosen.triggered.connect(switch.click)
-    menu.setToolTipsVisible(True)
-    menu.addSeparator()
-    for text, export in (
-        ("Copy picture", exports.copy_picture),
-        ("Save picture as…", exports.save_picture),
-        ("Export data…", exports.save_data),
-    ):
-        action = menu.addAction(text)
-        action.setEnabled(fresh)
-        action.triggered.connect(export)
-    menu.popup(at)
-    return menu
-
-
 _COMPUTING = "Computing…"
 #: A view of so many lines of text has room for two rows of switches, or of a legend.
 _LINES_OF_TWO_ROWS = 12
@@ -396,7 +357,6 @@ class SignalView(QWidget):
         column.addWidget(self.legend)
         column.addWidget(self.plot, 1)
         self.exports = SignalExports(self.plot, accessible_name, self)
-        self._texts = PlotTexts()
         self._in_menu: list[QToolButton] = []
         self._staleness = lateness or Staleness(self)
         self._staleness.changed.connect(self._mark_stale)
@@ -428,7 +388,7 @@ class SignalView(QWidget):
         The curves are up to date until `set_stale` says otherwise.
         """
         self._staleness.set_stale(False)
-        self._say(PlotTexts(synthetic=synthetic, notes=notes))
+        self.plot.set_texts(PlotTexts(synthetic=synthetic, notes=notes))
         self.plot.show_curves(curves)
 
     def show_message(self, message: str) -> None:
@@ -452,19 +412,39 @@ class SignalView(QWidget):
     def _mark_stale(self, stale: bool) -> None:
         if self.plot.curves is None and not self.plot.message:
             self.plot.show_message(_COMPUTING)
-        self._say(replace(self._texts, stale=stale))
-
-    def _say(self, texts: PlotTexts) -> None:
-        self._texts = texts
-        self.plot.set_texts(texts)
+        self.plot.set_texts(replace(self.plot.texts, stale=stale))
 
     def _show_everything(self) -> None:
         self.zoom_requested.emit(None)
 
     def _open_menu(self, at: QPoint) -> None:
-        if self.plot.curves is not None:
-            fresh = not self._staleness.late
-            open_menu(self, at, self._show_everything, self.exports, self._in_menu, fresh=fresh)
+        """Open the menu at a place on the screen; it is deleted when it closes."""
+        if self.plot.curves is None:
+            return
+        menu = QMenu(self)
+        menu.setObjectName("plot-menu")
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        # The plot handles the keys; the menu only shows them.
+        view_all = menu.addAction(f"View all\t{key_text('plot', 'whole')}")
+        view_all.triggered.connect(self._show_everything)
+        for switch in self._in_menu:
+            chosen = menu.addAction(switch.accessibleName())
+            chosen.setCheckable(True)
+            chosen.setChecked(switch.isChecked())
+            chosen.setToolTip(switch.toolTip())
+            chosen.triggered.connect(switch.click)
+        menu.setToolTipsVisible(True)
+        menu.addSeparator()
+        for text, export in (
+            ("Copy picture", self.exports.copy_picture),
+            ("Save picture as…", self.exports.save_picture),
+            ("Export data…", self.exports.save_data),
+        ):
+            action = menu.addAction(text)
+            # Curves of an older design cannot be exported.
+            action.setEnabled(not self._staleness.late)
+            action.triggered.connect(export)
+        menu.popup(at)
 
     def _read(self) -> None:
         self.legend.say(reading(self.plot))

@@ -3,6 +3,8 @@
 from bisect import bisect_left
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from math import inf
+from operator import itemgetter
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QWheelEvent
@@ -60,13 +62,14 @@ def rest_of(
         An edge snaps to a time from this far away.
     """
     edges = tuple(edges_s)
-    nearest: tuple[float, float, float] | None = None
-    for edge in edges:
-        target = _nearest(neighbours_s, edge + by_s)
-        if target is not None:
-            nearest = _nearer(nearest, edge, target, by_s)
-    if nearest is not None and nearest[0] <= reach_s:
-        return Rest(by_s=nearest[1], guide_s=nearest[2])
+    snaps = [
+        (abs(target - edge - by_s), target - edge, target)
+        for edge in edges
+        if (target := _nearest(neighbours_s, edge + by_s)) is not None
+    ]
+    distance_s, snapped_by_s, guide_s = min(snaps, key=itemgetter(0), default=(inf, 0.0, 0.0))
+    if distance_s <= reach_s:
+        return Rest(by_s=snapped_by_s, guide_s=guide_s)
     if grid_s is None or not edges:
         return Rest(by_s=by_s)
     # Only the first edge follows the grid: it is the start of something.
@@ -80,13 +83,6 @@ def _nearest(rising: Sequence[float], time_s: float) -> float | None:
     right = bisect_left(rising, time_s)
     neighbours = rising[max(right - 1, 0) : right + 1]
     return min(neighbours, key=lambda time: abs(time - time_s))
-
-
-def _nearer(
-    best: tuple[float, float, float] | None, edge: float, target: float, by_s: float
-) -> tuple[float, float, float]:
-    away = abs(target - edge - by_s)
-    return best if best is not None and best[0] <= away else (away, target - edge, target)
 
 
 Range = tuple[float, float]
