@@ -87,14 +87,11 @@ class SpectrumPreview(QWidget):
         span = np.log(self._highest_hz / LOWEST_HZ)
         return plot.left() + plot.width() * float(np.log(hz / LOWEST_HZ) / span)
 
-    def _y(self, plot: QRectF, db: float) -> float:
-        return plot.top() + plot.height() * db / FLOOR_DB
-
     def _paint_ticks(self, painter: QPainter, plot: QRectF) -> None:
         grid, text_pen = QPen(QColor(current_theme().grid), 1), QPen(QColor(current_theme().dim))
         metrics = self.fontMetrics()
         for db in _TICKS_DB:
-            y = self._y(plot, db)
+            y = plot.top() + plot.height() * db / FLOOR_DB
             painter.setPen(grid)
             painter.drawLine(QLineF(plot.left(), y, plot.right(), y))
             painter.setPen(text_pen)

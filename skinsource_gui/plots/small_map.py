@@ -221,16 +221,12 @@ class SmallMaps:
         """
         surface = results.get("surface")
         levels = results.get("surface_levels_db")
+        plain = SmallMap(limb_map=results["limb_map"], levels_db=results.get("output_levels_db"))
         if surface is None or levels is None or "limb_data" not in results:
-            return SmallMap(limb_map=results["limb_map"], levels_db=results.get("output_levels_db"))
+            return plain
         if surface is not self._surface:
             self._surface, self._field = surface, field_image(surface, results["limb_data"])
-        return SmallMap(
-            limb_map=results["limb_map"],
-            levels_db=results.get("output_levels_db"),
-            field=self._field,
-            field_levels_db=levels,
-        )
+        return replace(plain, field=self._field, field_levels_db=levels)
 
 
 def paint_small_map(
@@ -319,8 +315,7 @@ def spacing_px(limb_map: LimbMap, frame: Frame) -> float:
 
 def _paint_noise(painter: QPainter, frame: Frame, outline: QPainterPath, shown: SmallMap) -> None:
     places = frame.to_screen(shown.limb_map.output_positions)
-    noisy = [QPointF(*places[number - 1]) for number in shown.noisy if number <= len(places)]
-    placed = [place for place in noisy if np.isfinite((place.x(), place.y())).all()]
+    placed = [QPointF(*places[number - 1]) for number in shown.noisy if is_placed(places, number)]
     reach = max(_NOISE_SPACINGS * spacing_px(shown.limb_map, frame), _DISC_PX)
     paint_strokes(painter, placed, reach, outline)
 
@@ -331,14 +326,18 @@ def _paint_inputs(
     audible = set(audible_indices(design.inputs))
     places = frame.to_screen(limb_map.input_positions)
     for index, track in enumerate(design.inputs):
-        if index in audible and track.location <= len(places):
+        if index in audible and is_placed(places, track.location):
             centre = QPointF(*places[track.location - 1])
-            if not np.isfinite((centre.x(), centre.y())).all():
-                continue  # not on this map
-            painter.setPen(QPen(QColor(theme.base), 3.0))
-            painter.drawEllipse(centre, _RING_PX, _RING_PX)
-            painter.setPen(QPen(theme.input_colour(track.colour), 1.5))
-            painter.drawEllipse(centre, _RING_PX, _RING_PX)
+            pen = QPen(theme.input_colour(track.colour), 1.5)
+            _paint_ring(painter, centre, _RING_PX, pen, theme)
+
+
+def _paint_ring(painter: QPainter, centre: QPointF, radius: float, pen: QPen, theme: Theme) -> None:
+    """Draw a ring on a wider one in the colour of the background, to be visible on any colour."""
+    painter.setPen(QPen(QColor(theme.base), 2.0 * pen.widthF()))
+    painter.drawEllipse(centre, radius, radius)
+    painter.setPen(pen)
+    painter.drawEllipse(centre, radius, radius)
 
 
 def _bounds(outline: Floats) -> QRectF:
@@ -487,13 +486,8 @@ def paint_rings(
     if pointed_at is not None:
         rings.append((pointed_at, QPen(QColor(theme.text), 1.5), _WIDE_PX))
     for number, pen, radius in rings:
-        if not is_placed(points, number):
-            continue  # not on this map
-        centre = QPointF(*points[number - 1])
-        painter.setPen(QPen(QColor(theme.base), 2.0 * pen.widthF()))
-        painter.drawEllipse(centre, radius, radius)
-        painter.setPen(pen)
-        painter.drawEllipse(centre, radius, radius)
+        if is_placed(points, number):
+            _paint_ring(painter, QPointF(*points[number - 1]), radius, pen, theme)
 
 
 def number_places(

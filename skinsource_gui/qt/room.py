@@ -161,9 +161,7 @@ _READABLE = 0.8
 def fitting_font(rows: Sequence[Sequence[QAbstractButton]], font: QFont, room_px: int) -> QFont:
     """Return the largest font, up to ``font``, in which the texts of each row fit."""
     fonts = fonts_of(font)
-    fit = (
-        candidate for candidate in fonts if max(width_in(candidate, row) for row in rows) <= room_px
-    )
+    fit = (smaller for smaller in fonts if max(width_in(smaller, row) for row in rows) <= room_px)
     return next(fit, fonts[-1])
 
 
@@ -196,11 +194,7 @@ def readable_in(text: str, font: QFont, room_px: float) -> QFont:
     For texts that may be cut.
     """
     fonts = [scaled(font, scale) for scale in _SCALES if scale >= _WORTH_READING]
-    fit = (
-        candidate
-        for candidate in fonts
-        if QFontMetrics(candidate).horizontalAdvance(text) <= room_px
-    )
+    fit = (smaller for smaller in fonts if QFontMetrics(smaller).horizontalAdvance(text) <= room_px)
     return next(fit, fonts[-1])
 
 
@@ -224,7 +218,7 @@ def write_in(font: QFont, buttons: Sequence[QAbstractButton]) -> None:
 def fonts_of(font: QFont) -> list[QFont]:
     """Return the fonts to which ``font`` may shrink, from large to small."""
     large = (scaled(font, scale) for scale in _SCALES_OF_LARGE)
-    readable = [candidate for candidate in large if QFontInfo(candidate).pixelSize() >= _LEAST_PX]
+    readable = [smaller for smaller in large if QFontInfo(smaller).pixelSize() >= _LEAST_PX]
     return [*(scaled(font, scale) for scale in _SCALES), *readable]
 
 
