@@ -292,7 +292,7 @@ class Pictured(QWidget):
     ) -> None:
         """Draw what the widget shows; size in px.
 
-        Unless a subclass draws otherwise, it has the colours in use, and ``theme`` fills the rest.
+        Here the widget has the colours in use, and ``theme`` gives only the background.
         """
         scale = min(width / max(self.width(), 1), height / max(self.height(), 1))
         painter.save()

@@ -483,7 +483,7 @@ class Plot(Canvas):
     ----------
     stack
         The items of the scene.
-    held
+    steady_range
         Decides the range of values, by those of earlier curves.
     value_scale, unit
         Where values lie in a row; how they are written.
@@ -522,7 +522,7 @@ class Plot(Canvas):
         self.text_font = scaled(tabular(self.font()), _TEXT)
         self.zoom: Range | None = None
         self.stacked = self.fitted = False
-        self.texts, self.held = PlotTexts(), SteadyRange()
+        self.texts, self.steady_range = PlotTexts(), SteadyRange()
         self.columns = CachedColumns()
         self._content: tuple[PlotContent, XWindow] | None = None
         self.crosshair = Crosshair(self)
@@ -581,7 +581,7 @@ class Plot(Canvas):
 
     def begin_anew(self) -> None:
         """Decide the range of the next curves by them alone."""
-        self.held.let_go()
+        self.steady_range.let_go()
 
     def show_curves(self, curves: Curves) -> None:
         """Draw ``curves`` instead of those before; zoom and crosshair stay."""
@@ -687,7 +687,7 @@ class Plot(Canvas):
 
     def _fit(self, curves: Curves, extremes: Range) -> None:
         """Make room for values between these extremes."""
-        values = self.held.follow(*extremes, curves.kind)
+        values = self.steady_range.follow(*extremes, curves.kind)
         self.value_scale = ValueScale(values=values, edge=self.value_scale.edge)
         self.unit = value_unit(curves.kind, *values)
 

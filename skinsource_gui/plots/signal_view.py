@@ -98,7 +98,7 @@ def copy_of(plot: Plot, size: QSize) -> Plot:
     paper_plot.resize(size)
     paper_plot.set_view(plot.x_window.axis, plot.zoom, stacked=plot.stacked, fitted=plot.fitted)
     paper_plot.set_texts(replace(plot.texts, stale=False))
-    paper_plot.held = copy(plot.held)
+    paper_plot.steady_range = copy(plot.steady_range)
     if plot.curves is not None:
         paper_plot.show_curves(plot.curves)
     for item in paper_plot.scene().items():

@@ -490,7 +490,7 @@ def paint_rings(
             _paint_ring(painter, QPointF(*points[number - 1]), radius, pen, theme)
 
 
-def number_places(
+def number_areas(
     small: SmallMap, area: QRectF, outputs: tuple[int, ...], metrics: QFontMetricsF
 ) -> list[tuple[int, QRectF]]:
     """Return the areas of the numbers of few outputs, beside their rings, without overlaps.
@@ -506,7 +506,7 @@ def number_places(
         QRectF(x - side / 2, y - side / 2, side, side)
         for x, y in (points[number - 1] for number in placed)
     ]
-    number_areas: list[tuple[int, QRectF]] = []
+    areas: list[tuple[int, QRectF]] = []
     for number in placed:
         x, y = (float(value) for value in points[number - 1])
         width = metrics.horizontalAdvance(str(number)) + 2.0 * _EDGE_PX
@@ -521,9 +521,9 @@ def number_places(
             place = QRectF(left, top, width, height)
             if area.contains(place) and not any(place.intersects(other) for other in occupied):
                 occupied.append(place)
-                number_areas.append((number, place))
+                areas.append((number, place))
                 break
-    return number_areas
+    return areas
 
 
 def paint_numbers(
@@ -533,7 +533,7 @@ def paint_numbers(
     ground = QColor(theme.base)
     ground.setAlphaF(_GROUND)
     points = small_frame(small.limb_map, area).to_screen(small.limb_map.output_positions)
-    for number, place in number_places(small, area, outputs, QFontMetricsF(painter.font())):
+    for number, place in number_areas(small, area, outputs, QFontMetricsF(painter.font())):
         x, y = (float(value) for value in points[number - 1])
         right = place.left() > x
         edge = QPointF(place.left() if right else place.right(), place.center().y())

@@ -204,7 +204,7 @@ def smallest_of(font: QFont) -> QFont:
 
 
 def readable_of(font: QFont) -> QFont:
-    """Return the font that is too small for one row if a second row is possible."""
+    """Return the smallest font for a single row, as long as a second row is possible."""
     return scaled(font, _READABLE)
 
 
