@@ -1,4 +1,4 @@
-"""A list that drops down, as it looks everywhere."""
+"""Drop-down lists: the common look, and the field of a choice among named options."""
 
 from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPaintEvent, QPalette, QPen, QWheelEvent
@@ -17,12 +17,12 @@ from skinsource_gui.fields.editor import Burst
 from skinsource_gui.qt.room import readable_in
 from skinsource_gui.qt.tooltips import tooltip
 
-# Between a picture and its words.
+# Between an icon and its text.
 _BESIDE_PX = 4
 
 
 class DropDown(QComboBox):
-    """A list that drops down, with an arrow that says so; the list is as wide as its longest entry.
+    """A drop-down list with an arrow; the open list is as wide as its longest entry.
 
     The wheel acts only while it has the focus, so that scrolling a panel changes nothing.
     """
@@ -32,23 +32,23 @@ class DropDown(QComboBox):
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(8)
         self.setMaxVisibleItems(20)
-        # A drop-down list of Qt takes the focus from the wheel, and then acts on it.
+        # Qt's drop-down list takes the focus on a turn of the wheel, and then acts on it.
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
     @property
     def shown_text(self) -> str:
-        """The words for the choice."""
+        """The text of the choice."""
         return self.currentText()
 
     def showPopup(self) -> None:
-        # The list may be wider than the field, so that no name is cut off.
+        # The list may be wider than the field, so that no name is cut.
         self.view().setMinimumWidth(self.view().sizeHintForColumn(0) + 24)
         super().showPopup()
 
-    def words_in(self, room_px: int) -> tuple[QFont, str]:
-        """The words for the choice as they are written in so much room, and in which letters.
+    def fitted_text(self, room_px: int) -> tuple[QFont, str]:
+        """Return the font and the text of the choice for this width.
 
-        Smaller ones before words are cut, and those not in the middle of a letter, as Qt does.
+        Letters shrink before the text is cut, and it is not cut within a letter, as Qt would.
         """
         font = readable_in(self.shown_text, self.font(), room_px)
         cut = QFontMetrics(font).elidedText(self.shown_text, Qt.TextElideMode.ElideRight, room_px)
@@ -63,7 +63,7 @@ class DropDown(QComboBox):
             QStyle.ComplexControl.CC_ComboBox, option, QStyle.SubControl.SC_ComboBoxEditField, self
         )
         picture_px = 0 if option.currentIcon.isNull() else option.iconSize.width() + _BESIDE_PX
-        font, option.currentText = self.words_in(room.width() - picture_px)
+        font, option.currentText = self.fitted_text(room.width() - picture_px)
         painter.setFont(font)
         painter.drawControl(QStyle.ControlElement.CE_ComboBoxLabel, option)
         # The theme's style sheet takes away the arrow of the style.
@@ -79,14 +79,11 @@ class DropDown(QComboBox):
             event.ignore()
 
 
-# One of several names, as a list that drops down.
-
-
 class ChoiceField(DropDown):
     """A drop-down list of the options of ``spec``.
 
     A value that is not among the options is shown as not available, until another is chosen.
-    ``empty`` is said while there is none.
+    ``empty`` is shown while there is no value.
     """
 
     #: The chosen option; number of the gesture that quick further choices share.
@@ -97,7 +94,7 @@ class ChoiceField(DropDown):
     ) -> None:
         super().__init__(parent)
         self._burst = Burst(self)
-        self._strange, self._empty = "", empty
+        self._unknown, self._empty = "", empty
         self.offer(spec)
         self.setAccessibleName(spec.label)
         self.setToolTip(tooltip(spec.label, spec.hint))
@@ -105,38 +102,38 @@ class ChoiceField(DropDown):
         self.activated.connect(self._choose)
 
     def offer(self, spec: ChoiceSpec) -> None:
-        """Offer other options; what is chosen stays so, whether or not it is among them."""
+        """Offer other options; the value stays, even if it is not among them."""
         value = self.value
         self.blockSignals(True)
         self.clear()
-        for option, words in spec.options:
-            self.addItem(words, option)
+        for option, title in spec.options:
+            self.addItem(title, option)
         self.blockSignals(False)
         index = self.findData(value) if value else self.currentIndex()
-        self._strange = "" if index >= 0 else value
+        self._unknown = "" if index >= 0 else value
         self.setCurrentIndex(index)
 
     @property
     def value(self) -> str:
         """The chosen option."""
-        return self._strange if self.currentIndex() < 0 else self.currentData()
+        return self._unknown if self.currentIndex() < 0 else self.currentData()
 
     def set_value(self, option: str) -> None:
-        """Show another choice, and tell nobody."""
+        """Show another choice without a signal."""
         if option != self.value:
             self._burst.end()
             index = self.findData(option)
-            self._strange = "" if index >= 0 else option
+            self._unknown = "" if index >= 0 else option
             self.setCurrentIndex(index)
             self.update()
 
     @property
     def shown_text(self) -> str:
-        """The words for the choice."""
+        """The text of the choice."""
         if self.currentIndex() >= 0:
             return self.currentText()
-        # Without any choice there is nothing that could be missing.
-        return f"{printable(self._strange)} (not available)" if self._strange else self._empty
+        # Without a value, no option is missing.
+        return f"{printable(self._unknown)} (not available)" if self._unknown else self._empty
 
     def choose(self, option: str) -> None:
         """Choose an option, as a user does."""

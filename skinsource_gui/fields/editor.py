@@ -1,4 +1,4 @@
-"""What a cell asks of that which edits its value."""
+"""What all editors share: their protocol, gestures, marks of errors, and units beside numbers."""
 
 from collections.abc import Callable
 from itertools import count
@@ -21,18 +21,16 @@ from skinsource_gui.qt.theme import Theme, current_theme
 
 
 class Editor(Protocol):
-    """A widget that edits one value, and what a cell has to know of it.
+    """Edits one value with the widget ``field``.
 
     Attributes
     ----------
-    field
-        The widget.
     label
-        The label, where the widget holds it itself and takes the whole width; else None.
+        The label, where the widget contains it and takes the whole width; else None.
     edited
         Signal: the new value, number of the gesture or None.
     problem_changed
-        Signal: why what is entered is not allowed, or "".
+        Signal: why the input is not allowed, or "".
     """
 
     @property
@@ -48,43 +46,39 @@ class Editor(Protocol):
     def problem_changed(self) -> Any: ...
 
     def set_value(self, value: Any) -> None:
-        """Show a value, and tell nobody."""
+        """Show a value without a signal."""
 
     def set_spec(self, spec: Any) -> None:
-        """Change what is allowed."""
+        """Change the allowed values."""
 
     def advice(self) -> str:
-        """What one should know about the present value, or ""."""
+        """Return a remark on the present value, or ""."""
 
-    def refuse(self, reason: str) -> None:
-        """Show where in what is entered the reason lies for which it was refused."""
+    def mark_error(self, reason: str) -> None:
+        """Mark the error in the input for which an edit was refused."""
 
     def cancel(self) -> None:
-        """Forget what is being entered."""
+        """Forget what is being typed."""
 
 
 #: Makes the editor for a field.
 NewEditor = Callable[[Spec, QWidget], Editor]
 
 
-# Numbers that tell one drag, or one turn of the wheel, from the next.
-
 _numbers = count(1)
 
 
 def new_gesture() -> int:
-    """Return a number that no gesture had before; edits that share it undo as one step."""
+    """Return a new number for a gesture; edits that share it are one step of undo."""
     return next(_numbers)
 
-
-# Steps that follow each other quickly belong together.
 
 #: A pause as long as this ends a burst.
 PAUSE_MS = 600
 
 
 class Burst(QObject):
-    """One gesture number for all steps between two pauses, so that they undo as one."""
+    """Gives quick successive steps one gesture number, so that they are one step of undo."""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -95,11 +89,11 @@ class Burst(QObject):
 
     @property
     def active(self) -> bool:
-        """Whether the next step belongs to the last one."""
+        """Whether the next step has the same number as the last one."""
         return self._pause.isActive()
 
     def gesture(self) -> int:
-        """Gesture number of a step that happens now."""
+        """Return the gesture number of a step that happens now."""
         if not self.active:
             self._gesture = new_gesture()
         self._pause.start()
@@ -110,29 +104,20 @@ class Burst(QObject):
         self._pause.stop()
 
 
-# The place in a text where reading stopped.
-
-
 class TextMark:
-    """Underlines that place, and frames the text that could not be read.
-
-    Parameters
-    ----------
-    text
-        Where it is marked.
-    """
+    """Underlines the place in ``text`` where reading stopped, and frames the text."""
 
     def __init__(self, text: QPlainTextEdit) -> None:
         self._text = text
         self.column: int | None = None
 
     def put(self, column: int | None) -> None:
-        """Mark the letter of that number, from 1; None: all could be read."""
+        """Mark a letter, counted from 1; None: there is no error."""
         self.column = column
         letters, marks = self._text.toPlainText(), []
         if column is not None and letters:
             mark = QTextEdit.ExtraSelection()
-            # At the end there is nothing to underline but the last letter.
+            # At the end of the text the last letter is underlined.
             start = min(column, len(letters)) - 1
             mark.cursor = QTextCursor(self._text.document())
             mark.cursor.setPosition(start)
@@ -148,7 +133,7 @@ class TextMark:
         self._text.viewport().update()
 
     def paint_frame(self) -> None:
-        """Frame the text, while it is painted, if there is a mark."""
+        """Frame the text, while it is painted, if there is an error."""
         if self.column is not None:
             painter = QPainter(self._text.viewport())
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -158,22 +143,15 @@ class TextMark:
             painter.end()
 
 
-# The unit that stands in a line of text, right of a number.
-
 _GAP_PX = 4
 # Qt leaves this at each side of the text of a line edit.
 _TEXT_EDGE_PX = 2
 
 
 class UnitBeside:
-    """Keeps room for a unit at the right end of a line, and paints it there.
+    """Keeps room for a unit at the right end of ``line``, and paints it there.
 
-    Parameters
-    ----------
-    line
-        Where it stands.
-    widest
-        Unit for which there is room at least, so that digits align with those of other lines.
+    There is at least room for the unit ``widest``, so that digits of several lines align.
     """
 
     def __init__(self, line: QLineEdit, widest: str) -> None:
@@ -181,22 +159,22 @@ class UnitBeside:
 
     @property
     def room_px(self) -> int:
-        """Width that is left for the number."""
+        """Width for the number."""
         margins = self._line.textMargins()
         return _inside(self._line).width() - margins.right() - 2 * _TEXT_EDGE_PX
 
     def width_px(self, number: str) -> int:
-        """Width of a line that has just room for a number."""
-        around = self._line.width() - self.room_px
-        return around + self._line.fontMetrics().horizontalAdvance(number)
+        """Return the width of a line that just fits a number."""
+        edges_px = self._line.width() - self.room_px
+        return edges_px + self._line.fontMetrics().horizontalAdvance(number)
 
     def make_room(self, symbol: str) -> None:
-        """Keep room for a unit, or for the widest one."""
+        """Keep room for a unit, or for the widest unit."""
         widths = map(self._line.fontMetrics().horizontalAdvance, (symbol, self._widest))
         self._line.setTextMargins(0, 0, max(widths) + _GAP_PX, 0)
 
     def paint(self, painter: QPainter, symbol: str, theme: Theme) -> None:
-        """Write the unit."""
+        """Paint the unit."""
         place = _inside(self._line)
         place.setLeft(place.right() - self._line.textMargins().right() + _GAP_PX)
         painter.setPen(QColor(theme.dim))
@@ -204,7 +182,7 @@ class UnitBeside:
 
 
 def _inside(line: QLineEdit) -> QRect:
-    """Area of the text and the unit."""
+    """Return the area of the text and the unit."""
     option = QStyleOptionFrame()
     line.initStyleOption(option)
     return line.style().subElementRect(QStyle.SubElement.SE_LineEditContents, option, line)

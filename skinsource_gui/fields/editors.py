@@ -1,4 +1,4 @@
-"""What edits a field of a recipe: one editor for each kind of specification."""
+"""The editors of fields of a model: one for each kind of specification."""
 
 from collections.abc import Callable
 from typing import Any
@@ -51,8 +51,8 @@ class NumberEditor(QObject):
         self.set_value, self.set_spec = self.field.set_value, self.field.set_spec
         self.cancel = self.field.cancel_editing
 
-    def refuse(self, reason: str) -> None:
-        """The number is not shown any longer."""
+    def mark_error(self, reason: str) -> None:
+        """Do nothing: the field shows the value again."""
 
     def advice(self) -> str:
         """Warn of frequencies that were not measured."""
@@ -60,28 +60,28 @@ class NumberEditor(QObject):
         return "" if spec.is_known(self.field.value_si) else outside_band_text(spec)
 
 
-class _Plain(QObject):
-    """What is the same for values that cannot be entered wrongly."""
+class _PlainEditor(QObject):
+    """Base of editors of values that cannot be entered wrongly."""
 
     edited = Signal(object, object)
     problem_changed = Signal(str)
     label = None
 
     def set_spec(self, spec: Any) -> None:
-        """Nothing about it changes with the design."""
+        """Do nothing: the specification does not depend on the design."""
 
     def advice(self) -> str:
-        """Every value is as good as any other."""
+        """Return no remark."""
         return ""
 
-    def refuse(self, reason: str) -> None:
-        """It is not shown any longer."""
+    def mark_error(self, reason: str) -> None:
+        """Do nothing: the field shows the value again."""
 
     def cancel(self) -> None:
-        """There is nothing half entered."""
+        """Do nothing: an input is complete at once."""
 
 
-class ChoiceEditor(_Plain):
+class ChoiceEditor(_PlainEditor):
     """Chooses one of several names."""
 
     def __init__(self, spec: ChoiceSpec, parent: QWidget) -> None:
@@ -95,7 +95,7 @@ class ChoiceEditor(_Plain):
         self.field.offer(spec)
 
 
-class KindEditor(_Plain):
+class KindEditor(_PlainEditor):
     """Chooses a kind of waveform."""
 
     def __init__(self, spec: KindSpec, parent: QWidget) -> None:
@@ -105,8 +105,8 @@ class KindEditor(_Plain):
         self.set_value = self.field.set_value
 
 
-class SwitchEditor(_Plain):
-    """Switches something on and off."""
+class SwitchEditor(_PlainEditor):
+    """Edits a value that is on or off."""
 
     def __init__(self, spec: SwitchSpec, parent: QWidget) -> None:
         super().__init__(parent)
@@ -120,8 +120,8 @@ class SwitchEditor(_Plain):
         self.edited.emit(on, None)
 
 
-class TextEditor(_Plain):
-    """Writes one line of words; told when it is finished."""
+class TextEditor(_PlainEditor):
+    """Edits one line of text; the signal comes when typing ends."""
 
     def __init__(self, spec: TextSpec, parent: QWidget) -> None:
         super().__init__(parent)
@@ -133,12 +133,12 @@ class TextEditor(_Plain):
         self.field.editingFinished.connect(self._tell)
 
     def set_value(self, value: str) -> None:
-        """Show a text, and tell nobody."""
+        """Show a text without a signal."""
         self._shown = value
         self.field.setText(value)
 
     def cancel(self) -> None:
-        """Bring the text back."""
+        """Restore the text."""
         self.field.setText(self._shown)
 
     def _tell(self) -> None:
@@ -148,7 +148,7 @@ class TextEditor(_Plain):
 
 
 class LiveTextEditor(QObject):
-    """Writes a text that means something; told while it is typed."""
+    """Edits a text with a reader; signals come while it is typed."""
 
     edited = Signal(object, object)
     problem_changed = Signal(str)
@@ -159,19 +159,19 @@ class LiveTextEditor(QObject):
         self.field = LiveText(spec, parent)
         self.field.edited.connect(self.edited.emit)
         self.field.problem_changed.connect(self.problem_changed)
-        self.set_value, self.refuse = self.field.set_value, self.field.refuse
+        self.set_value, self.mark_error = self.field.set_value, self.field.mark_error
         self.cancel = self.field.cancel
 
     def set_spec(self, spec: TextSpec) -> None:
-        """Nothing about it changes with the design."""
+        """Do nothing: the specification does not depend on the design."""
 
     def advice(self) -> str:
-        """What can be read needs no remark."""
+        """Return no remark."""
         return ""
 
 
-class CurveEditor(_Plain):
-    """Moves breakpoints."""
+class CurveEditor(_PlainEditor):
+    """Edits breakpoints."""
 
     def __init__(self, spec: BreakpointsSpec, parent: QWidget) -> None:
         super().__init__(parent)
@@ -180,12 +180,12 @@ class CurveEditor(_Plain):
         self.set_value = self.field.set_value
 
     def cancel(self) -> None:
-        """Let go of a drag."""
+        """End a drag."""
         self.field.cancel()
 
 
-class ShownOnly(_Plain):
-    """Says what a field holds that cannot be edited here."""
+class ShownOnly(_PlainEditor):
+    """Shows a value that cannot be edited here."""
 
     def __init__(self, spec: Spec, parent: QWidget) -> None:
         super().__init__(parent)
@@ -196,7 +196,7 @@ class ShownOnly(_Plain):
         self._unit = of.unit if isinstance(of, NumberSpec) else None
 
     def set_value(self, value: object) -> None:
-        """Show a value in words."""
+        """Show a value as text."""
         if value in (None, ()):
             self.field.setText("none")
         elif self._unit is not None and isinstance(value, float):
@@ -206,12 +206,12 @@ class ShownOnly(_Plain):
 
 
 def text_editor(spec: TextSpec, parent: QWidget) -> Editor:
-    """Make the editor of words, or of a text that is read while it is typed."""
+    """Make the editor of a text; one with a reader is read while it is typed."""
     return TextEditor(spec, parent) if spec.reader is None else LiveTextEditor(spec, parent)
 
 
 def list_editor(spec: ListSpec, parent: QWidget) -> Editor:
-    """Make the editor of a list of numbers, or of recipes; other lists are shown."""
+    """Make the editor of a list of numbers or of models; other lists are only shown."""
     if isinstance(spec.of, ModelSpec):
         return PartsEditor(spec, spec.of, new_editor, parent)
     if isinstance(spec.of, NumberSpec):
@@ -219,7 +219,7 @@ def list_editor(spec: ListSpec, parent: QWidget) -> Editor:
     return ShownOnly(spec, parent)
 
 
-#: Which editor is made for which kind of specification.
+#: The editor for each kind of specification.
 EDITORS: dict[Any, Callable[[Any, QWidget], Editor]] = {
     NumberSpec: NumberEditor,
     ChoiceSpec: ChoiceEditor,
@@ -230,21 +230,18 @@ EDITORS: dict[Any, Callable[[Any, QWidget], Editor]] = {
     ListSpec: list_editor,
     PointsSpec: PointsEditor,
     CurveSpec: CurveText,
-    # Samples, …: what has no editor of its own is shown.
+    # Values without an editor, such as samples, are only shown.
     Spec: ShownOnly,
 }
 
 
 def new_editor(spec: Spec, parent: QWidget) -> Editor:
-    """Make the editor for a field; what has none can be read only."""
+    """Make the editor for a field; a value without one is only shown."""
     return made_for(spec, EDITORS)(spec, parent)
 
 
-# A labelled field with the editor that goes with its kind.
-
-
 class FieldCell(EditedCell):
-    """The field of a recipe that ``spec`` describes."""
+    """A labelled cell with the editor for ``spec``."""
 
     def __init__(self, name: str, spec: Spec, parent: QWidget | None = None) -> None:
         super().__init__(name, spec, new_editor, parent)

@@ -1,4 +1,4 @@
-"""A labelled field with room for a remark under it."""
+"""Labelled cells, of a field and a remark under it, in aligned columns."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -15,7 +15,7 @@ from skinsource_gui.qt.tooltips import tooltip
 
 #: Height of a label, and of one line of a field.
 LABEL_PX = 26
-# Above and below its letters.
+# Space above and below the letters of a line.
 _AROUND_LINE_PX = 12
 
 _DIFFERS = tooltip(
@@ -25,10 +25,10 @@ _DIFFERS = tooltip(
 
 
 class _FieldLabel(QLabel):
-    """As high as one line of the field beside it, in letters of any size."""
+    """A label as high as one line of the field beside it, in letters of any size."""
 
-    def __init__(self, words: str) -> None:
-        super().__init__(words)
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
 
     def sizeHint(self) -> QSize:
@@ -40,20 +40,18 @@ class _FieldLabel(QLabel):
 
 
 class LabelledCell(QWidget):
-    """Something with a label; `FieldGrid` puts the label beside it.
+    """A widget with a label, which `FieldGrid` puts beside it.
 
     Attributes
     ----------
-    label
-        The label.
     across
-        Whether it holds its label itself, and takes the whole width.
+        Whether the cell contains its label and takes the whole width.
     """
 
-    def __init__(self, words: str, parent: QWidget | None = None) -> None:
+    def __init__(self, text: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.across = False
-        self.label: QLabel = _FieldLabel(words)
+        self.label: QLabel = _FieldLabel(text)
         set_tone(self.label, "dim")
         self.stack = QVBoxLayout(self)
         self.stack.setContentsMargins(0, 0, 0, 0)
@@ -61,11 +59,11 @@ class LabelledCell(QWidget):
 
 
 class TextCell(LabelledCell):
-    """A label and words that cannot be edited."""
+    """A label and a text that cannot be edited."""
 
-    def __init__(self, label: str, words: str, parent: QWidget | None = None) -> None:
+    def __init__(self, label: str, text: str, parent: QWidget | None = None) -> None:
         super().__init__(label, parent)
-        self.words = QLabel(words)
+        self.words = QLabel(text)
         self.words.setObjectName("fixed_length")
         self.words.setWordWrap(True)
         self.words.setMinimumHeight(LABEL_PX)
@@ -73,14 +71,12 @@ class TextCell(LabelledCell):
 
 
 class EditedCell(LabelledCell):
-    """The field of a recipe that ``spec`` describes.
+    """A cell for a field of a model that ``spec`` describes.
 
     Attributes
     ----------
-    name
-        Name of the field.
     editor, field
-        What edits it, made by ``new_editor``, and the widget of that.
+        The editor, made by ``new_editor``, and its widget.
     """
 
     #: Name of the field, its new value, number of the gesture or None.
@@ -90,7 +86,7 @@ class EditedCell(LabelledCell):
         self, name: str, spec: Spec, new_editor: NewEditor, parent: QWidget | None = None
     ) -> None:
         super().__init__(spec.label, parent)
-        self.name, self._words = name, spec.label
+        self.name, self._label_text = name, spec.label
         self._value: object = None
         self._warns = self._differs = False
         self._problem, self._reason = "", ""
@@ -122,27 +118,27 @@ class EditedCell(LabelledCell):
         return self._note.text()
 
     def set_spec(self, spec: Spec) -> None:
-        """Change the unit or range, or what it is called."""
+        """Change unit, range or label."""
         self.editor.set_spec(spec)
-        if spec.label != self._words:
-            self._words = spec.label
+        if spec.label != self._label_text:
+            self._label_text = spec.label
             self._show_label()
 
     def set_value(self, value: object) -> None:
-        """Show a value, and tell nobody."""
+        """Show a value without a signal."""
         self.editor.set_value(value)
         if value != self._value:
             self._value, self._reason = value, ""
         self._advise()
 
     def show_differs(self, differs: bool) -> None:
-        """Say whether the value shown is only that of one of several inputs."""
+        """Say whether the selected inputs have different values."""
         if differs != self._differs:
             self._differs = differs
             self._show_label()
 
     def _show_label(self) -> None:
-        self.label.setText(f"{self._words} ≠" if self._differs else self._words)
+        self.label.setText(f"{self._label_text} ≠" if self._differs else self._label_text)
         self.label.setToolTip(_DIFFERS if self._differs else "")
 
     def forget_typing(self) -> None:
@@ -151,9 +147,9 @@ class EditedCell(LabelledCell):
         self._forget_reason()
 
     def show_reason(self, reason: str) -> None:
-        """Say in red why the last edit was refused, until somebody goes on."""
-        self.editor.refuse(reason)
-        # What is typed and stays as it is, its editor says what is wrong with.
+        """Show in red why the last edit was refused, until the next action of the user."""
+        self.editor.mark_error(reason)
+        # Where the typed text stays, its editor already shows the problem.
         if not self._problem:
             self._reason = reason
             self._next_act.wait()
@@ -175,26 +171,24 @@ class EditedCell(LabelledCell):
         wrong = self._problem or self._reason
         self._set_note(wrong or self.editor.advice(), warns=not wrong)
 
-    def _set_note(self, words: str, *, warns: bool) -> None:
-        if (words, warns) != (self.note, self._warns):
+    def _set_note(self, text: str, *, warns: bool) -> None:
+        if (text, warns) != (self.note, self._warns):
             self._warns = warns
-            self._note.setText(words)
-            self._note.setVisible(bool(words))
+            self._note.setText(text)
+            self._note.setVisible(bool(text))
             set_tone(self._note, "warning" if warns else "error")
 
 
-# Labelled fields in aligned columns.
-
-#: From this width on, two fields stand side by side, in letters of the usual size.
+#: From this width on, in letters of the usual size, two fields stand side by side.
 WIDE_PX = 440
 _MOST_PAIRS = 2
 _ANY_HEIGHT_PX = 16_777_215
 
 
 class FieldGrid(QWidget):
-    """Cells with their labels beside them: one column of pairs, or two where there is room.
+    """Cells with their labels beside them, in one column or in two where there is room.
 
-    Where even one pair has too little room, labels stand above their fields.
+    In a narrow grid labels stand above their fields.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -208,16 +202,16 @@ class FieldGrid(QWidget):
         RoomOrText(self).changed.connect(self._fold)
 
     def set_margins(self, left: int, top: int, right: int, bottom: int) -> None:
-        """Leave room around the cells, px."""
+        """Set the margins around the cells, px."""
         self._grid.setContentsMargins(left, top, right, bottom)
 
     @property
     def pairs(self) -> int:
-        """Fields side by side."""
+        """Number of fields side by side."""
         return self._pairs
 
     def show_cells(self, cells: Sequence[LabelledCell]) -> None:
-        """Show these cells, in reading order; others are taken off and left to the caller."""
+        """Show these cells, in reading order; others are removed but not deleted."""
         for cell in self._cells:
             if cell not in cells:
                 for part in (cell.label, cell):
@@ -227,7 +221,7 @@ class FieldGrid(QWidget):
         self._above = self.width() < self._paired_px
         self._arrange()
         proxies = (cell.focusProxy() for cell in cells)
-        stops = [one for one in proxies if one is not None]
+        stops = [proxy for proxy in proxies if proxy is not None]
         for before, after in pairwise(stops):
             self.setTabOrder(before, after)
         for cell in cells:
@@ -235,8 +229,7 @@ class FieldGrid(QWidget):
             cell.show()
 
     def minimumSizeHint(self) -> QSize:
-        # Neither fields side by side nor labels beside them must keep the grid so wide that they
-        # stay there.
+        # The grid must be able to become so narrow that it folds.
         fields = max((cell.minimumSizeHint().width() for cell in self._cells), default=0)
         margins = self._grid.contentsMargins()
         least = fields + margins.left() + margins.right()
@@ -252,16 +245,16 @@ class FieldGrid(QWidget):
 
     @property
     def _paired_px(self) -> int:
-        """Least width of a label with its field beside it."""
-        beside = [cell for cell in self._cells if not cell.across]
-        labels = max((cell.label.sizeHint().width() for cell in beside), default=0)
-        fields = max((cell.minimumSizeHint().width() for cell in beside), default=0)
+        """Minimum width of a label with its field beside it."""
+        paired = [cell for cell in self._cells if not cell.across]
+        labels = max((cell.label.sizeHint().width() for cell in paired), default=0)
+        fields = max((cell.minimumSizeHint().width() for cell in paired), default=0)
         margins = self._grid.contentsMargins()
         gap = self._grid.horizontalSpacing()
         return labels + gap + fields + margins.left() + margins.right()
 
     def _arrange(self) -> None:
-        # One that is across holds its label, which stands in no layout of the grid.
+        # A cell that is across contains its label, which is in no layout of the grid.
         for part in (widget for cell in self._cells for widget in (cell.label, cell)):
             self._grid.removeWidget(part)
         row, pair = 0, 0

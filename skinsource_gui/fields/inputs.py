@@ -1,4 +1,4 @@
-"""A field of several inputs, typed or dragged."""
+"""Texts, edits and menu of inputs: edits of several inputs at once, labels of clips, and a menu."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -25,9 +25,9 @@ from skinsource_gui.qt.keys import KEYS, key_text
 
 
 class FieldChanges:
-    """Makes edits of one field of several inputs: typing sets all, a drag moves all by as much.
+    """Makes edits of one field of several inputs: typing sets all, a drag moves all by the same.
 
-    It remembers the design that a drag started from.
+    It remembers the design at the start of a drag.
     """
 
     def __init__(self) -> None:
@@ -45,7 +45,7 @@ class FieldChanges:
         lead: int,
         gesture: int | None,
     ) -> Edit | Refusal:
-        """Give field ``name`` of input ``lead`` this value; the others of ``ids`` go with it."""
+        """Set field ``name`` of input ``lead`` to ``value``; the other ``ids`` follow."""
         if gesture is None or len(ids) == 1:
             return edits.change_field(design, view, ids, name, value)
         if gesture != self._gesture or self._start is None:
@@ -53,36 +53,35 @@ class FieldChanges:
         return edits.drag_field(design, view, ids, name, value, lead=lead, start=self._start)
 
 
-# An input in a few words.
-
 DURATION_FIELD = "duration_s"
-#: What an input without clips plays.
+#: Text of an input without clips.
 EMPTY = "nothing yet"
-# Names of fields of two frequencies: where it begins and where it ends.
+# Names of pairs of fields for the first and the last frequency.
 _ENDS = (("start_hz", "end_hz"), ("low_hz", "high_hz"))
-_SAID = (DURATION_FIELD, *(name for ends in _ENDS for name in ends))
-# Of a path with more frequencies the lowest and the highest are told.
-_MOST_TOLD, _MOST_PARTS, _MOST_LETTERS = 4, 3, 60
-# What is shorter is rounding, s.
+# Fields that every label has already.
+_LABELLED = (DURATION_FIELD, *(name for ends in _ENDS for name in ends))
+# A path with more frequencies is labelled by the lowest and the highest.
+_MOST_FREQUENCIES, _MOST_PARTS, _MOST_LETTERS = 4, 3, 60
+# Shorter differences are rounding errors, s.
 _LEAST_S = 1e-9
 
 
 def figure_text(waveform: Waveform) -> str:
-    """Title and frequencies of a waveform, ``"Tone 100 Hz"``; else its first number.
+    """Return title and frequencies of a waveform, ``"Tone 100 Hz"``, else its first number.
 
-    Of a recording its name.
+    A recording has its name.
     """
     name = getattr(waveform, "name", "")
     if name:
         return printable(name)
     if path := _path_hz(waveform):
-        return f"{waveform.title} {'–'.join(number_text(one, 'Hz', digits=4) for one in path)} Hz"
+        return f"{waveform.title} {'–'.join(number_text(hz, 'Hz', digits=4) for hz in path)} Hz"
     for name, spec in specs_of(waveform).items():
         if isinstance(spec, ListSpec) and isinstance(spec.of, NumberSpec):
             values = getattr(waveform, name)
             ends = values[:: max(len(values) - 1, 1)]
-            words = "–".join(number_text(one, spec.of.unit, digits=4) for one in ends)
-            return f"{waveform.title} {words} {spec.of.unit}"
+            frequencies = "–".join(number_text(end, spec.of.unit, digits=4) for end in ends)
+            return f"{waveform.title} {frequencies} {spec.of.unit}"
         if isinstance(spec, NumberSpec) and name != DURATION_FIELD:
             number = value_text(getattr(waveform, name), spec.unit, digits=4)
             if spec.unit:
@@ -92,61 +91,62 @@ def figure_text(waveform: Waveform) -> str:
 
 
 def clip_text(clip: Clip) -> str:
-    """The same of a clip, and what its effects do to these frequencies: ``", stretched ×2"``."""
+    """Return `figure_text` of a clip, and how effects change its frequencies: ", stretched ×2"."""
     return f"{figure_text(clip.waveform)}{stretched_text(clip)}"
 
 
 def stretched_text(clip: Clip) -> str:
-    """Behind the words on a waveform: that the clip plays it slower, or faster; else ""."""
+    """Return by how much a clip plays its waveform slower or faster; "" for neither."""
     factor = stretched_by(clip.effects, clip.waveform.duration_s)
     return "" if factor == 1.0 else f", stretched ×{factor:.3g}"
 
 
 def full_label(waveform: Waveform) -> str:
-    """The same with what else it is made of, for who cannot look: ``"Square 100 Hz (duty 0.5)"``.
+    """Return `figure_text` with the other fields, for screen readers: "Square 100 Hz (duty 0.5)".
 
-    Phases, and how it is windowed, are not told.
+    Phases and windows are left out.
     """
     figure = figure_text(waveform)
     more: list[str] = []
     for name, spec in specs_of(waveform).items():
         value = getattr(waveform, name)
-        if isinstance(spec, NumberSpec) and name not in _SAID and spec.unit != "rad":
+        if isinstance(spec, NumberSpec) and name not in _LABELLED and spec.unit != "rad":
             number = value_text(value, spec.unit, digits=4)
             if not any(
-                figure.endswith(f" {one}") for one in (number, f"{spec.label.lower()} {number}")
+                figure.endswith(f" {ending}")
+                for ending in (number, f"{spec.label.lower()} {number}")
             ):
                 more.append(f"{spec.label.lower()} {number}")
         elif isinstance(spec, TextSpec) and name != "name":
-            words = printable(value)
-            more.append(words if len(words) <= _MOST_LETTERS else f"{words[:_MOST_LETTERS]}…")
+            text = printable(value)
+            more.append(text if len(text) <= _MOST_LETTERS else f"{text[:_MOST_LETTERS]}…")
         elif isinstance(spec, ListSpec) and isinstance(spec.of, ModelSpec):
-            inside = [full_label(one.waveform) for one in value if isinstance(one, Clip)]
+            inside = [full_label(clip.waveform) for clip in value if isinstance(clip, Clip)]
             more += [*inside[:_MOST_PARTS], *["…"] * (len(inside) > _MOST_PARTS)]
     return f"{figure} ({', '.join(more)})" if more else figure
 
 
 def clips_text(count: int) -> str:
-    """What stands behind the words on one of ``count`` clips: ``" · 1 of 3 clips"``."""
+    """Return the end of the text of one of ``count`` clips: ``" · 1 of 3 clips"``."""
     return f" · 1 of {count} clips" if count > 1 else ""
 
 
 def duration_text(duration_s: float) -> str:
-    """A length: ``"200 ms"``, ``"600 s"``."""
+    """Return the text of a duration: ``"200 ms"``, ``"600 s"``."""
     if sample_count(duration_s) == 1:
         return "one sample"
     return value_text(duration_s, "s", digits=4 if duration_s >= LONG_S else 3)
 
 
 def played_length_text(clip: Clip) -> str:
-    """How long a clip lasts, where its effects make that another length than its waveform's."""
+    """Return the text of the duration of a clip whose effects change it; else ""."""
     if abs(clip.duration_s - clip.waveform.duration_s) < _LEAST_S:
         return ""
     return f"{duration_text(clip.duration_s)} with its effects"
 
 
 def fixed_length_text(waveform: Waveform) -> str:
-    """Length of a waveform that has no duration to choose, in words, or ""."""
+    """Return the text of the duration of a waveform without a field for it; else ""."""
     if DURATION_FIELD in specs_of(waveform):
         return ""
     count = sample_count(waveform.duration_s)
@@ -156,59 +156,49 @@ def fixed_length_text(waveform: Waveform) -> str:
 
 
 def _path_hz(waveform: Waveform) -> tuple[float, ...]:
-    """Frequencies from which to which it goes, in this order; none where it stays at one."""
+    """Return the frequencies of a waveform in order; none for a constant frequency."""
     specs = specs_of(waveform)
     for ends in _ENDS:
         if all(name in specs for name in ends):
             return tuple(getattr(waveform, name) for name in ends)
     for name, spec in specs.items():
         if isinstance(spec, PointsSpec):
-            at = next((k for k, one in enumerate(spec.columns) if one.unit == "Hz"), None)
+            at = next((k for k, column in enumerate(spec.columns) if column.unit == "Hz"), None)
             if at is not None:
                 path = [point[at] for point in getattr(waveform, name)]
-                turns = tuple(one for k, one in enumerate(path) if k == 0 or one != path[k - 1])
-                return turns if len(turns) <= _MOST_TOLD else (min(turns), max(turns))
+                turns = tuple(hz for k, hz in enumerate(path) if k == 0 or hz != path[k - 1])
+                return turns if len(turns) <= _MOST_FREQUENCIES else (min(turns), max(turns))
     return ()
 
 
-# What clips play, as results tell it.
-
-
 def waveforms_of(results: Mapping[str, Any]) -> dict[int, Floats]:
-    """Samples of each clip that can be sampled, (n_times,), by its id.
-
-    ``results`` have ``clip_waveforms``.
-    """
+    """Return the samples of each clip, (n_times,), by its id; ``results`` have clip_waveforms."""
     return {
         clip.id: samples
-        for one, waveforms in zip(results["inputs"], results["clip_waveforms"], strict=True)
-        for clip, samples in zip(one.clips, waveforms, strict=True)
+        for track, waveforms in zip(results["inputs"], results["clip_waveforms"], strict=True)
+        for clip, samples in zip(track.clips, waveforms, strict=True)
         if samples is not None
     }
 
 
-# What the right button offers to do with inputs, wherever they are shown.
-
-#: What is done to the inputs of these ids.
+#: Makes an edit of the inputs with these ids.
 InputEdit = Callable[[Design, View, Iterable[int]], Edit | Refusal]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Entry:
-    """One line of the menu.
+    """An entry of the menu of inputs.
 
     Attributes
     ----------
     words
-        What it says; where braces stand, how many inputs it is about if there are several.
+        Its text; braces are replaced by the number of inputs if there are several.
     key
-        What the table of keys calls the key that does the same.
-    edit
-        What it does.
+        Name of the key in the table of keys.
     on
-        Whether an input has it already; None where that is no question.
+        Returns whether an input is checked; None: the entry is not checkable.
     separated
-        Whether a line stands before it.
+        Whether there is a separator before it.
     """
 
     words: str
@@ -218,14 +208,14 @@ class Entry:
     separated: bool = False
 
 
-#: What can be done to inputs wherever they are.
+#: Entries for inputs everywhere.
 ENTRIES = (
-    Entry(words="Mute{}", key="mute", edit=edits.toggle_mute, on=lambda one: one.muted),
-    Entry(words="Solo{}", key="solo", edit=edits.toggle_solo, on=lambda one: one.solo),
+    Entry(words="Mute{}", key="mute", edit=edits.toggle_mute, on=lambda track: track.muted),
+    Entry(words="Solo{}", key="solo", edit=edits.toggle_solo, on=lambda track: track.solo),
     Entry(words="Duplicate{}", key="duplicate", edit=edits.duplicate_inputs, separated=True),
     Entry(words="Remove{}", key="remove", edit=edits.remove_inputs),
 )
-#: What can be done to them in a list besides.
+#: Further entries for inputs in a list.
 ORDER = (
     Entry(
         words="Move{} up",
@@ -245,28 +235,28 @@ def fill_inputs_menu(
     place: str,
     entries: Iterable[Entry] = ENTRIES,
 ) -> None:
-    """Offer what can be done with some inputs.
+    """Fill the menu of some inputs.
 
     Parameters
     ----------
     menu
-        To which the lines are added.
+        Gets the entries.
     chosen
-        The inputs; without any, nothing can be done.
+        The inputs; without any, all entries are disabled.
     act
-        Does to them what is chosen.
+        Applies the chosen edit to them.
     place
-        Where this is, as the table of keys calls it.
+        Place in the table of keys.
     entries
-        What is offered.
+        The entries.
     """
     several = f" {len(chosen)} inputs" if len(chosen) > 1 else ""
     for entry in entries:
         if entry.separated:
             menu.addSeparator()
-        words = entry.words.format(several)
+        text = entry.words.format(several)
         key = key_text(place, entry.key) if entry.key in KEYS[place].gestures else ""
-        action = menu.addAction(f"{words}\t{key}" if key else words)
+        action = menu.addAction(f"{text}\t{key}" if key else text)
         action.setEnabled(bool(chosen))
         action.setCheckable(entry.on is not None)
         action.setChecked(bool(chosen) and entry.on is not None and all(map(entry.on, chosen)))

@@ -1,7 +1,7 @@
-"""What a kind of waveform looks like, for menus and lists."""
+"""Kinds of waveforms: their icons, their menu, and the field that chooses one."""
 
 from collections.abc import Callable
-from functools import lru_cache, partial
+from functools import lru_cache
 from math import ceil
 
 import numpy as np
@@ -42,9 +42,9 @@ from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.choice_field import ChoiceField
 from skinsource_gui.qt.theme import current_theme
 
-#: Size of the pictures, in px.
+#: Size of an icon, px.
 PICTURE_PX = QSize(30, 18)
-#: Pixels of the screen for each of them, at most.
+#: Largest number of device pixels per px.
 _SHARPEST = 3
 _RATE_HZ = 20_000.0
 _MARGIN_PX = 2.0
@@ -53,8 +53,8 @@ _DOT_PX = 1.5
 
 _TICKS = np.arange(78.0)
 
-#: What stands for a kind: so few periods that each is seen.  Others are shown as they begin.
-_SHOWN: tuple[Waveform, ...] = (
+#: The waveform in the icon of a kind, with few periods.  Other kinds have their default values.
+_EXAMPLES: tuple[Waveform, ...] = (
     Tone(30.0, 0.0, 0.1, "none"),
     Chirp(10.0, 90.0, 0.1),
     Noise(3, 0.05, 25.0, 300.0, "none"),
@@ -82,12 +82,12 @@ _SHOWN: tuple[Waveform, ...] = (
 
 @lru_cache(maxsize=128)
 def waveform_icon(kind: type[Waveform]) -> QIcon:
-    """Picture of a kind of waveform, drawn from samples of its own when it is first seen."""
+    """Return the icon of a kind of waveform, which is drawn when it is first visible."""
     return QIcon(_WaveformEngine(kind))
 
 
 class _WaveformEngine(QIconEngine):
-    """Draws what is asked for: of four modes and three sharpnesses few are ever seen."""
+    """Draws an icon in the mode and resolution that Qt asks for; most are never needed."""
 
     def __init__(self, kind: type[Waveform]) -> None:
         super().__init__()
@@ -96,7 +96,7 @@ class _WaveformEngine(QIconEngine):
     def scaledPixmap(
         self, size: QSize, mode: QIcon.Mode, state: QIcon.State, scale: float
     ) -> QPixmap:
-        del size, state  # pictures have one size, and look the same on and off
+        del size, state  # icons have one size, and look the same on and off
         per_px = min(max(ceil(scale), 1), _SHARPEST)
         return _drawn(_path_of(self._kind), _colour(mode), per_px)
 
@@ -126,7 +126,7 @@ def _colour(mode: QIcon.Mode) -> QColor:
 
 
 def _samples_of(kind: type[Waveform]) -> Floats:
-    shown = next((one for one in _SHOWN if type(one) is kind), None) or kind()
+    shown = next((waveform for waveform in _EXAMPLES if type(waveform) is kind), None) or kind()
     try:
         return shown.samples(_RATE_HZ)
     except InvalidInputError:
@@ -135,7 +135,7 @@ def _samples_of(kind: type[Waveform]) -> Floats:
 
 @lru_cache(maxsize=64)
 def _path_of(kind: type[Waveform]) -> QPainterPath:
-    # Of many layers at once a wave would be a blob.
+    # The wave of many layers would be a blob.
     return _sheets() if kind is Layers else _wave(_samples_of(kind))
 
 
@@ -160,7 +160,7 @@ def _wave(samples: Floats) -> QPainterPath:
 
 
 def _sheets() -> QPainterPath:
-    """A sheet, and the front edges of two below it."""
+    """Return a sheet, and the front edges of two sheets below it."""
     middle, wide, high, first, step = PICTURE_PX.width() / 2, 11.0, 3.4, 5.7, 3.9
     path = QPainterPath()
     left, right = middle - wide, middle + wide
@@ -188,22 +188,20 @@ def _drawn(path: QPainterPath, colour: QColor, per_px: int) -> QPixmap:
     return picture
 
 
-# Kinds of waveforms in a menu: the common ones at once, all others under "More".
-
 MORE = "More"
 
 
 def fill_kind_menu(menu: QMenu, choose: Callable[[str], None], *, current: str = "") -> None:
-    """Add every kind of waveform, with its picture.
+    """Fill a menu with the kinds of waveforms; those that are not common are under "More".
 
     Parameters
     ----------
     menu
-        What they are added to.
+        Gets the entries.
     choose
-        Is called with the name of the class of the kind that was chosen.
+        Is called with the class name of the chosen kind.
     current
-        Name of the present kind, which is printed in bold.
+        Class name of the present kind, which is bold.
     """
     _show_pictures(menu)
     common = [kind for kind in kinds() if kind in COMMON]
@@ -224,14 +222,10 @@ def fill_kind_menu(menu: QMenu, choose: Callable[[str], None], *, current: str =
 def _add(menu: QMenu, kind: type[Waveform], choose: Callable[[str], None], current: str) -> None:
     action = menu.addAction(waveform_icon(kind), kind.title)
     action.setObjectName(f"kind_{kind.__name__}")
-    action.triggered.connect(partial(_tell, choose, kind.__name__))
+    action.triggered.connect(lambda: choose(kind.__name__))
     if kind.__name__ == current:
         _embolden(action)
         menu.setActiveAction(action)
-
-
-def _tell(choose: Callable[[str], None], name: str, _checked: bool = False) -> None:
-    choose(name)
 
 
 def _embolden(action: QAction) -> None:
@@ -241,20 +235,17 @@ def _embolden(action: QAction) -> None:
 
 
 def _show_pictures(menu: QMenu) -> None:
-    # Qt makes room for square pictures only, which is enough between the rows.
+    # Qt makes room for square icons only.
     menu.setStyleSheet(
         f"QMenu {{ icon-size: {PICTURE_PX.width()}px; }}"
         f"QMenu::item {{ padding: 0px 24px 0px 8px; min-height: {PICTURE_PX.width()}px; }}"
     )
 
 
-# The kind of a waveform, with its picture.
-
-
 class KindField(ChoiceField):
-    """A drop-down field whose list is a menu: the common kinds, and more.
+    """A drop-down field of the kinds of waveforms, whose list is their menu.
 
-    Keys choose among all of them, as in any list.
+    Keys choose among all kinds, as in any list.
     """
 
     def __init__(self, spec: ChoiceSpec, parent: QWidget | None = None) -> None:
@@ -281,8 +272,8 @@ class KindField(ChoiceField):
         super().hidePopup()
 
     def _picture(self) -> None:
-        # Only that of the present kind: to draw those of noise and of samples takes long imports,
-        # for which the first picture of the window need not wait.
+        # Only the icon of the present kind: those of noise and of samples need slow imports, which
+        # would delay the start of the window.
         for kind in kinds():
             if kind.__name__ == self.currentData():
                 self.setItemIcon(self.currentIndex(), waveform_icon(kind))

@@ -1,4 +1,7 @@
-"""Frequencies in equal steps or factors, instead of one by one."""
+"""Editors of lists that are typed as a line of text: numbers, curves, and points of a glide.
+
+`SweepDialog` makes frequencies in equal steps or factors; the points of a glide are curves, too.
+"""
 
 from functools import partial
 from itertools import pairwise
@@ -53,7 +56,7 @@ _MOST_SHOWN = 12
 
 
 class SweepDialog(QDialog):
-    """Asks for the ends of a sweep, how many frequencies, how spaced, and in which order."""
+    """Asks for the ends of a sweep, the number of frequencies, their spacing and their order."""
 
     def __init__(self, values: tuple[float, ...], spec: ListSpec, parent: QWidget) -> None:
         super().__init__(parent)
@@ -86,8 +89,8 @@ class SweepDialog(QDialog):
             "Spacing": self.spacing,
             "Order": self.order,
         }
-        for words, field in rows.items():
-            form.addRow(words, field)
+        for title, field in rows.items():
+            form.addRow(title, field)
         form.addRow(self._list)
         form.addRow(buttons)
         self._show_list()
@@ -120,24 +123,22 @@ class SweepDialog(QDialog):
         return field
 
     def _show_list(self, *_: object) -> None:
-        values = tuple(float(f"{one:.5g}") for one in self.values)
+        values = tuple(float(f"{value:.5g}") for value in self.values)
         more = f" … ({len(values)})" if len(values) > _MOST_SHOWN else ""
         self._list.setText(f"{numbers_text(values[:_MOST_SHOWN], self._spec)}{more} Hz")
 
-
-# What edits lists of numbers: a line of text, read as one types.
 
 _LONGEST = 100_000
 
 
 def outside_band_text(spec: NumberSpec) -> str:
-    """What is said of a frequency that was not measured."""
+    """Return the remark on a frequency outside the measured band."""
     low_hz, high_hz = spec.felt_hz or (0.0, inf)
     return f"outside the measured band ({low_hz:g} to {high_hz:g} Hz)"
 
 
-class Listed(QObject):
-    """Edits a tuple as a text; told while it is typed, as soon as all of it can be read."""
+class ListEditor(QObject):
+    """Base of editors of a tuple as a text; signals come while it is typed, if it is valid."""
 
     edited = Signal(object, object)
     problem_changed = Signal(str)
@@ -155,25 +156,25 @@ class Listed(QObject):
         self.line.edited.connect(self._tell)
         self.line.problem_changed.connect(self.problem_changed)
         self.field: QWidget = self.line
-        self.cancel, self.refuse = self.line.cancel, self.line.refuse
+        self.cancel, self.mark_error = self.line.cancel, self.line.mark_error
 
     def set_value(self, value: Any) -> None:
-        """Show a value, and tell nobody; another way in which it is typed stays."""
+        """Show a value without a signal; a typed text with the same value stays."""
         self._value = value or ()
         shown = self._text(self._value)
         try:
             if self._read(self.line.text()) == self._value:
                 shown = self.line.text()
         except InvalidInputError:
-            pass  # half typed
+            pass  # an incomplete text
         self.line.set_value(shown)
 
     def set_spec(self, spec: Any) -> None:
-        """Change what is allowed."""
+        """Change the allowed values."""
         self._spec = spec
 
     def advice(self) -> str:
-        """Nothing needs a remark."""
+        """Return no remark."""
         return ""
 
     def _tell(self, text: str, gesture: int | None) -> None:
@@ -189,7 +190,7 @@ class Listed(QObject):
         raise NotImplementedError
 
 
-class NumbersEditor(Listed):
+class NumbersEditor(ListEditor):
     """Edits a list of numbers; frequencies also as a sweep."""
 
     def __init__(self, spec: ListSpec, parent: QWidget) -> None:
@@ -210,11 +211,11 @@ class NumbersEditor(Listed):
 
     def advice(self) -> str:
         """Warn of frequencies that were not measured."""
-        outside = tuple(one for one in self._value if not self._spec.of.is_known(one))
+        outside = tuple(value for value in self._value if not self._spec.of.is_known(value))
         if not outside:
             return ""
-        words = numbers_text(outside[:3], self._spec) + (" …" if len(outside) > 3 else "")
-        return f"{words} Hz: {outside_band_text(self._spec.of)}"
+        text = numbers_text(outside[:3], self._spec) + (" …" if len(outside) > 3 else "")
+        return f"{text} Hz: {outside_band_text(self._spec.of)}"
 
     def _read(self, text: str) -> tuple[float, ...]:
         return read_numbers(text, self._spec)
@@ -229,14 +230,14 @@ class NumbersEditor(Listed):
         dialog.open()
 
 
-class CurveText(Listed):
-    """Edits the breakpoints of a curve, typed as pairs; none is allowed where the curve may be."""
+class CurveText(ListEditor):
+    """Edits the breakpoints of a curve, typed as pairs."""
 
     def __init__(self, spec: CurveSpec, parent: QWidget) -> None:
         self._pairs = PointsSpec(
             label=spec.label, columns=(spec.x, spec.y), fewest=spec.fewest, most=spec.most
         )
-        names = ", ".join(column_label(one) for one in self._pairs.columns)
+        names = ", ".join(column_label(column) for column in self._pairs.columns)
         super().__init__(spec, parent, f"{spec.hint}. Each point: {names}; semicolons between")
 
     def _read(self, text: str) -> tuple[tuple[float, ...], ...]:
@@ -246,13 +247,11 @@ class CurveText(Listed):
         return points_text(value, self._pairs)
 
 
-# What edits the points of a glide: a line of text, and a curve of frequency and of amplitude.
-
 _COLUMNS: tuple[Column, ...] = ("frequency", "amplitude")
 
 
 class GlideCurve(CurveField):
-    """One of the two curves; between its points it is straight, or held until the next."""
+    """The curve of frequency or amplitude; between points it is straight or held."""
 
     def __init__(self, spec: BreakpointsSpec, parent: QWidget) -> None:
         super().__init__(spec, parent)
@@ -260,7 +259,7 @@ class GlideCurve(CurveField):
 
     @property
     def words(self) -> str:
-        """What it is of, and the chosen point."""
+        """The quantity and the chosen point."""
         chosen = self.points.chosen
         time_s, value, _ = self.value[chosen]
         place = f"{chosen + 1}/{len(self.value)}"
@@ -269,25 +268,25 @@ class GlideCurve(CurveField):
 
     @property
     def curve(self) -> Curve:
-        """The points, within what is allowed; a held one stays until just before the next."""
+        """The points within the allowed range; a held value stays until just before the next."""
         low, high = self._y.minimum, self._y.maximum
         within = [(x, min(max(y, low), high), kind) for x, y, kind in self.value]
-        found = []
+        points = []
         for (x, y, kind), after in pairwise(within):
-            found += [(x, y), (after[0], y)] if kind == "held" else [(x, y)]
-        return (*found, within[-1][:2])
+            points += [(x, y), (after[0], y)] if kind == "held" else [(x, y)]
+        return (*points, within[-1][:2])
 
     def show_curve(self, curve: Curve) -> None:
-        """Show a curve, and tell nobody; a point that bends nothing yet stays."""
+        """Show a curve without a signal; a new point on a straight line stays."""
         if bends_of(self.curve) != curve:
             self.set_value(tuple((x, y, "straight") for x, y in curve))
 
 
-class PointsEditor(Listed):
-    """Edits points of time, frequency and amplitude."""
+class PointsEditor(ListEditor):
+    """Edits points of time, frequency and amplitude, as a text and as two curves."""
 
     def __init__(self, spec: PointsSpec, parent: QWidget) -> None:
-        names = ", ".join(column_label(one) for one in spec.columns)
+        names = ", ".join(column_label(column_spec) for column_spec in spec.columns)
         super().__init__(spec, parent, f"{spec.hint}. Each point: {names}; semicolons between")
         self.field = QWidget(parent)
         column = QVBoxLayout(self.field)
@@ -295,8 +294,8 @@ class PointsEditor(Listed):
         column.setSpacing(4)
         column.addWidget(self.line)
         self.curves: dict[Column, GlideCurve] = {}
-        for name, one in zip(_COLUMNS, spec.columns[1:], strict=False):
-            curve = GlideCurve(_spec_of(spec.columns[0], one), self.field)
+        for name, column_spec in zip(_COLUMNS, spec.columns[1:], strict=False):
+            curve = GlideCurve(_spec_of(spec.columns[0], column_spec), self.field)
             curve.setObjectName(f"{name}_curve")
             curve.edited.connect(partial(self._draw, name))
             self.curves[name] = curve
@@ -304,7 +303,7 @@ class PointsEditor(Listed):
         self.field.setFocusProxy(self.line)
 
     def set_value(self, value: Any) -> None:
-        """Show points, and tell nobody."""
+        """Show points without a signal."""
         super().set_value(value)
         for name, curve in self.curves.items() if value else ():
             curve.show_curve(curve_of(value, name))

@@ -1,4 +1,8 @@
-"""A number as a field shows it."""
+"""The field of a number with its unit: typed, dragged, stepped by wheel or keys.
+
+`NumberDisplay` has the texts of a value, `NumberTyping` edits it as a text, and `NumberGestures`
+turns drags, wheel and keys into round numbers.
+"""
 
 from dataclasses import dataclass
 from fractions import Fraction
@@ -45,34 +49,26 @@ from skinsource_gui.qt.theme import current_theme, letter_scale, tabular
 from skinsource_gui.qt.tooltips import show_tip_below, tooltip
 from skinsource_gui.qt.wheel import NOTCH
 
-#: Before a number that has more digits than are shown, and in place of one that has no room.
+#: Marks a number with fewer digits than usual, and replaces a number for which there is no room.
 ROUNDED, NO_ROOM = "≈", "…"
-# So many digits are rounded to without a mark.
+# A number rounded to fewer digits is marked.
 _ENOUGH_DIGITS = 3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NumberDisplay:
-    """A value and what it may be.
-
-    Attributes
-    ----------
-    spec
-        What is allowed.
-    value_si
-        The value, in SI units.
-    """
+    """The texts of a value in SI units, by its specification."""
 
     spec: NumberSpec
     value_si: float
 
     @property
     def symbol(self) -> str:
-        """Unit in which it is shown."""
+        """Unit in which the value is shown."""
         return display_unit(self.spec.unit, self.value_si).symbol
 
-    def beside(self, *, editing: bool) -> str:
-        """What stands beside it: words for what is no number have no unit."""
+    def unit_text(self, *, editing: bool) -> str:
+        """Return the unit beside the value; a text in place of a number has none."""
         return "" if self._unset and not editing else self.symbol
 
     @property
@@ -81,18 +77,18 @@ class NumberDisplay:
 
     @property
     def long_text(self) -> str:
-        """As it is edited."""
+        """The number as it is edited."""
         return number_text(self.value_si, self.spec.unit, EDITED_DIGITS)
 
     @property
     def copied_text(self) -> str:
-        """As it goes to the clipboard, with its unit."""
+        """The number with its unit, for the clipboard."""
         return with_unit(self.long_text, display_unit(self.spec.unit, self.value_si))
 
     def fitting_text(self, metrics: QFontMetrics, room_px: float) -> str:
-        """With as many digits as there is room for; ≈ marks one that was rounded to 1 or 2 digits.
+        """Return the number with as many digits as fit; ≈ marks one with only 1 or 2 digits.
 
-        A number whose first digits are out of sight is another number: rather none is shown.
+        A number must not be cut: if not even one digit fits, "…" replaces it.
         """
         if self._unset and metrics.horizontalAdvance(self.spec.unset) <= room_px:
             return self.spec.unset
@@ -106,19 +102,19 @@ class NumberDisplay:
         return next(fitting, NO_ROOM)
 
     def parsed(self, text: str) -> float | None:
-        """Value of a text, in SI units; None if it is not allowed."""
+        """Return the value of a text, in SI units; None if it is not allowed."""
         try:
             return parse_number(text, self.spec, self.value_si)
         except InvalidInputError:
             return None
 
-    def is_meant_by(self, typed_si: float) -> bool:
-        """Whether typing ``typed_si`` changes nothing: what is shown may be rounded."""
+    def is_unchanged_by(self, typed_si: float) -> bool:
+        """Return whether typing ``typed_si`` changes nothing: the text may be rounded."""
         short = number_text(self.value_si, self.spec.unit)
         return typed_si in (self.value_si, self.parsed(self.long_text), self.parsed(short))
 
     def help(self) -> str:
-        """What it is, what is allowed, and how it is changed."""
+        """Return the tooltip: label, allowed values, and how to change the value."""
         return tooltip(
             f"{self.spec.label}, {range_text(self.spec)}",
             self.spec.about,
@@ -127,8 +123,6 @@ class NumberDisplay:
             "Double-click or type to enter a number",
         )
 
-
-# A number that is being typed.
 
 _STARTERS = frozenset("0123456789.,+-−")
 FINISHERS = frozenset({Qt.Key.Key_Return, Qt.Key.Key_Enter})
@@ -140,27 +134,24 @@ _OTHERS = (
 
 
 def begins_typing(event: QKeyEvent) -> bool:
-    """Whether a key opens the editor."""
+    """Return whether a key begins typing."""
     typed = not event.modifiers() & _OTHERS and event.text() in _STARTERS
     return typed or meaning_of("number", event) in ("type", "empty")
 
 
 def first_text(event: QKeyEvent) -> str | None:
-    """What stands in the editor that a key opened; None: the number itself."""
-    wanted = meaning_of("number", event)
-    return None if wanted == "type" else "" if wanted == "empty" else event.text()
+    """Return the text with which a key begins typing; None: the number itself."""
+    meaning = meaning_of("number", event)
+    return None if meaning == "type" else "" if meaning == "empty" else event.text()
 
 
 class NumberTyping(QObject):
-    """Opens a line for typing, and says why what is typed is not allowed.
+    """Lets the user type into ``line``, which is read-only otherwise.
 
-    Parameters
-    ----------
-    line
-        Where it is typed; read-only as long as nothing is.
+    It tells why a typed text is not allowed.
     """
 
-    #: Why what is typed is not allowed, or "".
+    #: Why the typed text is not allowed, or "".
     problem_changed = Signal(str)
 
     def __init__(self, line: QLineEdit) -> None:
@@ -175,13 +166,13 @@ class NumberTyping(QObject):
 
     @property
     def active(self) -> bool:
-        """Whether a text is being typed."""
+        """Whether the user is typing."""
         return not self._line.isReadOnly()
 
     def begin(self, number: NumberDisplay, text: str | None) -> None:
         """Open the line; ``text`` replaces the number, which is selected otherwise."""
         self._next_act.stop()
-        self._say("")
+        self._set_problem("")
         self._number = number
         self._line.setReadOnly(False)
         self._line.setCursor(Qt.CursorShape.IBeamCursor)
@@ -190,42 +181,40 @@ class NumberTyping(QObject):
             self._line.selectAll()
 
     def end(self) -> None:
-        """Close the line; what it shows then is up to its owner."""
+        """End typing; its owner sets the text of the line."""
         self._close()
-        self._say("")
+        self._set_problem("")
 
     def leave(self) -> None:
-        """Close the line; why what was typed is not allowed stays told until somebody goes on."""
+        """End typing; the problem stays until the next action of the user."""
         self._close()
         self._next_act.wait()
 
     def result(self, number: NumberDisplay) -> float | None:
-        """Value of what is typed; None, with the reason told, if it is not allowed."""
+        """Return the typed value; None, and a problem, if it is not allowed."""
         try:
             return parse_number(self._line.text(), number.spec, number.value_si)
         except InvalidInputError as error:
-            self._say(str(error))
+            self._set_problem(str(error))
             return None
 
     def check_again(self, text: str) -> None:
-        """Take the problem back as soon as the text is allowed."""
+        """Clear the problem as soon as the text is allowed."""
         if self.problem and self._number is not None and self._number.parsed(text) is not None:
-            self._say("")
+            self._set_problem("")
 
     def _close(self) -> None:
         self._next_act.stop()
         self._line.setReadOnly(True)
         self._line.setCursor(Qt.CursorShape.SizeHorCursor)
 
-    def _say(self, problem: str) -> None:
+    def _set_problem(self, problem: str) -> None:
         if problem != self.problem:
             self.problem = problem
             self.problem_changed.emit(problem)
 
 
-# Numbers made by dragging, by the wheel and by keys.
-
-#: Way of the mouse that makes one step, and way after which a press is a drag.
+#: Movement of the mouse for one step, and movement that turns a press into a drag.
 PIXELS_PER_STEP = 4
 DRAG_BEGINS_PX = 3
 
@@ -244,15 +233,15 @@ class _Drag:
     Attributes
     ----------
     last
-        Where the mouse was.
+        Last place of the mouse.
     gesture
-        Number shared by all edits, or None as long as the press is no drag yet.
+        Number shared by all edits; None until the press becomes a drag.
     start_si
         Value before the drag.
     ladder, position
-        Values that the drag goes through, and where on it the drag is.
+        Values along the drag, and its position among them.
     travel_px
-        The way that is not yet a step.
+        Movement that is not yet a step.
     """
 
     last: QPoint
@@ -295,7 +284,7 @@ class NumberGestures(QObject):
         return meaning_of("number", event) in ("step", "page")
 
     def notches(self, event: QWheelEvent) -> int:
-        """Whole notches that the wheel has turned since the last one."""
+        """Return the whole notches that the wheel has turned since the last one."""
         # Shift and Alt turn a vertical wheel into a horizontal one on some systems.
         self._wheel_travel += event.angleDelta().y() or event.angleDelta().x()
         notches = int(self._wheel_travel / NOTCH)
@@ -303,47 +292,47 @@ class NumberGestures(QObject):
         return notches
 
     def turn(self, notches: int, number: NumberDisplay, event: QWheelEvent) -> None:
-        """Go some steps with the wheel."""
+        """Step with the wheel."""
         size = _size(event.modifiers())
-        self._go(Ladder(number.value_si, number.spec, size).value_si(notches), number)
+        self._step_to(Ladder(number.value_si, number.spec, size).value_si(notches), number)
 
     def press_key(self, event: QKeyEvent, number: NumberDisplay) -> None:
-        """Go one step with a key."""
+        """Step with a key."""
         size = COARSE if meaning_of("number", event) == "page" else _size(event.modifiers())
         direction = _DIRECTIONS[Qt.Key(event.key())]
-        self._go(stepped(number.value_si, direction, number.spec, size), number)
+        self._step_to(stepped(number.value_si, direction, number.spec, size), number)
 
-    def start_anew(self) -> None:
-        """Somebody else changed the value: what follows starts from there, as a new gesture."""
+    def restart(self) -> None:
+        """Begin a new gesture from the present value, which something else has changed."""
         self._burst.end()
         if self._drag is not None:
             self._drag.ladder = None
 
     def press(self, event: QMouseEvent, number: NumberDisplay) -> None:
-        """The button goes down on the number."""
-        here = event.globalPosition().toPoint()
-        self._drag = _Drag(last=here, start_si=number.value_si)
+        """Begin a press of the mouse button."""
+        position = event.globalPosition().toPoint()
+        self._drag = _Drag(last=position, start_si=number.value_si)
 
     def move(self, event: QMouseEvent, number: NumberDisplay) -> None:
-        """The mouse moves while the button is held."""
-        drag, here = self._drag, event.globalPosition().toPoint()
+        """Follow the mouse while the button is held."""
+        drag, position = self._drag, event.globalPosition().toPoint()
         if drag is None:
             return
-        way = here - drag.last
+        travel = position - drag.last
         if drag.gesture is None:
-            if way.manhattanLength() < DRAG_BEGINS_PX:
+            if travel.manhattanLength() < DRAG_BEGINS_PX:
                 return
             drag.gesture = new_gesture()
-        drag.last = here
-        drag.travel_px += way.x() - way.y()
+        drag.last = position
+        drag.travel_px += travel.x() - travel.y()
         self._follow(drag, number, _size(event.modifiers()))
 
     def release(self) -> None:
-        """The button goes up, or the press became something else."""
+        """End the press."""
         self._drag = None
 
-    def give_up(self, number: NumberDisplay) -> None:
-        """End the drag as if it had not begun."""
+    def cancel(self, number: NumberDisplay) -> None:
+        """Cancel the drag and restore the value."""
         drag, self._drag = self._drag, None
         if drag is not None and number.value_si != drag.start_si:
             self.stepped.emit(drag.start_si, drag.gesture)
@@ -354,15 +343,15 @@ class NumberGestures(QObject):
         steps = int(drag.travel_px / PIXELS_PER_STEP)
         drag.travel_px -= steps * PIXELS_PER_STEP
         drag.position += steps
-        # Counted from the start, so that the way back leads to the same number.
+        # Counted from the start, so that dragging back leads to the same number.
         value_si = drag.ladder.value_si(drag.position)
         if value_si in (number.spec.minimum, number.spec.maximum):
-            # At its end the number waits; turning back moves it at once.
+            # At a bound the number stays; dragging back moves it at once.
             drag.ladder, drag.position = Ladder(value_si, number.spec, size), 0
         if value_si != number.value_si:
             self.stepped.emit(value_si, drag.gesture)
 
-    def _go(self, value_si: float, number: NumberDisplay) -> None:
+    def _step_to(self, value_si: float, number: NumberDisplay) -> None:
         if value_si != number.value_si:
             self.stepped.emit(value_si, self._burst.gesture())
 
@@ -373,13 +362,11 @@ def _size(modifiers: Qt.KeyboardModifier) -> Fraction:
     return COARSE if modifiers & Qt.KeyboardModifier.ShiftModifier else PLAIN
 
 
-# A number with its unit, that can be typed, dragged, turned and stepped.
-
-#: Fields that stand below each other leave the same room for units, so that digits align.
+#: Fields below each other have the same room for units, so that digits align.
 WIDEST_UNIT = "m/s²"
-# Width that it needs in letters of the usual size.
+# Minimum width of a field in letters of the usual size.
 _LEAST_PX = 72
-# Of letters, and of what the style leaves around them.
+# Events that change the size of letters or of the frame.
 _OTHER_SIZES = (QEvent.Type.FontChange, QEvent.Type.StyleChange)
 _TEMPORARY_LOSSES = frozenset(
     {Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason}
@@ -387,30 +374,30 @@ _TEMPORARY_LOSSES = frozenset(
 
 
 class NumberField(QLineEdit):
-    """Shows a value in its display unit.
+    """Shows and edits a value in its display unit.
 
-    A double click or a digit begins typing; Enter commits, Esc restores.  What is not allowed
-    is outlined in red, with the reason, and never becomes the value; left by Tab or a click, the
-    reason is said all the same and the value is back.  A drag, the wheel and the
-    arrow keys go to the next round numbers, as `NumberGestures` has it.  The wheel acts only while
-    the field has the focus, so that scrolling a panel changes nothing.
+    A double click or a digit begins typing; Enter commits, Esc restores.  A text that is not
+    allowed has a red outline and a reason, and never becomes the value; when the focus leaves, the
+    value comes back and the reason stays visible.  A drag, the wheel and the arrow keys step to
+    round numbers, see `NumberGestures`.  The wheel acts only while the field has the focus, so that
+    scrolling a panel changes nothing.
 
     Parameters
     ----------
     spec
-        What is allowed.
+        Allowed values.
     widest_unit
         Unit for which there is room, so that digits align with those of other fields.
     problem_beside
-        Whether its owner shows problems beside the field; else they are in its tooltip.
+        Whether the owner shows problems beside the field; else the tooltip does.
     widest_number
-        Number for which it is just wide enough, in letters of any size; "": it takes what room it
-        gets, and shows fewer digits where that is little.
+        Number that sets the fixed width of the field; "": the width is free, and a narrow field
+        shows fewer digits.
     """
 
     #: The new value in SI units; number of its gesture, or None for a step of its own.
     edited = Signal(float, object)
-    #: Why what is typed is not allowed, or "".
+    #: Why the typed text is not allowed, or "".
     problem_changed = Signal(str)
 
     def __init__(
@@ -436,7 +423,7 @@ class NumberField(QLineEdit):
         self.setAcceptDrops(False)  # files are dropped on the window
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self.setFont(tabular(self.font()))
-        self._take_spec()
+        self._show_spec()
 
     def minimumSizeHint(self) -> QSize:
         least_px = round(_LEAST_PX * letter_scale(self.font()))
@@ -444,7 +431,7 @@ class NumberField(QLineEdit):
 
     @property
     def spec(self) -> NumberSpec:
-        """What is allowed."""
+        """Allowed values."""
         return self._number.spec
 
     @property
@@ -454,24 +441,24 @@ class NumberField(QLineEdit):
 
     @property
     def problem(self) -> str:
-        """Why what is typed is not allowed, or ""."""
+        """Why the typed text is not allowed, or ""."""
         return self._typing.problem
 
     @property
     def editing(self) -> bool:
-        """Whether a text is being typed."""
+        """Whether the user is typing."""
         return self._typing.active
 
     def set_spec(self, spec: NumberSpec) -> None:
-        """Change what is allowed, or the unit."""
+        """Change the allowed values or the unit."""
         if spec != self.spec:
             self._number = NumberDisplay(spec=spec, value_si=self.value_si)
-            self._take_spec()
+            self._show_spec()
 
     def set_value(self, value_si: float) -> None:
-        """Show another value, and tell nobody.  A text that is being typed stays."""
+        """Show another value without a signal.  A text that is being typed stays."""
         if value_si != self.value_si:
-            self.gestures.start_anew()
+            self.gestures.restart()
             if not self.editing:
                 self._typing.end()
             self._show(float(value_si))
@@ -481,21 +468,21 @@ class NumberField(QLineEdit):
         self._typing.begin(self._number, text)
 
     def cancel_editing(self) -> None:
-        """Forget what was typed and what was wrong with it, and let go of a drag."""
+        """Forget the typed text and its problem, and end a drag."""
         self.gestures.release()
         if self.editing or self.problem:
             self._typing.end()
             self._show(self.value_si)
 
     def commit(self) -> bool:
-        """Make what was typed the value; return whether that is possible."""
+        """Make the typed text the value; return whether that is possible."""
         if not self.editing:
             return True
         typed_si = self._typing.result(self._number)
         if typed_si is None:
             return False
         self.cancel_editing()
-        if not self._number.is_meant_by(typed_si):
+        if not self._number.is_unchanged_by(typed_si):
             self._edit(typed_si, None)
         return True
 
@@ -504,7 +491,7 @@ class NumberField(QLineEdit):
             if self.commit():
                 self.gestures.press_key(event, self._number)
         elif event.key() == Qt.Key.Key_Escape and self.gestures.dragging:
-            self.gestures.give_up(self._number)
+            self.gestures.cancel(self._number)
         elif self.editing:
             if event.key() in FINISHERS:
                 self.commit()
@@ -523,9 +510,9 @@ class NumberField(QLineEdit):
             event.ignore()
 
     def event(self, event: QEvent) -> bool:
-        return claims_shortcut(event, self._wants) or super().event(event)
+        return claims_shortcut(event, self._claims) or super().event(event)
 
-    def _wants(self, event: QKeyEvent) -> bool:
+    def _claims(self, event: QKeyEvent) -> bool:
         return (
             self.gestures.knows(event)
             or (begins_typing(event) and not self.editing)
@@ -577,19 +564,19 @@ class NumberField(QLineEdit):
             return
         if self.commit():
             return
-        # The value is back; what was wrong stays said until somebody goes on.
+        # The value comes back; the problem stays until the next action of the user.
         self._typing.leave()
         self._show(self.value_si)
         if not self._problem_beside:
             problem = self.problem
             self._typing.end()
-            # The widget that has the focus next takes tooltips away.
+            # The widget that gets the focus now hides tooltips.
             QTimer.singleShot(0, self, lambda: show_tip_below(self, problem))
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() in _OTHER_SIZES:
-            self._take_spec()
+            self._show_spec()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -600,7 +587,7 @@ class NumberField(QLineEdit):
         painter = QPainter(self)
         has_own_unit = self.editing and any(c.isalpha() or c in "°×²" for c in self.text())
         if not has_own_unit:
-            self._unit.paint(painter, self._number.beside(editing=self.editing), current_theme())
+            self._unit.paint(painter, self._number.unit_text(editing=self.editing), current_theme())
         if self.problem and self.editing:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.setPen(QPen(QColor(current_theme().error), 2))
@@ -617,7 +604,7 @@ class NumberField(QLineEdit):
             self.setText(self._number.fitting_text(self.fontMetrics(), self._unit.room_px))
             self.update()
 
-    def _take_spec(self) -> None:
+    def _show_spec(self) -> None:
         self._unit.make_room(self._number.symbol)
         if self._widest_number:
             self.setFixedWidth(self._unit.width_px(self._widest_number))

@@ -1,9 +1,13 @@
-"""A button with the menu of what can be added to a list."""
+"""The editor of a list of models, such as the effects of a clip or the layers of a waveform.
+
+`PartsEditor` has a `PartRow` for each part, in a `RowColumn` that lets the user reorder them, and
+an `AddButton`.  A row shows the cells of `PartFields` while it is open.
+"""
 
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from typing import Any, Protocol
+from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPalette, QResizeEvent
@@ -45,7 +49,7 @@ from skinsource_gui.qt.tooltips import tooltip
 
 
 class AddButton(QToolButton):
-    """Opens a menu of the kinds of recipes that a list of ``spec`` may hold."""
+    """Opens a menu of the kinds of models that a list of ``spec`` may contain."""
 
     #: Name of a kind.
     chosen = Signal(str)
@@ -58,16 +62,16 @@ class AddButton(QToolButton):
         self.setAccessibleName(f"{spec.label}: add")
         self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.setMenu(QMenu(self))
-        # The dots say that there is more to choose.
+        # The dots in the text already tell that there is a menu.
         self.setStyleSheet("QToolButton::menu-indicator { image: none; width: 0; }")
         self.menu().aboutToShow.connect(self._fill)
 
     def show_count(self, count: int) -> None:
-        """Offer more, unless there are as many as there may be."""
+        """Enable the button unless the list is full."""
         full = count >= self._spec.most
         self.setEnabled(not full)
-        most = f"There are at most {self._spec.most}; remove one first"
-        self.setToolTip(tooltip(most if full else "Add one at the end"))
+        reason = f"There are at most {self._spec.most}; remove one first"
+        self.setToolTip(tooltip(reason if full else "Add one at the end"))
 
     def _fill(self) -> None:
         menu, choices = self.menu(), choices_of(self._of)
@@ -76,34 +80,31 @@ class AddButton(QToolButton):
             fill_kind_menu(menu, self.chosen.emit)
             return
         for name, title in choices.options:
-            menu.addAction(title).triggered.connect(partial(self._tell, name))
+            menu.addAction(title).triggered.connect(partial(self._choose, name))
 
-    def _tell(self, name: str, _checked: bool = False) -> None:
+    def _choose(self, name: str, _checked: bool = False) -> None:
         self.chosen.emit(name)
 
 
-# The fields of one recipe, and of those that it holds, as cells in reading order.
-
-
 class PartFields(QObject):
-    """Cells for the kind and the fields of a recipe of ``spec``.
+    """Cells for the kind and the fields of a model of ``spec``, in reading order.
 
-    What it holds stands first, then its own numbers and choices, then its lists.
+    The cells of nested models come first, then numbers and choices, then lists.
     """
 
-    #: The recipe as it is changed; number of the gesture or None.
+    #: The changed model; number of the gesture or None.
     edited = Signal(object, object)
-    #: Other cells are to be shown; those that are gone will be deleted.
+    #: There are other cells; the old ones will be deleted.
     rebuilt = Signal()
 
     def __init__(self, spec: ModelSpec, new_editor: NewEditor, parent: QObject) -> None:
         super().__init__(parent)
         self._spec, self._new_editor = spec, new_editor
-        self._recipe: Any = None
+        self._model: Any = None
         self._built_for: type | None = None
         self._own: dict[str, EditedCell] = {}
-        self._held: dict[str, PartFields] = {}
-        self._last = ""
+        self._nested: dict[str, PartFields] = {}
+        self._last_edited = ""
         self._kind: EditedCell | None = None
         if len(spec.kinds()) > 1:
             self._kind = self._cell("kind", choices_of(spec))
@@ -113,38 +114,38 @@ class PartFields(QObject):
     def cells(self) -> tuple[EditedCell, ...]:
         """All cells, in reading order."""
         kind = () if self._kind is None else (self._kind,)
-        held = [cell for one in self._held.values() for cell in one.cells]
+        nested = [cell for part_fields in self._nested.values() for cell in part_fields.cells]
         plain = [cell for cell in self._own.values() if not cell.across]
         lists = [cell for cell in self._own.values() if cell.across]
-        return (*kind, *held, *plain, *lists)
+        return (*kind, *nested, *plain, *lists)
 
-    def show_recipe(self, recipe: Any) -> None:
-        """Show a recipe's values, and tell nobody."""
-        self._recipe = recipe
-        if type(recipe) is not self._built_for:
-            self._build(recipe)
+    def show_model(self, model: Any) -> None:
+        """Show the values of a model without a signal."""
+        self._model = model
+        if type(model) is not self._built_for:
+            self._build(model)
         if self._kind is not None:
-            self._kind.set_value(type(recipe).__name__)
+            self._kind.set_value(type(model).__name__)
         for name, cell in self._own.items():
-            cell.set_value(getattr(recipe, name))
-        for name, held in self._held.items():
-            held.show_recipe(getattr(recipe, name))
+            cell.set_value(getattr(model, name))
+        for name, part_fields in self._nested.items():
+            part_fields.show_model(getattr(model, name))
 
     def set_spec(self, spec: ModelSpec) -> None:
-        """Take over the rate of another limb."""
+        """Use the rate of another limb."""
         self._spec = spec
         specs = specs_of(self._built_for) if self._built_for else {}
         for name, cell in self._own.items():
             cell.set_spec(self._at_rate(specs[name]))
-        for name, held in self._held.items():
-            held.set_spec(self._at_rate(specs[name]))
+        for name, part_fields in self._nested.items():
+            part_fields.set_spec(self._at_rate(specs[name]))
 
     def show_reason(self, reason: str) -> None:
-        """Say at the field that was edited last why it stays as it was."""
-        if self._last in self._held:
-            self._held[self._last].show_reason(reason)
-        elif self._last in self._own:
-            self._own[self._last].show_reason(reason)
+        """Show at the field that was edited last why the edit was refused."""
+        if self._last_edited in self._nested:
+            self._nested[self._last_edited].show_reason(reason)
+        elif self._last_edited in self._own:
+            self._own[self._last_edited].show_reason(reason)
         elif self._kind is not None:
             self._kind.show_reason(reason)
 
@@ -153,36 +154,36 @@ class PartFields(QObject):
         for cell in self.cells:
             cell.forget_typing()
 
-    def _build(self, recipe: Any) -> None:
-        old = self._held.values()
+    def _build(self, model: Any) -> None:
+        old = self._nested.values()
         own: dict[str, EditedCell] = {}
-        gone = [cell for cell in self.cells if cell is not self._kind]
-        held: dict[str, PartFields] = {}
-        for name, spec in specs_of(recipe).items():
+        removed = [cell for cell in self.cells if cell is not self._kind]
+        nested: dict[str, PartFields] = {}
+        for name, spec in specs_of(model).items():
             if isinstance(spec, ModelSpec):
-                held[name] = PartFields(self._at_rate(spec), self._new_editor, self)
-                held[name].edited.connect(partial(self._change, name))
-                held[name].rebuilt.connect(self.rebuilt)
+                nested[name] = PartFields(self._at_rate(spec), self._new_editor, self)
+                nested[name].edited.connect(partial(self._change, name))
+                nested[name].rebuilt.connect(self.rebuilt)
             elif spec.asked:
                 own[name] = self._cell(name, self._at_rate(spec))
                 own[name].edited.connect(self._change)
                 editor: Any = own[name].editor
                 if isinstance(spec, ListSpec) and spec.nests:
-                    editor.holder = lambda: self._recipe
-        self._own, self._held, self._built_for = own, held, type(recipe)
+                    editor.holder = lambda: self._model
+        self._own, self._nested, self._built_for = own, nested, type(model)
         focused = QApplication.focusWidget()
-        within = focused is not None and any(cell.isAncestorOf(focused) for cell in gone)
+        within = focused is not None and any(cell.isAncestorOf(focused) for cell in removed)
         if within and self._kind is not None:
             self._kind.field.setFocus(Qt.FocusReason.OtherFocusReason)
         self.rebuilt.emit()
-        for part in (widget for cell in gone for widget in (cell.label, cell)):
+        for part in (widget for cell in removed for widget in (cell.label, cell)):
             part.deleteLater()
-        for one in old:
-            one.deleteLater()
+        for part_fields in old:
+            part_fields.deleteLater()
 
     def _cell(self, name: str, spec: Spec) -> EditedCell:
         cell = EditedCell(name, spec, self._new_editor)
-        # The clip itself has fields of these names, too.
+        # The clip itself has fields of the same names.
         cell.field.setObjectName(f"part_{name}_field")
         return cell
 
@@ -191,47 +192,42 @@ class PartFields(QObject):
         return spec if rate_hz is None else spec.at_rate(rate_hz, self._spec.band_hz)
 
     def _change(self, name: str, value: object, gesture: int | None) -> None:
-        self._last = name
+        self._last_edited = name
         try:
-            after = replace(self._recipe, **{name: value})
+            after = replace(self._model, **{name: value})
         except InvalidInputError as error:
-            self._refuse(sentence(str(error)))
+            self.show_model(self._model)
+            self.show_reason(sentence(str(error)))
             return
-        self._tell(after, gesture)
+        self._apply(after, gesture)
 
     def _change_kind(self, _: str, name: str, gesture: int | None) -> None:
-        self._last = "kind"
-        kind = next(one for one in self._spec.kinds() if one.__name__ == name)
+        self._last_edited = "kind"
+        kind = next(kind for kind in self._spec.kinds() if kind.__name__ == name)
         rate_hz = self._spec.rate_hz or facts_of("").sample_rate_hz
-        self._tell(as_kind(self._recipe, kind, rate_hz), gesture)
+        self._apply(as_kind(self._model, kind, rate_hz), gesture)
 
-    def _refuse(self, reason: str) -> None:
-        self.show_recipe(self._recipe)
-        self.show_reason(reason)
-
-    def _tell(self, after: Any, gesture: int | None) -> None:
-        if after != self._recipe:
-            self._recipe = after
+    def _apply(self, after: Any, gesture: int | None) -> None:
+        if after != self._model:
+            self._model = after
             self.edited.emit(after, gesture)
 
 
-# The name of a part in a list: opens it, is dragged, takes the keys.
-
-# The arrow and the edges.
+# Width of the arrow and the edges of a title.
 _BESIDE_PX = 30
 
 
 class RowTitle(QToolButton):
-    """Shows or hides the fields of a part; drags it to another place.
+    """The title of a part: shows or hides its fields, can be dragged, and handles its keys.
 
     Parameters
     ----------
-    words
-        What the part is called; what is too long ends with dots.
+    text
+        The title; a long one is cut.
     place
-        Where the keys are listed that it takes.
+        Place in the table of keys that lists its keys.
     where
-        Where it is moved, for the tooltip: "in the chain".
+        Where the part is moved, for the tooltip: "in the chain".
 
     Attributes
     ----------
@@ -241,17 +237,17 @@ class RowTitle(QToolButton):
 
     #: Whether the fields shall be shown.
     opened = Signal(bool)
-    #: What a key means, as the table of keys names it.
+    #: Name of a key in the table of keys.
     pressed_key = Signal(str)
-    #: Where the pointer is, on the screen, during a drag; where it let go.
+    #: y of the pointer on the screen, during a drag and at its end.
     dragged = Signal(int)
     dropped = Signal(int)
-    #: The drag was given up.
+    #: The drag was cancelled.
     given_up = Signal()
 
-    def __init__(self, words: str, place: str, where: str, parent: QWidget | None = None) -> None:
+    def __init__(self, text: str, place: str, where: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._words, self._place = "", place
+        self._text, self._place = "", place
         self._start_y: int | None = None
         self._dragging = False
         self.open = False
@@ -263,29 +259,29 @@ class RowTitle(QToolButton):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         keys = f"{key_text(place, 'shift_up')}, {key_text(place, 'shift_down')}"
         self._hint = f"Click: show or hide its settings. Drag, or {keys}: another place {where}"
-        self.set_words(words)
+        self.set_text(text)
         self.clicked.connect(lambda: self.set_open(not self.open))
-        self._point()
+        self._show_arrow()
 
-    def set_words(self, words: str) -> None:
-        """Call the part otherwise."""
-        if words != self._words:
-            self._words = words
-            self.setAccessibleName(words)
-            self.setToolTip(tooltip(words, self._hint))
+    def set_text(self, text: str) -> None:
+        """Change the title."""
+        if text != self._text:
+            self._text = text
+            self.setAccessibleName(text)
+            self.setToolTip(tooltip(text, self._hint))
             self._fit()
 
     def set_open(self, open_: bool) -> None:
-        """Point down, to fields that are shown, or not."""
+        """Tell whether the fields are shown."""
         if open_ != self.open:
             self.open = open_
-            self._point()
+            self._show_arrow()
             self.opened.emit(open_)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         name = meaning_of(self._place, event)
         if self._dragging and event.key() == Qt.Key.Key_Escape:
-            self._let_go()
+            self._end_drag()
             self.given_up.emit()
         elif name:
             self.pressed_key.emit(name)
@@ -293,9 +289,9 @@ class RowTitle(QToolButton):
             event.ignore()
 
     def event(self, event: QEvent) -> bool:
-        return claims_shortcut(event, self._wants) or super().event(event)
+        return claims_shortcut(event, self._claims) or super().event(event)
 
-    def _wants(self, event: QKeyEvent) -> bool:
+    def _claims(self, event: QKeyEvent) -> bool:
         gives_up = self._dragging and event.key() == Qt.Key.Key_Escape
         return gives_up or bool(meaning_of(self._place, event))
 
@@ -315,7 +311,7 @@ class RowTitle(QToolButton):
         y = round(event.globalPosition().y())
         if not self._dragging and abs(y - self._start_y) >= QApplication.startDragDistance():
             self._dragging = True
-            # It is dragged, not clicked.
+            # A drag is no click.
             self.setDown(False)
             self.setCursor(Qt.CursorShape.ClosedHandCursor)
         if self._dragging:
@@ -323,7 +319,7 @@ class RowTitle(QToolButton):
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if self._dragging and event.button() == Qt.MouseButton.LeftButton:
-            self._let_go()
+            self._end_drag()
             self.dropped.emit(round(event.globalPosition().y()))
             event.accept()
             return
@@ -332,42 +328,34 @@ class RowTitle(QToolButton):
 
     def _fit(self) -> None:
         room = max(self.width() - _BESIDE_PX, 0)
-        text = self.fontMetrics().elidedText(self._words, Qt.TextElideMode.ElideRight, room)
+        text = self.fontMetrics().elidedText(self._text, Qt.TextElideMode.ElideRight, room)
         self.setText(text)
 
-    def _let_go(self) -> None:
+    def _end_drag(self) -> None:
         self._start_y, self._dragging = None, False
         self.setDown(False)
         self.unsetCursor()
 
-    def _point(self) -> None:
+    def _show_arrow(self) -> None:
         self.setArrowType(Qt.ArrowType.DownArrow if self.open else Qt.ArrowType.RightArrow)
 
 
-# One recipe of a list.
-
+#: Place in the table of keys that lists the keys of a row.
 PLACE = "parts"
 
 
 class PartRow(QWidget):
-    """Name of a part, buttons that move and remove it, and its fields while it is open.
+    """The title of a part, buttons that move and remove it, and its fields while it is open.
 
     The fields are made when they are shown first.
-
-    Attributes
-    ----------
-    part
-        What it shows.
-    title
-        The name; tells of drags and keys.
     """
 
-    #: A key of the table: up or down.
+    #: The part shall move: "shift_up" or "shift_down".
     stepped = Signal(str)
     removed = Signal()
-    #: The part as it is changed; number of the gesture or None.
+    #: The changed part; number of the gesture or None.
     edited = Signal(object, object)
-    #: The Tab key has other stops.
+    #: The order of the Tab key has changed.
     restopped = Signal()
 
     def __init__(self, spec: ModelSpec, new_editor: NewEditor, parent: QWidget) -> None:
@@ -391,7 +379,7 @@ class PartRow(QWidget):
         column.setSpacing(UNIT_PX // 4)
         column.addLayout(head)
         column.addWidget(self._grid)
-        # Whose fields they are.
+        # The indent tells whose fields they are.
         self._grid.set_margins(UNIT_PX, 0, 0, UNIT_PX // 2)
         self.title.opened.connect(self._open)
         self._up.clicked.connect(lambda: self.stepped.emit("shift_up"))
@@ -400,7 +388,7 @@ class PartRow(QWidget):
 
     @property
     def stops(self) -> tuple[QWidget, ...]:
-        """Where the Tab key stops, in order."""
+        """Widgets in the order of the Tab key."""
         cells = self._fields.cells if self._fields is not None else ()
         return (self.title, self._up, self._down, self._remove, *(cell.field for cell in cells))
 
@@ -411,31 +399,31 @@ class PartRow(QWidget):
 
     @property
     def fields(self) -> PartFields | None:
-        """Its fields, once they were shown."""
+        """The fields, once they were shown."""
         return self._fields
 
     def show_part(self, part: Any, index: int, count: int, fewest: int) -> None:
-        """Show another part, the ``index``-th of ``count``, of which ``fewest`` have to stay."""
+        """Show part ``index`` of ``count``, of which ``fewest`` have to stay."""
         self.part = part
-        self.title.set_words(f"{index + 1} · {part_text(part)}")
+        self.title.set_text(f"{index + 1} · {part_text(part)}")
         name = f"{self._spec.label.lower()} {index + 1}"
         for button, can in ((self._up, index > 0), (self._down, index < count - 1)):
             if button.hasFocus() and not can:
                 self.title.setFocus(Qt.FocusReason.OtherFocusReason)
             button.setEnabled(can)
         self._remove.setEnabled(count > fewest)
-        words = f"Remove {name} ({key_text(PLACE, 'remove')})"
-        self._remove.setToolTip(tooltip(words if count > fewest else why_required(fewest)))
+        hint = f"Remove {name} ({key_text(PLACE, 'remove')})"
+        self._remove.setToolTip(tooltip(hint if count > fewest else why_required(fewest)))
         self._remove.setAccessibleName(f"Remove {name}")
         if self._fields is not None:
-            self._fields.show_recipe(part)
+            self._fields.show_model(part)
 
     def set_open(self, open_: bool) -> None:
-        """Show its fields, or hide them."""
+        """Show or hide the fields."""
         self.title.set_open(open_)
 
     def set_spec(self, spec: ModelSpec) -> None:
-        """Take over the rate of another limb."""
+        """Use the rate of another limb."""
         self._spec = spec
         if self._fields is not None:
             self._fields.set_spec(spec)
@@ -450,7 +438,7 @@ class PartRow(QWidget):
             self._fields = PartFields(self._spec, self._new_editor, self)
             self._fields.edited.connect(self.edited)
             self._fields.rebuilt.connect(self._show_cells)
-            self._fields.show_recipe(self.part)
+            self._fields.show_model(self.part)
         focused = self.focusWidget()
         if not open_ and focused is not None and self._grid.isAncestorOf(focused):
             self.title.setFocus(Qt.FocusReason.OtherFocusReason)
@@ -463,7 +451,7 @@ class PartRow(QWidget):
 
 
 def why_required(fewest: int) -> str:
-    """Why the last parts cannot be removed."""
+    """Return why the last parts cannot be removed."""
     return f"At least {fewest} {'has' if fewest == 1 else 'have'} to stay"
 
 
@@ -474,39 +462,22 @@ def _step_button(letter: str, name: str, key: str) -> LetterButton:
     return button
 
 
-# Rows that are put in another order by the mouse or by keys.
-
 _LINE_PX = 2
 
 
-class Row(Protocol):
-    """A widget in the column.
-
-    Attributes
-    ----------
-    title
-        Its name, by which it is dragged.
-    stops
-        Where the Tab key stops, in order.
-    """
-
-    title: RowTitle
-    stops: tuple[QWidget, ...]
-
-    def forget_typing(self) -> None:
-        """Close an open editor without committing."""
-
-
 class RowColumn(QWidget):
-    """Rows one below the other.
+    """Rows one below the other, which the user reorders by mouse or keys.
+
+    A row is a widget with a ``title``, a `RowTitle`, with ``stops``, its widgets in the order of
+    the Tab key, and with ``forget_typing``.
 
     Parameters
     ----------
     head
-        Comes before the rows for the Tab key, and has the keyboard where none is left.
+        Widget before the rows in the order of the Tab key; it gets the focus when no row is left.
     """
 
-    #: Place of a row, and the one that it is to be moved to.
+    #: Index of a row, and the index to which it shall move.
     moved = Signal(int, int)
 
     def __init__(self, head: QWidget, parent: QWidget | None = None) -> None:
@@ -516,7 +487,7 @@ class RowColumn(QWidget):
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
         self._column.setSpacing(UNIT_PX // 4)
-        # Where a dragged row would go.
+        # Shows where a dragged row would go.
         self._line = QFrame(self)
         self._line.setBackgroundRole(QPalette.ColorRole.Highlight)
         self._line.setAutoFillBackground(True)
@@ -534,15 +505,15 @@ class RowColumn(QWidget):
         row.title.given_up.connect(self._line.hide)
 
     def show_rows(self, rows: tuple[Any, ...]) -> None:
-        """Show these rows; others are gone."""
+        """Show these rows, and delete the others."""
         if rows == self._rows:
             return
-        gone = [row for row in self._rows if row not in rows]
-        was_focused = [k for k, row in enumerate(self._rows) if row in gone and _has_focus(row)]
+        removed = [row for row in self._rows if row not in rows]
+        was_focused = [k for k, row in enumerate(self._rows) if row in removed and _has_focus(row)]
         for row in self._rows:
             self._column.removeWidget(row)
-        for row in gone:
-            # What was being typed in it is for no other one.
+        for row in removed:
+            # Typing that has begun in a removed row must not reach another one.
             row.forget_typing()
             row.hide()
             row.deleteLater()
@@ -556,14 +527,14 @@ class RowColumn(QWidget):
             stops[min(was_focused[0], len(stops) - 1)].setFocus(Qt.FocusReason.OtherFocusReason)
 
     def order_stops(self) -> None:
-        """Let the Tab key go along the rows."""
+        """Set the order of the Tab key along the rows."""
         before = self._head
         for stop in (stop for row in self._rows for stop in row.stops):
             self.setTabOrder(before, stop)
             before = stop
 
     def step(self, row: Any, name: str) -> None:
-        """Do what a key means to a row: move it, or go to another one."""
+        """Do what a key means for a row: move it, or go to another row."""
         index, last = self._rows.index(row), len(self._rows) - 1
         if name in ("shift_up", "shift_down"):
             to = index + (1 if name == "shift_down" else -1)
@@ -574,15 +545,15 @@ class RowColumn(QWidget):
         self._rows[min(max(to, 0), last)].title.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _gap(self, y: int) -> int:
-        """Before which row, or after the last one, something goes that is dropped at ``y``."""
+        """Return the index of the row before which a drop at ``y`` goes, or the number of rows."""
         middles = [row.mapToGlobal(QPoint(0, row.title.height() // 2)).y() for row in self._rows]
         return sum(middle < y for middle in middles)
 
     def _show_line(self, y: int) -> None:
         gap = self._gap(y)
-        behind = gap == len(self._rows)
-        row = self._rows[gap - 1 if behind else gap]
-        at = row.y() + row.height() - _LINE_PX if behind else max(row.y() - _LINE_PX, 0)
+        at_end = gap == len(self._rows)
+        row = self._rows[gap - 1 if at_end else gap]
+        at = row.y() + row.height() - _LINE_PX if at_end else max(row.y() - _LINE_PX, 0)
         self._line.setGeometry(0, at, self.width(), _LINE_PX)
         self._line.raise_()
         self._line.show()
@@ -600,16 +571,13 @@ def _has_focus(row: QWidget) -> bool:
     return focused is not None and row.isAncestorOf(focused)
 
 
-# What edits a list of recipes: rows of them, and a button that adds one.
-
-
 class PartsEditor(QObject):
-    """Edits a tuple of recipes; a new one stands open.
+    """Edits a tuple of models; a new one is open.
 
     Attributes
     ----------
     holder
-        Returns the recipe that holds the list, to which a new part is fitted; or None.
+        Returns the model that contains the list, to which a new part is fitted; or None.
     """
 
     edited = Signal(object, object)
@@ -631,32 +599,32 @@ class PartsEditor(QObject):
         self._add.chosen.connect(self._add_part)
         self._column = RowColumn(self._add)
         self._column.moved.connect(
-            lambda index, to: self._tell(moved_part(self._value, index, to), None)
+            lambda index, to: self._apply(moved_part(self._value, index, to), None)
         )
         head = QHBoxLayout()
         head.setContentsMargins(0, 0, 0, 0)
         head.addWidget(self.label, 1)
         head.addWidget(self._add)
-        whole = QVBoxLayout(self.field)
-        whole.setContentsMargins(0, UNIT_PX // 4, 0, UNIT_PX // 4)
-        whole.setSpacing(UNIT_PX // 4)
-        whole.addLayout(head)
-        whole.addWidget(self._column)
+        column = QVBoxLayout(self.field)
+        column.setContentsMargins(0, UNIT_PX // 4, 0, UNIT_PX // 4)
+        column.setSpacing(UNIT_PX // 4)
+        column.addLayout(head)
+        column.addWidget(self._column)
         self.field.setFocusProxy(self._add)
 
     @property
     def rows(self) -> tuple[PartRow, ...]:
-        """One for each part, in their order."""
+        """The row of each part, in their order."""
         return self._column.rows
 
     def set_value(self, value: Parts) -> None:
-        """Show other parts, and tell nobody."""
+        """Show other parts without a signal."""
         self._value = value
         self.problem_changed.emit("")
         self._show()
 
     def set_spec(self, spec: ListSpec) -> None:
-        """Take over the rate of another limb."""
+        """Use the rate of another limb."""
         self._spec = spec
         if isinstance(spec.of, ModelSpec):
             self._of = spec.of
@@ -664,22 +632,22 @@ class PartsEditor(QObject):
             row.set_spec(self._of)
 
     def advice(self) -> str:
-        """Nothing needs a remark."""
+        """Return no remark."""
         return ""
 
-    def refuse(self, reason: str) -> None:
-        """It is said under the list."""
+    def mark_error(self, reason: str) -> None:
+        """Do nothing: the cell shows the reason under the list."""
 
     def cancel(self) -> None:
-        """Forget what is being entered."""
+        """Forget what is being typed."""
         for row in self.rows:
             row.forget_typing()
 
     def _show(self) -> None:
-        count, found = len(self._value), _rows_of(self._value, self.rows, self._new_row)
+        count, rows = len(self._value), _rows_of(self._value, self.rows, self._new_row)
         for index, part in enumerate(self._value):
-            found[index].show_part(part, index, count, self._spec.fewest)
-        self._column.show_rows(found)
+            rows[index].show_part(part, index, count, self._spec.fewest)
+        self._column.show_rows(rows)
         self._add.show_count(count)
 
     def _new_row(self) -> PartRow:
@@ -694,8 +662,8 @@ class PartsEditor(QObject):
 
     def _add_part(self, name: str) -> None:
         part = new_part(self._of, name, self.holder())
-        self._tell((*self._value, part), None)
-        # Unless it was refused.
+        self._apply((*self._value, part), None)
+        # Unless the document has refused it.
         if self.rows and self.rows[-1].part is self._value[-1] is part:
             self.rows[-1].set_open(True)
             self.rows[-1].title.setFocus(Qt.FocusReason.OtherFocusReason)
@@ -706,10 +674,10 @@ class PartsEditor(QObject):
                 f"{self._spec.label}: {why_required(self._spec.fewest).lower()}."
             )
             return
-        self._tell(without_part(self._value, self.rows.index(row)), None)
+        self._apply(without_part(self._value, self.rows.index(row)), None)
 
     def _change(self, row: PartRow, part: Any, gesture: int | None) -> None:
-        self._tell(with_part(self._value, self.rows.index(row), part), gesture)
+        self._apply(with_part(self._value, self.rows.index(row), part), gesture)
 
     def _press(self, row: PartRow, name: str) -> None:
         if name == "open":
@@ -719,7 +687,7 @@ class PartsEditor(QObject):
         else:
             self._column.step(row, name)
 
-    def _tell(self, parts: Parts, gesture: int | None) -> None:
+    def _apply(self, parts: Parts, gesture: int | None) -> None:
         if parts != self._value:
             self.problem_changed.emit("")
             self._value = parts
@@ -730,17 +698,17 @@ class PartsEditor(QObject):
 def _rows_of(
     parts: Parts, rows: tuple[PartRow, ...], new_row: Callable[[], PartRow]
 ) -> tuple[PartRow, ...]:
-    """A row goes on with its part, wherever that stands, or with what came to its place."""
+    """Return a row for each part: that which shows it, else that at its index, else a new one."""
     left = list(rows)
-    found: dict[int, PartRow] = {}
+    row_at: dict[int, PartRow] = {}
     for index, part in enumerate(parts):
         own = next((row for row in left if row.part is part), None)
         if own is not None:
-            found[index] = own
+            row_at[index] = own
             left.remove(own)
     for index in range(len(parts)):
-        if index not in found:
-            here = [row for row in rows[index : index + 1] if row in left]
-            found[index] = here[0] if here else new_row()
-            left = [row for row in left if row not in here]
-    return tuple(found[index] for index in range(len(parts)))
+        if index not in row_at:
+            same_place = [row for row in rows[index : index + 1] if row in left]
+            row_at[index] = same_place[0] if same_place else new_row()
+            left = [row for row in left if row not in same_place]
+    return tuple(row_at[index] for index in range(len(parts)))

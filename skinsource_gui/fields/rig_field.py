@@ -1,9 +1,9 @@
-"""A list to choose a rig file with."""
+"""The field of a rig: none, the present one, or another file."""
 
 from pathlib import Path
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QFileDialog
 
 from skinsource.actuators import rigs
 from skinsource.specs.spec import ChoiceSpec
@@ -14,44 +14,42 @@ _SPEC = ChoiceSpec(
     options=(("none", "None"), ("file", "Choose a rig file…")),
     hint="What is wired to what: polarity, volts, limits, calibration",
 )
-_KEPT = "kept"
-#: What a measured response is opened from, as file dialogs want it.
+_PRESENT = "kept"
+#: Filter of file dialogs for a measured response.
 RESPONSE_FILES = (
     "Tables and sounds (*.csv *.txt *.npy *.npz *.mat *.h5 *.wav *.flac);;All files (*)"
 )
 
 
 class RigField(ChoiceField):
-    """Offers none, the rig that there is, and another file."""
+    """A drop-down list of no rig, the present rig, and another file."""
 
-    #: The file that is wanted, `Path`, or None.
+    #: The file that the user chooses, `Path`, or None for no rig.
     wanted = Signal(object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self) -> None:
         super().__init__(_SPEC)
-        if parent is not None:
-            self.setParent(parent)
         self._title: str | None = None
-        self.chosen.connect(self._want)
+        self.chosen.connect(self._choose_rig)
 
     def show_rig(self, title: str | None) -> None:
-        """Show the rig that there is, by its title; None: there is none."""
+        """Show the title of the present rig; None: there is none."""
         self._title = title
-        index = self.findData(_KEPT)
+        index = self.findData(_PRESENT)
         if title is None and index >= 0:
             self.removeItem(index)
         elif title is not None and index < 0:
-            self.insertItem(1, title, _KEPT)
+            self.insertItem(1, title, _PRESENT)
         elif title is not None:
             self.setItemText(index, title)
-        self.set_value("none" if title is None else _KEPT)
+        self.set_value("none" if title is None else _PRESENT)
 
-    def _want(self, option: str) -> None:
+    def _choose_rig(self, option: str) -> None:
         if option == "file":
             name, _ = QFileDialog.getOpenFileName(
                 self, "Choose a rig", "", f"Rigs (*{rigs.SUFFIX});;All files (*)"
             )
-            # What there was stays until the file is read.
+            # The present rig stays until the file is read.
             self.show_rig(self._title)
             if name:
                 self.wanted.emit(Path(name))

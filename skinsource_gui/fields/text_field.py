@@ -1,4 +1,4 @@
-"""A text that means something, followed while it is typed."""
+"""A field for texts with a reader, such as formulas and lists of numbers."""
 
 from PySide6.QtCore import QEvent, QMimeData, QSize, Qt, Signal
 from PySide6.QtGui import (
@@ -24,28 +24,28 @@ _UNDOING = (QKeySequence.StandardKey.Undo, QKeySequence.StandardKey.Redo)
 
 
 class LiveText(QPlainTextEdit):
-    """Edits a text of ``spec``, whose reader understands it.
+    """Edits a text of ``spec``, whose reader checks it while it is typed.
 
-    Each text that can be read is told at once; quick ones share a gesture, until a pause, Enter,
-    or the focus goes.  One that cannot stays as it is typed, underlined where reading stopped, and
-    the last one that could stays the value; Esc brings that back.  A long line is wrapped.
+    Each valid text is signalled at once; quick ones share a gesture, until a pause, Enter, or the
+    loss of the focus.  An invalid text stays, underlined where reading stopped, while the last
+    valid one remains the value; Esc restores it.  A long line is wrapped.
     """
 
-    #: The new text; number of the gesture that quick further ones share.
+    #: The new text; number of the gesture that quick successive texts share.
     edited = Signal(str, object)
-    #: Why what is typed cannot be read, or "".
+    #: Why the typed text cannot be read, or "".
     problem_changed = Signal(str)
 
     def __init__(self, spec: TextSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._spec = spec
-        self._value, self._told = "", ""
+        self._value, self._last_read = "", ""
         self._burst, self._mark = Burst(self), TextMark(self)
         self.problem = ""
         self.setAccessibleName(spec.label)
         self.setToolTip(tooltip(spec.label, spec.hint))
         self.setTabChangesFocus(True)
-        # The document undoes, each text that could be read.
+        # The document has the undo, of each valid text.
         self.setUndoRedoEnabled(False)
         self.setAcceptDrops(False)  # files are dropped on the window
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -61,26 +61,26 @@ class LiveText(QPlainTextEdit):
         self.document().documentLayout().documentSizeChanged.connect(lambda _: self._fit())
 
     def text(self) -> str:
-        """What stands there."""
+        """Return the text in the field."""
         return self.toPlainText()
 
     def set_value(self, value: str) -> None:
-        """Show another value, and tell nobody.  What is typed stays as long as it is the same."""
+        """Show another value without a signal.  A typed text stays if the value is the same."""
         before, self._value = self._value, value
         if value == self.text():
             self._mark.put(None)
-            self._say("")
+            self._set_problem("")
         elif value != before:
             self._restore()
 
-    def refuse(self, reason: str) -> None:
-        """Mark the place that a reason names, and say it as long as what is typed stays."""
+    def mark_error(self, reason: str) -> None:
+        """Mark the place that a reason names, and show the reason as long as the text stays."""
         if self.text() != self._value:
             self._mark.put(column_of(reason))
-            self._say(reason)
+            self._set_problem(reason)
 
     def cancel(self) -> None:
-        """Bring the value back."""
+        """Restore the value."""
         if self.text() != self._value:
             self._restore()
 
@@ -121,7 +121,7 @@ class LiveText(QPlainTextEdit):
         self._burst.end()
 
     def insertFromMimeData(self, source: QMimeData) -> None:
-        # One line, whatever is pasted.
+        # A pasted text becomes one line.
         self.insertPlainText(" ".join(source.text().split()))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -135,27 +135,27 @@ class LiveText(QPlainTextEdit):
     def _read(self) -> None:
         self._fit()
         text = self.text()
-        if text == self._told:
-            return  # a mark changes no text
-        self._told = text
+        if text == self._last_read:
+            return  # only a mark has changed
+        self._last_read = text
         problem, column = "", None
         try:
             self._spec.checked(text)
         except InvalidInputError as error:
             problem, column = str(error), getattr(error, "column", None)
         self._mark.put(column)
-        self._say(problem)
+        self._set_problem(problem)
         if not problem and text != self._value:
             self.edited.emit(text, self._burst.gesture())
 
     def _restore(self) -> None:
         self._burst.end()
-        self._told = self._value
+        self._last_read = self._value
         self.setPlainText(self._value)
         self._mark.put(None)
-        self._say("")
+        self._set_problem("")
 
-    def _say(self, problem: str) -> None:
+    def _set_problem(self, problem: str) -> None:
         if problem != self.problem:
             self.problem = problem
             self.problem_changed.emit(problem)
@@ -164,9 +164,9 @@ class LiveText(QPlainTextEdit):
         return int(self.document().documentLayout().documentSize().height())
 
     def _fit(self) -> None:
-        wanted = self.sizeHint().height()
-        if wanted != self.height():
-            self.setFixedHeight(wanted)
+        height = self.sizeHint().height()
+        if height != self.height():
+            self.setFixedHeight(height)
         more = self._lines() > _MOST_LINES
         policy = Qt.ScrollBarPolicy
         self.setVerticalScrollBarPolicy(

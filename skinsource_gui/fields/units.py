@@ -1,4 +1,8 @@
-"""Levels and outputs in words."""
+"""Numbers as a user reads and types them: in milliseconds, degrees, hertz, and in lists.
+
+Values are in SI units; a `DisplayUnit` says how they are shown.  `stepped` and `Ladder` give round
+numbers one step apart.
+"""
 
 import math
 import re
@@ -17,12 +21,12 @@ from skinsource.specs.numbers import ListSpec, NumberSpec, PointsSpec
 
 
 def minus(text: str) -> str:
-    """``text`` with real minus signs."""
+    """Return ``text`` with real minus signs."""
     return text.replace("-", "−")
 
 
 def level_text(level_db: float, span: str) -> str:
-    """A level in dB and as an acceleration, and what it is the RMS over."""
+    """Return the text of a level, in dB and as an acceleration, and the span of its RMS."""
     if level_db <= FLOOR_DB:
         return "silent"
     acceleration = 10.0 ** (level_db / 20.0)
@@ -36,30 +40,28 @@ def level_text(level_db: float, span: str) -> str:
 
 
 def output_text(number: int, limb: str = "") -> str:
-    """Number and place of an output."""
-    place = output_name(number, limb)
-    if place.name == f"Output {number}":
-        return place.name
-    name = place.name if place.kind or limb else place.short_name
+    """Return number and location of an output."""
+    location = output_name(number, limb)
+    if location.name == f"Output {number}":
+        return location.name
+    name = location.name if location.kind or limb else location.short_name
     return f"Output {number}, {name}"
 
-
-# Numbers as a user reads and types them: milliseconds, degrees, hertz.
 
 #: Significant digits of a number that is shown, and of one that is being edited.
 SHOWN_DIGITS = 6
 EDITED_DIGITS = 12
 
-#: From this length on times are said in seconds.
+#: Times from this length on are shown in seconds.
 LONG_S = 1.0
 
-# A number, and its unit if any: what goes on with a digit or a sign is neither.
+# A number and its unit, if any; a unit does not begin with a digit or a sign.
 _NUMBER = re.compile(
     r"([+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(|[^\s\d.,:;'’_+*/^-].*)", re.DOTALL
 )
 # A bound that was shown in a rounded form can be typed.
 _BOUND_TOLERANCE = 1e-12
-# No number of ours has an exponent beyond; to write one out as a fraction takes for ever.
+# Larger exponents are not needed, and as fractions they would take for ever.
 _LARGEST_EXPONENT = 400
 
 
@@ -70,11 +72,11 @@ class DisplayUnit:
     Attributes
     ----------
     symbol
-        What stands behind the number.
+        Text after the number.
     si
-        One of what is shown, in SI units; rational, so that nothing is lost twice.
+        The unit in SI units; rational, so that it is rounded only once.
     spellings
-        Other units that can be typed, and one of each in SI units.
+        Other units that can be typed, and each in SI units.
     """
 
     symbol: str
@@ -82,11 +84,11 @@ class DisplayUnit:
     spellings: tuple[tuple[str, Fraction], ...] = ()
 
     def shown(self, value_si: float) -> float:
-        """Number to show for a value."""
+        """Return the number to show for a value."""
         return float(Fraction(value_si) / self.si)
 
     def value_si(self, shown: str | float | Fraction) -> float:
-        """Value of a number that is shown."""
+        """Return the value of a number that is shown."""
         return float(Fraction(shown) * self.si)
 
 
@@ -146,9 +148,7 @@ _DISPLAY_UNITS = {
     ),
     "×": DisplayUnit(symbol="×", spellings=(("x", Fraction(1)),)),
 }
-
-
-# Long times read better in whole seconds.
+# Long times are easier to read in seconds.
 _LONG_TIMES = DisplayUnit(
     symbol="s",
     spellings=(("ms", _MILLI), *(pair for pair in _DISPLAY_UNITS["s"].spellings if pair[0] != "s")),
@@ -156,7 +156,7 @@ _LONG_TIMES = DisplayUnit(
 
 
 def display_unit(unit: str, value_si: float = 0.0) -> DisplayUnit:
-    """How a value of the SI unit ``unit`` is shown; one of an unknown unit is shown as it is.
+    """Return the display unit of values in the SI unit ``unit``; an unknown unit is its own.
 
     Times are shown in milliseconds, and from one second on in seconds.
     """
@@ -167,9 +167,9 @@ def display_unit(unit: str, value_si: float = 0.0) -> DisplayUnit:
 
 @lru_cache(maxsize=512)
 def number_text(value_si: float, unit: str, digits: int = SHOWN_DIGITS) -> str:
-    """Number to show for a value, without its unit, to ``digits`` significant digits.
+    """Return the number to show for a value, without its unit, to ``digits`` significant digits.
 
-    Digits left of the point are never rounded away.
+    Digits left of the point are never rounded.
     """
     shown = display_unit(unit, value_si).shown(value_si)
     if shown == 0:
@@ -184,29 +184,29 @@ def number_text(value_si: float, unit: str, digits: int = SHOWN_DIGITS) -> str:
 
 
 def with_unit(number: str, unit: DisplayUnit) -> str:
-    """``number`` followed by the symbol of its unit, with the space that belongs there."""
+    """Return ``number`` followed by the symbol of its unit, with a space where it is usual."""
     symbol = unit.symbol
     return f"{number}{symbol}" if symbol in ("", "°") else f"{number} {symbol}"
 
 
 def axis_unit(until_s: float) -> tuple[str, float]:
-    """Unit of a time axis that ends there, and how many of them are a second."""
+    """Return the unit of a time axis that ends at ``until_s``, and how many of it are a second."""
     return ("s", 1.0) if until_s >= LONG_S * (1 - 1e-9) else ("ms", 1e3)
 
 
 def value_text(value_si: float, unit: str, digits: int = SHOWN_DIGITS) -> str:
-    """Number and unit to show for a value: ``"200 ms"``."""
+    """Return number and unit to show for a value: ``"200 ms"``."""
     return with_unit(number_text(value_si, unit, digits), display_unit(unit, value_si))
 
 
 def range_text(spec: NumberSpec) -> str:
-    """What a number may be, in words: ``"1 to 649 Hz"``."""
+    """Return the text of the allowed range of a number: ``"1 to 649 Hz"``."""
     kind = "whole number" if spec.whole else "number"
     low, high = math.isfinite(spec.minimum), math.isfinite(spec.maximum)
     if low and high:
         units = [display_unit(spec.unit, end).symbol for end in (spec.minimum, spec.maximum)]
-        said_once = units[0] == units[1] or spec.minimum == 0
-        lowest = (number_text if said_once else value_text)(spec.minimum, spec.unit)
+        one_unit = units[0] == units[1] or spec.minimum == 0
+        lowest = (number_text if one_unit else value_text)(spec.minimum, spec.unit)
         return minus(f"{lowest} to {value_text(spec.maximum, spec.unit)}")
     if low:
         return minus(f"{value_text(spec.minimum, spec.unit)} or more")
@@ -216,15 +216,15 @@ def range_text(spec: NumberSpec) -> str:
 
 
 def parse_number(text: str, spec: NumberSpec, beside_si: float = 0.0) -> float:
-    """Value in SI units of what a user typed: ``"250"``, ``"0,2 s"``, ``"200 ms"``.
+    """Return the value in SI units of a typed text: ``"250"``, ``"0,2 s"``, ``"200 ms"``.
 
-    A number alone is in the unit in which ``beside_si`` is shown, the value that it replaces.
+    A number without a unit is in the display unit of ``beside_si``, the value that it replaces.
 
     Raises
     ------
     InvalidInputError
-        It is not a number, has a unit of something else, or is not allowed by ``spec``; the
-        message names what is.
+        The text is not a number, has a wrong unit, or is not allowed by ``spec``; the message names
+        what is allowed.
     """
     unit = display_unit(spec.unit, beside_si)
     allowed = sentence(f"Allowed: {'whole numbers ' if spec.whole else ''}{range_text(spec)}")
@@ -236,17 +236,17 @@ def parse_number(text: str, spec: NumberSpec, beside_si: float = 0.0) -> float:
         raise InvalidInputError(f"{spec.label}: “{typed}” is not a number. {allowed}")
     factor = _factor(match[2], unit)
     if factor is None:
-        known = ", ".join(name for name in (unit.symbol, *dict(unit.spellings)) if name)
-        instead = sentence(f"Units: {known}") if known else "Type the number alone."
+        symbols = ", ".join(name for name in (unit.symbol, *dict(unit.spellings)) if name)
+        instead = sentence(f"Units: {symbols}") if symbols else "Type the number alone."
         raise InvalidInputError(f"{spec.label}: “{match[2]}” is not one of its units. {instead}")
     try:
-        value = _at_bound(_read(match[1].replace(",", "."), factor), spec)
+        value = _at_bound(_parsed(match[1].replace(",", "."), factor), spec)
     except (OverflowError, ValueError):  # beyond all floats; more digits than Python reads
         raise InvalidInputError(f"{spec.label}: the number is too long. {allowed}") from None
     if math.isinf(value) or not spec.minimum <= value <= spec.maximum:
         side = "low" if value < spec.minimum else "high"
-        found = minus(with_unit(match[1], unit) if not match[2] else typed)
-        raise InvalidInputError(f"{spec.label}: {found} is too {side}. {allowed}")
+        written = minus(with_unit(match[1], unit) if not match[2] else typed)
+        raise InvalidInputError(f"{spec.label}: {written} is too {side}. {allowed}")
     if spec.whole and value != int(value):
         raise InvalidInputError(f"{spec.label}: {typed} is not a whole number. {allowed}")
     return value
@@ -258,7 +258,7 @@ def _factor(name: str, unit: DisplayUnit) -> Fraction | None:
     return spellings.get(name.strip().casefold())
 
 
-def _read(number: str, factor: Fraction) -> float:
+def _parsed(number: str, factor: Fraction) -> float:
     digits, _, exponent = number.lower().partition("e")
     if abs(int(exponent or 0)) <= _LARGEST_EXPONENT:
         return float(Fraction(number) * factor)
@@ -273,26 +273,24 @@ def _at_bound(value: float, spec: NumberSpec) -> float:
     return value
 
 
-# Round numbers, one step apart.
-
 #: Sizes of a step, in plain steps.
 FINE, PLAIN, COARSE = Fraction(1, 10), Fraction(1), Fraction(10)
 
-# What is this near to a round number, in steps, is that number.
+# A value this near to a round number, in steps, counts as that number.
 _TOLERANCE = 1e-9
 
 
 def clamped(value_si: float, spec: NumberSpec) -> float:
-    """The allowed value nearest to ``value_si``."""
+    """Return the allowed value nearest to ``value_si``."""
     return float(min(max(value_si, spec.minimum), spec.maximum))
 
 
 def stepped(value_si: float, direction: int, spec: NumberSpec, size: Fraction = PLAIN) -> float:
-    """The next round number above or below, within the allowed range.
+    """Return the next round number above or below, within the allowed range.
 
-    Round are the multiples of 1, 2 or 5 times a power of ten, as shown in the display unit:
-    with ``spec.logarithmic`` of the one nearest to ``spec.step`` times the value, else of the one
-    nearest to ``spec.step``.  From 150 Hz steps of about 2 % go to 152, 154, …, 160, 165, 170.
+    Round numbers are multiples of a step, which is 1, 2 or 5 times a power of ten in the display
+    unit: the one nearest to ``spec.step``, or with ``spec.logarithmic`` to ``spec.step`` times the
+    value.  From 150 Hz steps of about 2 % go to 152, 154, …, 160, 165, 170.
 
     Parameters
     ----------
@@ -319,9 +317,9 @@ def stepped(value_si: float, direction: int, spec: NumberSpec, size: Fraction = 
 
 
 class Ladder:
-    """Values to either side of an anchor, each one step from the next.
+    """Values on both sides of an anchor, each one step from the next.
 
-    The anchor itself need not be round, and is what the way back leads to.
+    The anchor itself need not be round; stepping back leads to it.
 
     Parameters
     ----------
@@ -337,7 +335,7 @@ class Ladder:
         self._values = {1: [anchor_si], -1: [anchor_si]}
 
     def value_si(self, position: int) -> float:
-        """Value that many steps above (or, negative, below) the anchor."""
+        """Return the value ``position`` steps above (or, negative, below) the anchor."""
         direction = 1 if position >= 0 else -1
         values = self._values[direction]
         while len(values) <= abs(position):
@@ -346,44 +344,44 @@ class Ladder:
 
 
 def _step_shown(value_si: float, spec: NumberSpec, unit: DisplayUnit) -> Fraction:
-    """The plain step at a value, as it is shown: 1, 2 or 5 times a power of ten."""
+    """Return the plain step at a value, in the display unit: 1, 2 or 5 times a power of ten."""
     size_si = spec.step * value_si if spec.logarithmic and value_si > 0 else spec.step
-    wanted = unit.shown(size_si)
-    decade = Fraction(10) ** math.floor(math.log10(wanted))
+    exact = unit.shown(size_si)
+    decade = Fraction(10) ** math.floor(math.log10(exact))
     return min(
         (factor * decade for factor in (1, 2, 5, 10)),
-        key=lambda step: abs(math.log(wanted / step)),
+        key=lambda step: abs(math.log(exact / step)),
     )
 
 
-# Lists of numbers, and points of several, as a user reads and types them.
-
 _DIGITS = 12
-# Times of points are shown to so many digits behind the point, milliseconds.
+# Times of points are shown in milliseconds with so many decimals.
 _TIME_DECIMALS = 2
 
 
 def number_of(spec: ListSpec) -> NumberSpec:
-    """What each number of a list of numbers may be."""
+    """Return the specification of each number of a list."""
     if not isinstance(spec.of, NumberSpec):
         raise TypeError(f"{spec.label}: a list of {type(spec.of).__name__}, expected of numbers")
     return spec.of
 
 
 def numbers_text(values: tuple[float, ...], spec: ListSpec) -> str:
-    """Numbers in their display unit, between commas: ``"50, 84.1"``."""
+    """Return numbers in their display unit, between commas: ``"50, 84.1"``."""
     return ", ".join(_shown(value, number_of(spec)) for value in values)
 
 
 def read_numbers(text: str, spec: ListSpec) -> tuple[float, ...]:
-    """Numbers between commas, semicolons or spaces; where there are semicolons, commas are points.
+    """Return numbers typed between commas, semicolons or spaces.
+
+    Where there are semicolons, commas are decimal points.
 
     Raises
     ------
     InvalidInputError
-        One of them is no number that is allowed, or there are too few or too many.
+        A number is not allowed, or there are too few or too many.
     """
-    values = tuple(parse_number(one, number_of(spec)) for one in _parts(text))
+    values = tuple(parse_number(part, number_of(spec)) for part in _parts(text))
     if not spec.fewest <= len(values) <= spec.most:
         raise InvalidInputError(
             f"{spec.label}: {len(values)} typed. Allowed: {spec.fewest} to {spec.most} numbers, "
@@ -393,32 +391,31 @@ def read_numbers(text: str, spec: ListSpec) -> tuple[float, ...]:
 
 
 def points_text(points: tuple[tuple[float, ...], ...], spec: PointsSpec) -> str:
-    """Points in their display units, between semicolons: ``"0 60 0; 100 60 1"``.
+    """Return points in their display units, between semicolons: ``"0 60 0; 100 60 1"``.
 
-    Times are rounded to 0.01 ms, unless two of them would be the same then; `as_known` takes that
-    back.
+    Times are rounded to 0.01 ms, unless two of them would become equal; `as_known` restores them.
     """
     if spec.columns[0].unit == "s":
         times_s = [point[0] for point in points]
-        rounded = [_rounded(one) for one in times_s]
+        rounded = [_rounded(time_s) for time_s in times_s]
         if len(set(rounded)) == len(set(times_s)):
             points = tuple((time, *point[1:]) for time, point in zip(rounded, points, strict=True))
     return "; ".join(
-        " ".join(_shown(value, one) for value, one in zip(point, spec.columns, strict=True))
+        " ".join(_shown(value, column) for value, column in zip(point, spec.columns, strict=True))
         for point in points
     )
 
 
 def read_points(text: str, spec: PointsSpec) -> tuple[tuple[float, ...], ...]:
-    """Points between semicolons, their numbers between spaces or commas.
+    """Return points typed between semicolons, with spaces or commas between their numbers.
 
     Raises
     ------
     InvalidInputError
-        One of the numbers is not allowed, a point has too few or too many, there are too few or
-        too many points, or they go back.
+        A number is not allowed, a point has too few or too many numbers, there are too few or too
+        many points, or times decrease.
     """
-    names = ", ".join(column_label(one) for one in spec.columns)
+    names = ", ".join(column_label(column) for column in spec.columns)
     points = []
     for row in filter(str.strip, text.split(";")):
         parts = list(filter(None, re.split(r"[,\s]+", row.strip())))
@@ -444,15 +441,15 @@ def read_points(text: str, spec: PointsSpec) -> tuple[tuple[float, ...], ...]:
 
 
 def as_known(
-    points: tuple[tuple[float, ...], ...], known: tuple[tuple[float, ...], ...]
+    points: tuple[tuple[float, ...], ...], before: tuple[tuple[float, ...], ...]
 ) -> tuple[tuple[float, ...], ...]:
-    """Points that were typed, with the exact times of those that were shown rounded."""
-    exact = {_rounded(point[0]): point[0] for point in known}
+    """Return typed points, with the exact times of points ``before`` that were shown rounded."""
+    exact = {_rounded(point[0]): point[0] for point in before}
     return tuple((exact.get(point[0], point[0]), *point[1:]) for point in points)
 
 
 def column_label(spec: NumberSpec) -> str:
-    """What a number of a point is, and its unit: ``"time in ms"``."""
+    """Return label and unit of a number of a point: ``"time in ms"``."""
     symbol = display_unit(spec.unit).symbol
     return f"{spec.label.lower()} in {symbol}" if symbol else spec.label.lower()
 
@@ -465,10 +462,10 @@ def _parts(text: str) -> list[str]:
 
 
 def _rounded(time_s: float) -> float:
-    # As it is read back from the text.
+    # The time as it is read back from the text.
     return float(f"{round(1e3 * time_s, _TIME_DECIMALS):.{_DIGITS}g}e-3")
 
 
 def _shown(value_si: float, spec: NumberSpec) -> str:
-    # In one unit throughout: in a list a number alone has to mean the same everywhere.
+    # In one unit for any value: in a list, numbers have no units.
     return minus(f"{display_unit(spec.unit).shown(value_si):.{_DIGITS}g}")

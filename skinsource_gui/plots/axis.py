@@ -1,4 +1,4 @@
-"""pyqtgraph's axis with our ticks, words and grid."""
+"""The scene of a plot: pyqtgraph's axes and view boxes, adapted, and the rows made of them."""
 
 from collections.abc import Callable, Sequence
 from typing import Any, Literal, TypeVar
@@ -25,22 +25,22 @@ _GAP_PX = 4.0
 _CENTRED = Qt.AlignmentFlag.AlignCenter
 _AT_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
-#: Ticks between two positions of a view that are so many pixels apart.
+#: Returns the ticks between two positions of a view that are so many px apart.
 TickRule = Callable[[float, float, float], Sequence[Tick]]
 
 
 class Axis(pyqtgraph.AxisItem):
-    """An axis on the left of one view, or below one or several of equal width.
+    """An axis on the left of one view, or below several of equal width.
 
-    It draws the grid of these views, behind them, and their frames if it is on the left.  All of
-    it is kept as a picture until range, ticks, words or size change.
+    It draws the grid of these views, behind them, and their frames if it is on the left.  Its
+    picture is cached until range, ticks, titles or size change.
 
     Attributes
     ----------
     titles
-        What is written below the labels, longest first; the first that fits.
+        Versions of the title, longest first; the first that fits is written.
     band
-        Positions whose outside is shaded, or ``None``.
+        Positions outside of which the views are shaded, or None.
     """
 
     def __init__(self, orientation: Literal["left", "bottom"], rule: TickRule) -> None:
@@ -52,7 +52,7 @@ class Axis(pyqtgraph.AxisItem):
         self._rule = rule
         self._font = QFont()
         self._views: tuple[pyqtgraph.ViewBox, ...] = ()
-        # Behind curves; the shaded part of the axis below lies under the other axis's grid.
+        # Behind curves; the shading of the lower axis lies under the grid of the left one.
         self.setZValue(-1000 if orientation == "left" else -1001)
 
     def set_views(self, *views: pyqtgraph.ViewBox) -> None:
@@ -65,7 +65,7 @@ class Axis(pyqtgraph.AxisItem):
         self.refresh()
 
     def show_font(self, font: QFont) -> None:
-        """Take over a font, and the colours in use."""
+        """Use ``font`` and the present colours."""
         self._font = font
         self.refresh()
 
@@ -76,12 +76,12 @@ class Axis(pyqtgraph.AxisItem):
             self.refresh()
 
     def refresh(self) -> None:
-        """Draw anew."""
+        """Draw again."""
         self.prepareGeometryChange()
         self.update()
 
     def ticks(self) -> list[tuple[float, str]]:
-        """Places of the ticks in coordinates of this item, px, and their labels."""
+        """Return the places of the ticks in this item, px, and their labels."""
         if not self._views:
             return []
         across = self.orientation == "bottom"
@@ -96,7 +96,7 @@ class Axis(pyqtgraph.AxisItem):
         ]
 
     def shaded(self) -> list[QRectF]:
-        """What lies outside the band, in coordinates of this item, px."""
+        """Return the areas outside the band, in coordinates of this item, px."""
         low, high = self.range
         if self.band is None or not low < high:
             return []
@@ -114,12 +114,12 @@ class Axis(pyqtgraph.AxisItem):
         bounds = self.rect()
         for view in self._views:
             bounds = bounds.united(self._view_rect(view))
-        # Frames lie half a pixel outside, and half of a label at an end.
+        # Frames reach half a pixel outside, and labels at the ends half of their height.
         above = QFontMetricsF(self._font).height() / 2 if self.orientation == "left" else 1
         return bounds.adjusted(-1, -above, 1, above)
 
     def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
-        # No QPicture in between, which would forget that digits are to have one width.
+        # Without pyqtgraph's QPicture, which would lose the tabular digits of the font.
         painter.setFont(self._font)
         specs = self.generateDrawSpecs(painter)
         if specs is not None:
@@ -170,7 +170,7 @@ class Axis(pyqtgraph.AxisItem):
         left = at - width / 2
         start = self._view_rect(self._views[0]).left()
         if left < start <= at:
-            # Beside the lowest number of the axis on the left, not below it.
+            # The label must not stand below the lowest label of the left axis.
             left = start
         return QRectF(min(max(left, 0.0), self.rect().width() - width), 2, width, line)
 
@@ -190,20 +190,18 @@ class Axis(pyqtgraph.AxisItem):
         painter.drawText(QRectF(left, 2 + line, width, line), _CENTRED, title)
 
 
-# pyqtgraph's view box with the gestures of our plots.
-
 _SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 
 class PlotViewBox(pyqtgraph.ViewBox):
-    """A view that asks for another range instead of taking it.
+    """A view box whose gestures ask for another range instead of setting it.
 
     Several views and panels show the same range, so it is decided in one place.  Wheel: zoom at
     the pointer; Shift+wheel, wheel to the side, middle button, Shift+left button: pan; left
-    button: zoom to what is covered.  Positions are those of the x axis.
+    button: zoom to the covered part.  Positions are those of the x axis.
     """
 
-    #: Position that stays, and how many times narrower.
+    #: Position that stays in place, and the factor of the zoom.
     zoom_wanted = Signal(float, float)
     #: By how much the range is to move.
     pan_wanted = Signal(float)
@@ -217,11 +215,11 @@ class PlotViewBox(pyqtgraph.ViewBox):
         self.setYRange(0.0, 1.0, padding=0)
 
     def position(self, scene_at: QPointF) -> float:
-        """Position at a point of the scene."""
+        """Return the position at a point of the scene."""
         return float(self.mapSceneToView(scene_at).x())
 
     def shape(self) -> QPainterPath:
-        # Lines on the lower and the right edge lie half beyond it.
+        # Half of the lines on the lower and the right edge lies beyond it.
         path = QPainterPath()
         path.addRect(QRectF(self.rect()).adjusted(0, 0, 1, 1))
         return path
@@ -231,8 +229,8 @@ class PlotViewBox(pyqtgraph.ViewBox):
 
     def wheelEvent(self, event: Any, axis: int | None = None) -> None:
         turns = event.delta() / NOTCH
-        aside = event.orientation() == Qt.Orientation.Horizontal
-        if aside or event.modifiers() & _SHIFT:
+        sideways = event.orientation() == Qt.Orientation.Horizontal
+        if sideways or event.modifiers() & _SHIFT:
             low, high = self.viewRange()[0]
             self.pan_wanted.emit(-turns * PAN_PER_NOTCH * (high - low))
         else:
@@ -254,24 +252,18 @@ class PlotViewBox(pyqtgraph.ViewBox):
             self.covered.emit(down, now, event.isFinish())
 
 
-# One row of a plot: a view with curves and crosshair, the axis on its left, its number.
-
 _DOT_PX = 5.0
 
 
 class PlotRow:
-    """A view box of the height 0 to 1, and what belongs to it.
+    """One row of a plot: a view box of the height 0 to 1, the axis on its left, and its number.
 
     Attributes
     ----------
-    view, axis, number
-        Items of the scene.
     curves
         Items of the view; the first ``n_curves`` are in use.
-    n_curves
-        How many curves are drawn.
     line, dots
-        The crosshair: where it reads, and what on each curve.
+        The crosshair, and its dot on each curve.
     """
 
     def __init__(self, scene: pyqtgraph.GraphicsScene) -> None:
@@ -293,7 +285,7 @@ class PlotRow:
         self._shown: Range | None = None
 
     def place(self, layout: PlotLayout, rank: int) -> None:
-        """Move everything to where ``layout`` has row ``rank``."""
+        """Move everything to the place of row ``rank`` in ``layout``."""
         room = layout.row(rank)
         self.view.setGeometry(room)
         self.axis.setWidth(room.left())
@@ -305,12 +297,12 @@ class PlotRow:
             self.axis.refresh()
 
     def set_visible(self, visible: bool) -> None:
-        """Whether this row is in use."""
+        """Show or hide the row."""
         for item in (self.view, self.axis, self.number):
             item.setVisible(visible)
 
     def show_font(self, font: QFont) -> None:
-        """Take over a font, and the colours in use."""
+        """Use ``font`` and the present colours."""
         theme = current_theme()
         self.axis.show_font(font)
         self.line.setPen(QPen(QColor(theme.dim), 0))
@@ -343,10 +335,10 @@ class PlotRow:
     def show_crosshair(
         self, position: float | None, heights: Sequence[float], colours: Sequence[QColor]
     ) -> None:
-        """Read the curves at ``position``, or nowhere."""
-        seen = position is not None
-        self.line.setVisible(seen)
-        self.dots.setVisible(seen)
+        """Draw the crosshair at ``position``; None hides it."""
+        visible = position is not None
+        self.line.setVisible(visible)
+        self.dots.setVisible(visible)
         if position is not None:
             self.line.setPos(QPointF(position, 0.0))
             self.dots.setData(x=[position] * len(heights), y=heights, brush=colours)
@@ -355,8 +347,6 @@ class PlotRow:
         return self._y_ticks
 
 
-# Everything in the scene of a plot: rows over one x axis, words, and the band of a drag.
-
 _NOTHING_HERE = "Nothing to see in this part. Press 0 to show everything."
 _BAND_ALPHA = 48
 
@@ -364,18 +354,18 @@ _Part = TypeVar("_Part")
 
 
 class Stack:
-    """Equally high rows over one x axis, or a message.
+    """Everything in the scene of a plot: equally high rows over one x axis, or a message.
 
     Attributes
     ----------
     rows
-        Those in use, from the top.
+        The visible rows, from the top.
     header, x_axis
-        Above and below them.
+        The items above and below the rows.
     message, hint
-        What is said in place of curves, and over them.
+        Texts in place of curves, and over them.
     band
-        What a drag covers.
+        The part that a drag covers.
     """
 
     def __init__(
@@ -401,7 +391,7 @@ class Stack:
         self.say("")
 
     def show_fonts(self, font: QFont, message_font: QFont) -> None:
-        """Take over fonts around the curves and in place of them, and the colours in use."""
+        """Use fonts for texts around the curves and for messages, and the present colours."""
         theme = current_theme()
         self._font, self._message_font = font, message_font
         self.header.show_font(font)
@@ -416,11 +406,11 @@ class Stack:
         self.band.setBrush(accent)
 
     def say(self, message: str) -> None:
-        """Empty the picture and say ``message`` in its middle."""
+        """Remove the curves and show ``message`` in the middle."""
         for row in self._pool:
             row.show_points(())
             row.show_crosshair(None, (), ())
-        self._use(0)
+        self._show_rows(0)
         self.header.hide()
         self.x_axis.hide()
         self.band.hide()
@@ -428,11 +418,11 @@ class Stack:
         self.message.say(message, QColor(current_theme().dim), self._message_font)
 
     def place(self, layout: PlotLayout, window: XWindow) -> None:
-        """Show ``layout`` around ``window``, in place of a message."""
+        """Show ``layout`` around ``window``, instead of a message."""
         new_window, self._window = window != self._window, window
         if self.message.text:
             self.message.say("", QColor(), self._message_font)
-        self._use(layout.n_rows)
+        self._show_rows(layout.n_rows)
         self.header.setGeometry(QRectF(layout.left, 0, layout.right - layout.left, layout.top - 1))
         self.header.say(layout.header)
         for rank, row in enumerate(self.rows):
@@ -449,22 +439,23 @@ class Stack:
         self.hint.say(hint, QColor(current_theme().dim), self._font)
 
     def place_message(self, room: QRectF) -> None:
-        """Say messages inside ``room``."""
+        """Set the area of messages."""
         self.message.setGeometry(room.adjusted(2 * UNIT_PX, UNIT_PX, -2 * UNIT_PX, -UNIT_PX))
 
     def show_points(self, points: tuple[CurvePoints, ...]) -> None:
-        """Draw curves: all of them in the one row, or one in each."""
+        """Draw curves: all in one row, or one in each row."""
         for row, of_row in zip(self.rows, self._by_row(points), strict=True):
             row.show_points(of_row)
 
     def show_colours(self, numbers: Sequence[int], *, stale: bool, n_axes: int = 0) -> None:
-        """Give curves the pens of their ranks, and rows of a stack their ``numbers``, if any.
+        """Give curves the pens of their ranks, and stacked rows their ``numbers``, if any.
 
-        Where each row has curves along ``n_axes``, they have the colours of axes.
+        Where each row has curves along ``n_axes`` axes, these have the colours of axes.
         """
         self._n_axes = n_axes
+        n_curves = sum(row.n_curves for row in self.rows)
         # One pixel of the screen: any wider line takes a hundred times as long.
-        pens = [current_theme().output_pen(rank, 0.0) for rank in range(self._n_curves())]
+        pens = [current_theme().output_pen(rank, 0.0) for rank in range(n_curves)]
         if n_axes:
             pens = [QPen(colour, 0.0) for colour in self._colours(len(pens))]
         for row, of_row in zip(self.rows, self._by_row(pens), strict=True):
@@ -474,13 +465,13 @@ class Stack:
             row.number.say(text, current_theme().output_colour(rank), self._font)
 
     def show_crosshair(self, position: float | None, heights: Sequence[float]) -> None:
-        """Read each curve at ``position``, or nothing."""
+        """Draw the crosshair at ``position``; None hides it."""
         of_rows = zip(self._by_row(heights), self._by_row(self._colours(len(heights))), strict=True)
         for row, (of_row, of_dots) in zip(self.rows, of_rows, strict=True):
             row.show_crosshair(position, of_row, of_dots)
 
     def show_band(self, area: QRectF | None) -> None:
-        """Show what a drag covers, or nothing."""
+        """Show the part that a drag covers, or nothing."""
         self.band.setVisible(area is not None)
         if area is not None:
             self.band.setRect(area)
@@ -496,10 +487,7 @@ class Stack:
             return [current_theme().output_colour(rank) for rank in range(n_curves)]
         return [current_theme().axis_colour(rank % self._n_axes) for rank in range(n_curves)]
 
-    def _n_curves(self) -> int:
-        return sum(row.n_curves for row in self.rows)
-
-    def _use(self, count: int) -> None:
+    def _show_rows(self, count: int) -> None:
         if count == len(self.rows):
             return
         while len(self._pool) < count:

@@ -1,4 +1,4 @@
-"""From a part of the range to a colour."""
+"""Colour maps: tables of colours, and the colours of levels."""
 
 from functools import cache
 
@@ -11,13 +11,13 @@ from PySide6.QtGui import QColor
 N_COLOURS = 256
 #: The usual map: perceptually uniform, and safe for colour-vision deficiencies.
 VIRIDIS = "viridis"
-#: Of what has a sign: blue is down and red is up, for those who cannot tell red from green too.
+#: For values with a sign: blue is negative and red positive, safe for colour-vision deficiencies.
 DIVERGING = "CET-D1A"
 
 
 @cache
 def colour_table(name: str = VIRIDIS) -> NDArray[np.uint32]:
-    """Colours of a map as ``0xffrrggbb``, lowest first, (256,).
+    """Return the colours of a map as ``0xffrrggbb``, lowest first, (256,).
 
     Parameters
     ----------
@@ -34,7 +34,7 @@ def colour_table(name: str = VIRIDIS) -> NDArray[np.uint32]:
 def colour_indices(
     levels_db: NDArray[np.float64], range_db: tuple[float, float]
 ) -> NDArray[np.uint8]:
-    """Row of the colour table of each level, uint8, shape of ``levels_db``.
+    """Return the row of the colour table of each level, uint8, shape of ``levels_db``.
 
     Levels outside the range take the colour of its nearer end, NaN that of the lower end.
     """
@@ -50,10 +50,10 @@ def colour_indices(
 def level_colours(
     levels_db: NDArray[np.float64], range_db: tuple[float, float], table: NDArray[np.uint32]
 ) -> list[QColor]:
-    """Colour of each level, (n_levels,)."""
+    """Return the colour of each level, (n_levels,)."""
     return [QColor(int(argb)) for argb in table[colour_indices(levels_db, range_db)]]
 
 
 def is_light(colour: QColor) -> bool:
-    """Whether black words on ``colour`` read better than white ones."""
+    """Return whether black text on ``colour`` is easier to read than white text."""
     return 0.299 * colour.redF() + 0.587 * colour.greenF() + 0.114 * colour.blueF() > 0.5

@@ -1,4 +1,4 @@
-"""What a plot of signals shows."""
+"""Curves of a plot of signals, what of them is drawn, and the layout and texts around them."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -44,15 +44,15 @@ from skinsource_gui.plots.ranges import (
 )
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, is_on_paper
 
-#: What levels are, where nothing else is said.
+#: What levels are, unless curves say otherwise.
 LEVEL_WORDS = "dB re 1 m/s²"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CurveName:
-    """Number and place of an output: ``29``, ``"II nail rad."``, ``"Digit II, ..."``.
+    """Number and names of an output: ``29``, ``"II nail rad."``, ``"Digit II, ..."``.
 
-    What is no output has the number 0: its short name alone tells it from the others.
+    A curve that is not of an output has the number 0 and is told by its short name.
     """
 
     number: int
@@ -62,7 +62,7 @@ class CurveName:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Curves:
-    """Curves over one x axis: one of each name, or one of each name along each axis.
+    """Curves over one x axis: one for each name, or one for each name along each axis.
 
     Attributes
     ----------
@@ -71,31 +71,29 @@ class Curves:
     y : (n_curves, n_points)
         m/s², levels in dB, or parts of the peak of each.
     names : (n_names,)
-        Whose they are; the rank of one is its colour.
+        Names of the curves; the rank of a name is its colour.
     axes
-        Along which axes of the sensors each name has a curve, one after the other, whose ranks are
-        their colours; none: each has one, of the axes that are chosen.
-    kind
-        What ``y`` is.
+        Axes of the sensors along which each name has a curve, one after the other; their ranks are
+        their colours; none: each name has one curve, of the axes that are chosen.
     span
-        Lowest and highest value that shall be seen; None: all are.
+        Lowest and highest value that shall be visible; None: all are.
     level_words
         What levels are, where ``y`` holds them.
     scaling
-        What their height means, beside its unit, longest first.
+        What heights mean, beside their unit, longest first.
     columns : (n_curves,)
-        Their names in a table; none: output and unit.
+        Headers of the columns of a table; none: output and unit.
     about
-        Gives lines that tell a table of them what they are.
+        Returns lines for the head of a table.
     heading
-        The same for a picture, in parts.
+        Parts of the heading of a picture.
     peaks : (n_names,)
-        What the curves of each were divided by, m/s², where they are relative to its peak; none
-        elsewhere.
+        What the curves of each name were divided by, m/s², where they are relative to its peak;
+        none elsewhere.
     matched
         By how much they are shown louder or softer to match a snapshot, or "".
     wave
-        What runs through the points; None: nothing is known between them.
+        The wave through the points; None: nothing is known between them.
     """
 
     x: Floats
@@ -126,26 +124,26 @@ class Curves:
         """Lowest and highest value of all curves, and of the wave where it is known."""
         low, high = float(self.y.min()), float(self.y.max())
         finite = np.isfinite(low) and np.isfinite(high)
-        found = None if self.wave is None or not finite else self.wave.extremes(0, self.x.size)
-        if found is None:
+        extremes = None if self.wave is None or not finite else self.wave.extremes(0, self.x.size)
+        if extremes is None:
             return low, high
-        wave_low, wave_high = found.range
+        wave_low, wave_high = extremes.range
         return min(low, wave_low), max(high, wave_high)
 
     @property
     def x_range(self) -> Range:
-        """Where they begin and end."""
+        """First and last position, SI."""
         return (float(self.x[0]), float(self.x[-1]))
 
     @property
-    def peak_words(self) -> tuple[str, ...]:
-        """Peak of each name in one unit, as digits; none where curves keep their height."""
+    def peak_texts(self) -> tuple[str, ...]:
+        """Peak of each name, as digits in `peak_unit`; none where curves keep their height."""
         factor = self.peak_unit.factor
         return tuple(significant(peak * factor) for peak in self.peaks)
 
     @property
     def peak_unit(self) -> ValueUnit:
-        """Unit of the peaks: that in which the largest reads well."""
+        """Unit in which the largest peak reads well."""
         return value_unit("amplitude", 0.0, max(self.peaks, default=0.0))
 
     @property
@@ -154,11 +152,11 @@ class Curves:
         return max(len(self.axes), 1)
 
     def n_drawn(self, n_rows: int, *, stacked: bool) -> int:
-        """How many there is room for: those of as many names as there are rows, or all in one."""
+        """Return how many curves are drawn: those of the first ``n_rows`` names, or all in one."""
         return (n_rows if stacked else len(self.names)) * self.each
 
     def nearest(self, x: float) -> int:
-        """Index of the point nearest to ``x``."""
+        """Return the index of the point nearest to ``x``."""
         right = int(np.clip(np.searchsorted(self.x, x), 1, max(self.x.size - 1, 1)))
         if right >= self.x.size:
             return 0
@@ -166,24 +164,23 @@ class Curves:
 
 
 def output_names(outputs: tuple[int, ...], limb: str) -> tuple[CurveName, ...]:
-    """Names of the curves of ``outputs`` of a limb."""
-    places = [output_name(output, limb) for output in outputs]
+    """Return the names of the curves of ``outputs`` of a limb."""
+    locations = [output_name(output, limb) for output in outputs]
     return tuple(
-        CurveName(number=place.number, short=_beside(place), full=place.name) for place in places
+        CurveName(number=location.number, short=_short_name(location), full=location.name)
+        for location in locations
     )
 
 
-def _beside(place: LocationNames) -> str:
-    """What stands beside the number; nothing where a lab gave its output no name."""
-    return "" if place.short_name == f"output {place.number}" else place.short_name
+def _short_name(location: LocationNames) -> str:
+    """Return the short name of an output, or "" where a lab gave it none."""
+    return "" if location.short_name == f"output {location.number}" else location.short_name
 
 
-# Curves as points of a view.
-
-# Upright strokes that are longer than this on average make a block.
+# Vertical strokes that are longer than this on average fill a block.
 _BLOCK_PX = 4.0
-# From so many pixels of the screen, or dots of a printer, for each point on the wave is drawn; from
-# so many px on each point is marked.
+# Above the first distance between points, in device pixels, the wave is drawn; above the second, in
+# px, each point is marked.
 _WAVE_PX, _DOTS_PX = 2.0, 8.0
 
 
@@ -194,13 +191,13 @@ class CurvePoints:
     Attributes
     ----------
     x : (n_points,)
-        Positions of the x axis.
+        Positions on the x axis.
     y : (n_points,)
         Heights in the row, 0 to 1.
     smooth
-        Whether its edges are smoothed; in a block nobody would see it, and it takes twice as long.
+        Whether it is antialiased; in a block nobody would see that, and it takes twice as long.
     dots
-        Positions and heights that are marked, (n_dots,) each; None: none are.
+        Positions and heights of marked points, (n_dots,) each; None: none are.
     """
 
     x: Floats
@@ -211,16 +208,16 @@ class CurvePoints:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class VisibleRange:
-    """What is seen of curves, in their own unit.
+    """The visible part of curves, in their own unit.
 
     Attributes
     ----------
     line
-        Points that are joined; positions of the x axis.
+        Points that are joined; x are positions on the x axis.
     wave
-        Whether they show the wave through the points of the curves, not those alone.
+        Whether they show the wave through the points of the curves.
     dots
-        The points of the curves, where they are so far apart that each is marked.
+        The points of the curves, where each is marked.
     """
 
     line: Points
@@ -229,14 +226,16 @@ class VisibleRange:
 
     @property
     def extremes(self) -> Range | None:
-        """Lowest and highest value; None where nothing is seen."""
+        """Lowest and highest value; None where nothing is visible."""
         y = self.line.y
         return (float(y.min()), float(y.max())) if y.size else None
 
     def beyond(self, values: Range) -> Range | None:
-        """Lowest and highest value of a wave that leaves a range; a wave passes its points."""
-        found = self.extremes if self.wave else None
-        return found if found and (found[0] < values[0] or found[1] > values[1]) else None
+        """Return the extremes of a wave that exceeds ``values``, as it may between points."""
+        extremes = self.extremes if self.wave else None
+        return (
+            extremes if extremes and (extremes[0] < values[0] or extremes[1] > values[1]) else None
+        )
 
 
 def visible_range(
@@ -247,83 +246,83 @@ def visible_range(
     ratio: float,
     columns: CachedColumns,
 ) -> VisibleRange:
-    """What is seen of the first curves in a row of the plot.
+    """Return the visible part of the first ``n_drawn`` curves.
 
-    Where the wave through them is known, it is drawn where there are two pixels and more for each
-    point, and how far it reaches where there are fewer: straight lines would cut its peaks.
+    Straight lines between points would cut the peaks of the wave.  With two pixels or more for each
+    point the wave itself is drawn, with fewer its extremes.
 
     Parameters
     ----------
     curves, window, n_drawn
-        What is seen; more curves than there are rows in a stack are left out.
+        The curves, and the visible part of their x axis.
     row, ratio
-        Where a row is, px, and device pixels in a pixel.
+        Area of a row, px, and device pixels per px.
     columns
-        Those of the plot.
+        The cached columns of the plot.
     """
     x, y = window.axis.positions(curves.x), curves.y[:n_drawn]
     if window.axis.log:
         x, y = x[curves.x > 0], y[:, curves.x > 0]
-    wave = None if curves.wave is None else _placed(curves.wave, window, n_drawn)
-    found = columns.of(x, window.shown, int(row.width() * ratio))
-    return course_of(found, y, wave, row.width(), ratio)
+    wave = None if curves.wave is None else _visible_wave(curves.wave, window, n_drawn)
+    visible = columns.of(x, window.shown, int(row.width() * ratio))
+    return course_of(visible, y, wave, row.width(), ratio)
 
 
-def _placed(wave: Wave, window: XWindow, n_drawn: int) -> Wave:
-    """The wave of the first curves, at positions of the axis."""
+def _visible_wave(wave: Wave, window: XWindow, n_drawn: int) -> Wave:
+    """Return the wave of the first curves, at positions of the axis."""
 
     def points(first: int, end: int) -> tuple[Floats, Floats]:
         x, y = wave.points(first, end)
         return window.axis.positions(x), y[:n_drawn]
 
     def extremes(first: int, end: int) -> Extremes | None:
-        found = wave.extremes(first, end)
-        return None if found is None else found.of_first(n_drawn)
+        extremes_of_all = wave.extremes(first, end)
+        return None if extremes_of_all is None else extremes_of_all.of_first(n_drawn)
 
     return Wave(points=points, extremes=extremes)
 
 
 def course_of(
-    found: Columns, y: Floats, wave: Wave | None, width_px: float, ratio: float
+    columns: Columns, y: Floats, wave: Wave | None, width_px: float, ratio: float
 ) -> VisibleRange:
-    """What is seen of curves ``y``, (n_curves, n_points), where their columns are known.
+    """Return the visible part of curves ``y``, (n_curves, n_points), of known ``columns``.
 
     Parameters
     ----------
     wave
-        Runs through the points, in the unit of their axis; None: it is not known.
+        The wave through the points, in the unit of their axis; None: it is not known.
     width_px, ratio
-        Over how many px they go, and dots in a px.
+        Visible width, px, and device pixels per px.
     """
     if wave is None:
-        return VisibleRange(line=found.points(y))
-    part = found.part.start, found.part.stop
+        return VisibleRange(line=columns.points(y))
+    part = columns.part.start, columns.part.stop
     apart_px = width_px / max(part[1] - part[0], 1)
-    if found.starts is not None or apart_px * ratio < _WAVE_PX:
+    if columns.starts is not None or apart_px * ratio < _WAVE_PX:
         extremes = wave.extremes(*part)
         if extremes is None:
-            return VisibleRange(line=found.points(y))
-        return VisibleRange(line=found.reached(y, extremes), wave=True)
+            return VisibleRange(line=columns.points(y))
+        return VisibleRange(line=columns.reached(y, extremes), wave=True)
     instants, waves = wave.points(*part)
-    dots = found.points(y) if apart_px >= _DOTS_PX else None
+    dots = columns.points(y) if apart_px >= _DOTS_PX else None
     return VisibleRange(line=Points(x=instants, y=waves), wave=True, dots=dots)
 
 
 def curve_points(
-    seen: VisibleRange, scale: ValueScale, rows: list[QRectF], ratio: float
+    visible: VisibleRange, scale: ValueScale, rows: list[QRectF], ratio: float
 ) -> tuple[CurvePoints, ...]:
-    """What is drawn of each curve: in the one row there is, or in one each.
+    """Return what is drawn of each curve, in heights of its row.
 
     Parameters
     ----------
-    seen, scale
-        What is seen.
+    visible, scale
+        The visible part of the curves, and where values lie in a row.
     rows
-        Where the row of each curve that is drawn is, px.
+        Area of the row of each curve, px.
     ratio
-        Device pixels in a pixel.
+        Device pixels per px.
     """
-    points = seen.line
+    points = visible.line
     heights = scale.heights(points.y)
     blocks = np.zeros(len(rows), dtype=bool)
     if points.strokes:
@@ -334,19 +333,17 @@ def curve_points(
         bottom = np.array([row.bottom() for row in rows])[blocks, np.newaxis]
         row_px = row_px[blocks, np.newaxis]
         heights[blocks] = (bottom - in_rows(bottom - row_px * heights[blocks], ratio)) / row_px
-    dots = None if seen.dots is None else scale.heights(seen.dots.y)
+    dots = None if visible.dots is None else scale.heights(visible.dots.y)
     return tuple(
         CurvePoints(
             x=points.x,
             y=line,
             smooth=not block,
-            dots=None if dots is None or seen.dots is None else (seen.dots.x, dots[rank]),
+            dots=None if dots is None or visible.dots is None else (visible.dots.x, dots[rank]),
         )
         for rank, (line, block) in enumerate(zip(heights, blocks.tolist(), strict=True))
     )
 
-
-# One signal in a plot.
 
 _STALE_OPACITY = 0.5
 _DOT_PX = 2.0
@@ -354,20 +351,10 @@ _PAPER_LINE_PX = 1.0
 
 
 class SignalCurve(pyqtgraph.GraphicsObject):
-    """A curve of points that were already thinned out to what can be seen.
+    """One curve of a plot, of points that were already thinned out to what is visible.
 
-    It is as large as its view and takes part in no range, so that new data measure nothing, and
-    leaves the mouse to the view.  (pyqtgraph's own curve measures, asks and tells at each change:
-    of a dozen curves, half a millisecond.)
-
-    Attributes
-    ----------
-    points
-        What is drawn, or None.
-    pen
-        Colour and strokes.
-    dots
-        Points of it that are marked, or None.
+    It is as large as its view, takes part in no range, and leaves the mouse to the view.
+    (pyqtgraph's own curve measures itself at each change: half a millisecond for a dozen curves.)
     """
 
     def __init__(self) -> None:
@@ -392,7 +379,7 @@ class SignalCurve(pyqtgraph.GraphicsObject):
         self.update()
 
     def set_look(self, pen: QPen, *, stale: bool) -> None:
-        """Colour and strokes of the curve; whether it is pale."""
+        """Set colour and strokes of the curve, and whether it is pale."""
         self.pen = pen
         self.setOpacity(_STALE_OPACITY if stale else 1.0)
         self.update()
@@ -425,7 +412,7 @@ class SignalCurve(pyqtgraph.GraphicsObject):
 
     @contextmanager
     def _in_scene(self, painter: QPainter) -> Iterator[QTransform]:
-        """Paint where 1 is a pixel both ways: in the stretched view, dots would be strokes."""
+        """Paint in pixels of the scene: in the stretched view, dots would be strokes."""
         to_scene = self.sceneTransform()
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -449,26 +436,24 @@ class SignalCurve(pyqtgraph.GraphicsObject):
             painter.drawEllipse(dot, _DOT_PX, _DOT_PX)
 
 
-# Where everything around the curves goes, and what it says.
-
 # The left margin grows at once, and shrinks only by more than this.
 _MARGIN_SLACK_PX = 12.0
 _LEAST_MARGIN_PX = 28.0
-# Distances of ticks, in lines of text: preferred, and in rows that would have none otherwise.
+# Distances of ticks, in lines of text: preferred, and in rows that would otherwise have none.
 _AIRY, _DENSE = 1.8, 1.0
 _SYNTHETIC = "SYNTHETIC"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlotTexts:
-    """Words around the curves.
+    """Texts around the curves.
 
     Attributes
     ----------
     synthetic
         Whether the curves are of a limb that was not measured.
     notes
-        What should be known, longest first.
+        Versions of a warning, longest first.
     stale
         Whether the curves belong to an older design.
     """
@@ -480,24 +465,22 @@ class PlotTexts:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlotContent:
-    """Everything the layout depends on.
+    """Everything that the layout depends on.
 
     Attributes
     ----------
     width, height
-        Of the widget, px.
-    n_rows, scale
-        How many rows there are, and where values lie in each.
+        Size of the widget, px.
+    scale
+        Where values lie in each row.
     stacked
         Whether each curve has a row of its own.
     unit, level
-        How values are written; what levels are, or empty where values are none.
+        How values are written; what levels are, or "" for other values.
     matched
-        By how much they are louder or softer than they were stored, or "".
+        By how much curves are louder or softer than stored, or "".
     n_curves, scaling
-        How many curves there are, drawn or not; what their height means, longest first.
-    words
-        Words around the curves.
+        Number of all curves, drawn or not; what their height means, longest first.
     """
 
     width: float
@@ -510,7 +493,7 @@ class PlotContent:
     matched: str
     n_curves: int
     scaling: tuple[str, ...]
-    words: PlotTexts
+    texts: PlotTexts
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -520,12 +503,11 @@ class Header:
     Attributes
     ----------
     unit, scaling
-        Above the y axis: the unit, and what heights mean; of these words, longest first, those
-        that leave room for a note.
+        Above the y axis: the unit, and what heights mean, longest first.
     notes
         Beside them, longest first; the first that fits is written.
     mark, badge
-        In the upper right corner: passing and lasting.
+        In the upper right corner: a passing mark and a lasting one.
     """
 
     unit: str = ""
@@ -536,16 +518,16 @@ class Header:
 
     @property
     def whole(self) -> str:
-        """All that could be said, for where there is no room to say it."""
+        """The longest texts, for a tooltip."""
         return "\n".join(texts[0] for texts in (self.scaling, self.notes) if texts)
 
-    def said(self, metrics: QFontMetricsF, room_px: float) -> tuple[str, str]:
-        """Unit with as many words as fit into ``room_px``, and the note beside it."""
+    def fitted(self, metrics: QFontMetricsF, room_px: float) -> tuple[str, str]:
+        """Return the unit with the longest scaling that fits ``room_px``, and the note."""
         gap = 2 * UNIT_PX
-        # A note is a warning, and goes before the longer words.
+        # A note is a warning: it has priority over the longer texts.
         scaling = self.scaling[-1:] if self.notes else self.scaling
         least = min((metrics.horizontalAdvance(note) + gap for note in self.notes), default=0.0)
-        units = (*(f"{self.unit} · {words}" for words in scaling), self.unit)
+        units = (*(f"{self.unit} · {text}" for text in scaling), self.unit)
         unit = fitting(units, metrics, room_px - least) or self.unit
         start = metrics.horizontalAdvance(unit) + gap
         return unit, fitting(self.notes, metrics, room_px - start)
@@ -553,20 +535,16 @@ class Header:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlotLayout:
-    """Places in pixels of the widget.
+    """Places in px of the widget.
 
     Attributes
     ----------
     width, height
-        Of the widget.
+        Size of the widget.
     left, top, right, bottom
-        Edges of the curves' area.
-    n_rows
-        Equally high rows in it.
+        Edges of the area of the curves, which has ``n_rows`` equally high rows.
     y_ticks
         Heights in a row (0 to 1) and their labels, the same for each row.
-    header
-        What is said above.
     """
 
     width: float
@@ -581,18 +559,18 @@ class PlotLayout:
 
     @property
     def area(self) -> QRectF:
-        """Where the curves are."""
+        """Area of the curves."""
         return QRectF(self.left, self.top, self.right - self.left, self.bottom - self.top)
 
     def row(self, rank: int) -> QRectF:
-        """Where row ``rank``, counted from the top, is."""
+        """Return the area of row ``rank``, counted from the top."""
         height = (self.bottom - self.top) / self.n_rows
         return QRectF(self.left, self.top + rank * height, self.right - self.left, height)
 
 
 def laid_out(content: PlotContent, metrics: QFontMetricsF, old_left_px: float) -> PlotLayout:
-    """Layout for ``content``; the left margin stays ``old_left_px`` if that is about right."""
-    line, words = metrics.height(), content.words
+    """Return the layout for ``content``; the left margin stays ``old_left_px`` if it still fits."""
+    line, texts = metrics.height(), content.texts
     top = ceil(line) + 4
     bottom = max(content.height - 2 * ceil(line) - 5, top + 1)
     ticks = _y_ticks(content, (bottom - top) / content.n_rows, line)
@@ -600,7 +578,7 @@ def laid_out(content: PlotContent, metrics: QFontMetricsF, old_left_px: float) -
     margin = ceil(metrics.horizontalAdvance("72") + UNIT_PX if content.stacked else 1.5 * UNIT_PX)
     unread = content.n_rows > 1 and not any(tick.label for tick in ticks)
     hidden = content.n_curves - content.n_rows if content.stacked else 0
-    passing = ("updating…" if words.stale else "", f"+{hidden} more" if hidden else "")
+    passing = ("updating…" if texts.stale else "", f"+{hidden} more" if hidden else "")
     return PlotLayout(
         width=content.width,
         height=content.height,
@@ -611,24 +589,24 @@ def laid_out(content: PlotContent, metrics: QFontMetricsF, old_left_px: float) -
         n_rows=content.n_rows,
         y_ticks=ticks,
         header=Header(
-            unit=_unit_words(content, unread=unread),
+            unit=_unit_text(content, unread=unread),
             scaling=content.scaling,
-            notes=words.notes,
+            notes=texts.notes,
             mark=" · ".join(word for word in passing if word),
-            badge=_SYNTHETIC if words.synthetic else "",
+            badge=_SYNTHETIC if texts.synthetic else "",
         ),
     )
 
 
 def least_size(metrics: QFontMetricsF) -> QSize:
-    """Room in which two ticks of each axis can be read."""
+    """Return the size in which two ticks of each axis can be read."""
     line, number = ceil(metrics.height()), metrics.horizontalAdvance("\u2212100.0")
-    around = line + 4 + 2 * line + 5
-    return QSize(ceil(4 * number), around + ceil(2 * _AIRY * line))
+    around_px = line + 4 + 2 * line + 5
+    return QSize(ceil(4 * number), around_px + ceil(2 * _AIRY * line))
 
 
 def fitting(texts: tuple[str, ...], metrics: QFontMetricsF, room_px: float) -> str:
-    """First of ``texts`` that fits, or nothing."""
+    """Return the first of ``texts`` that fits, or ""."""
     return next((text for text in texts if metrics.horizontalAdvance(text) <= room_px), "")
 
 
@@ -658,22 +636,20 @@ def _in_row(scale: ValueScale, ticks: tuple[Tick, ...]) -> tuple[Tick, ...]:
 
 def _left_margin(ticks: tuple[Tick, ...], metrics: QFontMetricsF, old_px: float) -> float:
     widest = max((metrics.horizontalAdvance(tick.label) for tick in ticks), default=0.0)
-    wanted = max(float(ceil(widest + UNIT_PX)), _LEAST_MARGIN_PX)
-    return old_px if wanted <= old_px <= wanted + _MARGIN_SLACK_PX else wanted
+    needed = max(float(ceil(widest + UNIT_PX)), _LEAST_MARGIN_PX)
+    return old_px if needed <= old_px <= needed + _MARGIN_SLACK_PX else needed
 
 
-def _unit_words(content: PlotContent, *, unread: bool) -> str:
+def _unit_text(content: PlotContent, *, unread: bool) -> str:
     parts = content.level or content.unit.symbol, content.matched
     symbol = ", ".join(filter(None, parts))
     if not unread:
         return symbol
-    # Too thin for ticks: the range is said in words.
+    # Rows are too thin for ticks: the range is written out.
     low, high = (value * content.unit.factor for value in content.scale.values)
     span = f"±{high:.4g}" if low == -high else f"{low:.4g} to {high:.4g}"
     return f"{symbol}, each row {span}".replace("-", "\u2212")
 
-
-# Words in a plot: the line above it, the number of a row, a message in the middle.
 
 _CENTRED = Qt.AlignmentFlag.AlignCenter
 _AT_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
@@ -682,13 +658,7 @@ _SMALLEST_FONT_PX = 7
 
 
 class HeaderLine(pyqtgraph.GraphicsWidget):
-    """Unit and notes on the left, marks on the right.
-
-    Attributes
-    ----------
-    header
-        What it says.
-    """
+    """The line above a plot: unit and notes on the left, marks on the right."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -697,7 +667,7 @@ class HeaderLine(pyqtgraph.GraphicsWidget):
         self._font = QFont()
 
     def show_font(self, font: QFont) -> None:
-        """Take over a font."""
+        """Use ``font``."""
         self._font = font
         self.update()
 
@@ -725,7 +695,7 @@ class HeaderLine(pyqtgraph.GraphicsWidget):
             painter.drawText(QRectF(0, 0, right, line.height()), _AT_RIGHT, header.mark)
             right -= metrics.horizontalAdvance(header.mark) + UNIT_PX
         painter.setPen(QColor(theme.text))
-        unit, note = header.said(metrics, right)
+        unit, note = header.fitted(metrics, right)
         painter.drawText(QRectF(0, 0, right, line.height()), _AT_LEFT, unit)
         start = metrics.horizontalAdvance(unit) + 2 * UNIT_PX
         painter.setPen(QColor(theme.warning))
@@ -733,13 +703,7 @@ class HeaderLine(pyqtgraph.GraphicsWidget):
 
 
 class RowNumber(pyqtgraph.GraphicsWidget):
-    """The number of an output beside its row, in the colour of its curve.
-
-    Attributes
-    ----------
-    text
-        The number.
-    """
+    """The number of an output beside its row, in the colour of its curve."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -765,13 +729,7 @@ class RowNumber(pyqtgraph.GraphicsWidget):
 
 
 class Message(pyqtgraph.GraphicsWidget):
-    """Words in the middle of an empty picture.
-
-    Attributes
-    ----------
-    text
-        The words.
-    """
+    """A text in the middle of an empty plot."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -1,4 +1,4 @@
-"""Words that are written smaller where there is too little room for them."""
+"""Figures that panels paint, with axes, notes, a legend of outputs, a menu and a page."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -26,17 +26,15 @@ from skinsource_gui.qt.keys import claims_shortcut, meaning_of
 from skinsource_gui.qt.overlays import PALE, paint_updating
 from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, on_paper, scaled, tabular
 
-# No smaller than that part of the letters around them.
+# Letters become no smaller than this part of those around them.
 _LEAST = 0.4
 
 
-def shrunk(font: QFont, words: Sequence[str], room_px: float) -> QFont:
-    """The font, or a smaller one, in which each of some words has room: numbers are not cut."""
-    widest = max((QFontMetricsF(font).horizontalAdvance(one) for one in words), default=0.0)
+def shrunk(font: QFont, texts: Sequence[str], room_px: float) -> QFont:
+    """Return ``font``, or a smaller one, in which each of ``texts`` fits without a cut."""
+    widest = max((QFontMetricsF(font).horizontalAdvance(text) for text in texts), default=0.0)
     return scaled(font, max(room_px / widest, _LEAST)) if widest > room_px else font
 
-
-# Words that take as many lines as they need.
 
 _MOST_LINES = 4
 _BETWEEN = " · "
@@ -45,15 +43,14 @@ _NO_END_PX = 100_000
 
 
 class NoteLabel(QWidget):
-    """Words of less weight, in as many lines as they need; the tooltip has them too.
+    """A dim text in as many lines as it needs, which is the tooltip, too.
 
-    Where four lines are too few, it counts what it leaves out: parts of the text stand between
-    " · ".
+    Where four lines are too few, it counts the parts, between " · ", that it leaves out.
 
     Attributes
     ----------
     text
-        All of the words.
+        The whole text.
     """
 
     def __init__(self, name: str, parent: QWidget | None = None) -> None:
@@ -68,11 +65,11 @@ class NoteLabel(QWidget):
 
     @property
     def shown(self) -> str:
-        """What of the words is written."""
+        """The part of the text that is written."""
         return self._fitting(self.width())
 
     def say(self, text: str, *, holding: bool = False) -> None:
-        """Show other words; ``holding``: give no room back, what is above would jump."""
+        """Show another text; ``holding``: keep the height, so that what is above does not jump."""
         least = self._held_lines if holding else 1
         if text != self.text:
             self.text = text
@@ -95,8 +92,8 @@ class NoteLabel(QWidget):
 
     def heightForWidth(self, width: int) -> int:
         lines = self._lines_of(self._fitting(width), width)
-        held = self._held_lines if width == self.width() else 1
-        return self._height_of(max(lines, held))
+        lines_kept = self._held_lines if width == self.width() else 1
+        return self._height_of(max(lines, lines_kept))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -115,24 +112,22 @@ class NoteLabel(QWidget):
             return self.text
         parts = self.text.split(_BETWEEN)
         for count in range(len(parts) - 1, 0, -1):
-            words = _BETWEEN.join((*parts[:count], f"+{len(parts) - count}"))
-            if self._lines_of(words, width) <= _MOST_LINES:
-                return words
+            shorter = _BETWEEN.join((*parts[:count], f"+{len(parts) - count}"))
+            if self._lines_of(shorter, width) <= _MOST_LINES:
+                return shorter
         return self.text
 
-    def _lines_of(self, words: str, width: int) -> int:
-        if not words or width <= 0:
+    def _lines_of(self, text: str, width: int) -> int:
+        if not text or width <= 0:
             return 1
         metrics = self.fontMetrics()
-        needed = metrics.boundingRect(QRect(0, 0, width, _NO_END_PX), int(_FLAGS), words).height()
+        needed = metrics.boundingRect(QRect(0, 0, width, _NO_END_PX), int(_FLAGS), text).height()
         return max(round(needed / metrics.lineSpacing()), 1)
 
     def _height_of(self, lines: int) -> int:
         metrics = self.fontMetrics()
         return metrics.height() + (lines - 1) * metrics.lineSpacing() + 2
 
-
-# A frame with two axes, and where values lie in it.
 
 _GAP_PX = 4.0
 _TICK_X_PX, _TICK_Y_PX = 60.0, 34.0
@@ -147,13 +142,13 @@ class Axis:
     shown
         Values at its ends.
     title
-        With its unit.
+        Title with the unit.
     factor
-        What values are multiplied with on its labels.
+        Factor from values to labels.
     short
-        A title for where there is too little room; empty: there is none.
+        Title where there is little room; "": there is none.
     log
-        Logarithmic; both ends are above 0.
+        Whether it is logarithmic; then both ends are above 0.
     """
 
     shown: Range
@@ -163,7 +158,7 @@ class Axis:
     log: bool = False
 
     def part(self, values: Floats) -> Floats:
-        """How far along it values lie, 0 to 1; NaN where it cannot show them."""
+        """Return how far along the axis values lie, 0 to 1; NaN where it cannot show them."""
         ends, at = np.array(self.shown, float), np.asarray(values, float)
         if self.log:
             ends = np.log(ends)
@@ -171,50 +166,42 @@ class Axis:
         return (at - ends[0]) / (ends[1] - ends[0])
 
     def value(self, part: float) -> float:
-        """The value that lies there."""
+        """Return the value at a part of the axis."""
         low, high = self.shown
         return float(low * (high / low) ** part) if self.log else low + part * (high - low)
 
     def title_in(self, metrics: QFontMetricsF, room_px: float) -> str:
-        """Its title, or the short one where that alone has room."""
+        """Return the title, or the short one where the long one does not fit."""
         fits = metrics.horizontalAdvance(self.title) <= room_px
         return self.title if fits or not self.short else self.short
 
     def ticks(self, length_px: float, each_px: float) -> tuple[Tick, ...]:
-        """Round numbers along it."""
+        """Return ticks on round numbers, about ``each_px`` apart."""
         low, high = self.shown
         airy = max(length_px / each_px, 2.0)
         if self.log:
-            # Numbers that rise by factors stand apart, where as many round ones would not.
+            # Logarithmic ticks leave gaps: twice as many fit.
             ticks = log_ticks(low * self.factor, high * self.factor, 2.0 * airy)
-            return tuple(replace(one, value=one.value / self.factor) for one in ticks)
+            return tuple(replace(tick, value=tick.value / self.factor) for tick in ticks)
         return readable_ticks(low, high, airy, 2.0 * airy, self.factor)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Axes:
-    """A frame inside a room, with its labels around it.
-
-    Attributes
-    ----------
-    frame
-        Where values are drawn.
-    x, y
-        The axes; y points up.
-    """
+    """Two axes around a frame; y points up."""
 
     frame: QRectF
     x: Axis
     y: Axis
 
     def to_screen(self, x: Floats, y: Floats) -> Floats:
-        """Places on the screen, (n, 2)."""
+        """Return places on the screen, (n, 2)."""
         across = self.frame.left() + self.x.part(x) * self.frame.width()
         up = self.frame.bottom() - self.y.part(y) * self.frame.height()
         return np.stack(np.broadcast_arrays(across, up), axis=-1)
 
     def value_at(self, point: QPointF) -> tuple[float, float] | None:
-        """Values at a place of the screen; None outside of the frame."""
+        """Return x and y at a place of the screen; None outside of the frame."""
         if not self.frame.adjusted(-1, -1, 1, 1).contains(point):
             return None
         across = (point.x() - self.frame.left()) / self.frame.width()
@@ -222,11 +209,11 @@ class Axes:
         return self.x.value(across), self.y.value(up)
 
     def polygon(self, x: Floats, y: Floats) -> QPolygonF:
-        """A line through points."""
+        """Return a line through points."""
         return QPolygonF([QPointF(*place) for place in self.to_screen(x, y)])
 
     def title_place(self, metrics: QFontMetricsF) -> QRectF:
-        """Where the title of x stands: below the frame, and left of it where that is too narrow."""
+        """Return the area of the title of x: below the frame, and left of it if that is narrow."""
         frame, line = self.frame, metrics.height()
         room = frame.right() + 2.0 * _GAP_PX
         title = self.x.title_in(metrics, room)
@@ -247,12 +234,12 @@ class Axes:
                 painter.setPen(QPen(QColor(theme.grid), 1))
                 painter.drawLine(QLineF(x, frame.top(), x, frame.bottom()))
             painter.setPen(QColor(theme.dim))
-            wide = metrics.horizontalAdvance(tick.label)
-            # One that would lie on the one before is left out.
-            if tick.label and x - wide / 2 > written:
-                place = QRectF(x - wide / 2, frame.bottom() + 2, wide, line)
+            width = metrics.horizontalAdvance(tick.label)
+            # Labels must not overlap.
+            if tick.label and x - width / 2 > written:
+                place = QRectF(x - width / 2, frame.bottom() + 2, width, line)
                 painter.drawText(place, centre | Qt.TextFlag.TextDontClip, tick.label)
-                written = x + wide / 2 + _GAP_PX
+                written = x + width / 2 + _GAP_PX
         for tick in self.y.ticks(frame.height(), _TICK_Y_PX):
             y = float(self.to_screen(np.array([self.x.shown[0]]), np.array([tick.value]))[0, 1])
             if grid:
@@ -268,7 +255,7 @@ class Axes:
         self._paint_titles(painter, line)
 
     def _paint_titles(self, painter: QPainter, line: float) -> None:
-        """Write titles in the middle of their axis; where that is short, beside labels too."""
+        """Write titles in the middle of their axes; where these are short, beside labels too."""
         frame, metrics = self.frame, QFontMetricsF(painter.font())
         below = self.title_place(metrics)
         title = self.x.title_in(metrics, below.width())
@@ -287,31 +274,31 @@ class Axes:
 
 
 def _paint_title(painter: QPainter, room: QRectF, title: str) -> None:
-    """Write it smaller where even then it would be cut."""
+    """Write a title, in smaller letters where it would be cut."""
     painter.setFont(shrunk(painter.font(), (title,), room.width()))
     painter.drawText(room, Qt.AlignmentFlag.AlignCenter, title)
 
 
 def fitted_axes(room: QRectF, x: Axis, y: Axis, metrics: QFontMetricsF) -> Axes:
-    """Axes in ``room``, with as much around the frame as their labels need.
+    """Return axes in ``room``, with the space around the frame that their labels need.
 
     The left edge of the room is that of the widget: labels of y begin there.
     """
     line = metrics.height()
     height = max(room.height() - 2.0 * line - 3.0 * _GAP_PX, 1.0)
     labels = [tick.label for tick in y.ticks(height, _TICK_Y_PX)]
-    wide = max((metrics.horizontalAdvance(label) for label in labels), default=0.0)
-    left = room.left() + line + wide + 2.0 * _GAP_PX
+    widest = max((metrics.horizontalAdvance(label) for label in labels), default=0.0)
+    left = room.left() + line + widest + 2.0 * _GAP_PX
     top = room.top() + _GAP_PX + line / 2
     width = room.right() - left - 2.0 * _GAP_PX
-    for _ in range(2):  # a narrower one may have other labels
+    for _ in range(2):  # a narrower frame may have other labels
         width = max(min(width, room.right() - left - _beyond(x, width, metrics)), 1.0)
     frame = QRectF(left, top, width, height - line / 2 - _GAP_PX)
     return Axes(frame=frame, x=x, y=y)
 
 
 def _beyond(x: Axis, width: float, metrics: QFontMetricsF) -> float:
-    """How far the last label of x reaches beyond a frame of that width, px."""
+    """Return how far the last label of x reaches beyond a frame of that width, px."""
     ticks = x.ticks(width, _TICK_X_PX)
     parts = x.part(np.array([tick.value for tick in ticks]))
     halves = (metrics.horizontalAdvance(tick.label) / 2 for tick in ticks)
@@ -319,13 +306,10 @@ def _beyond(x: Axis, width: float, metrics: QFontMetricsF) -> float:
     return max(ends, default=0.0) + 1.0
 
 
-# The menu of a figure.
-
-
 def open_figure_menu(
     parent: QWidget, at: QPoint, save: Callable[[], None], copy: Callable[[], None] | None
 ) -> QMenu:
-    """Open the menu at a place on the screen; ``copy`` is None where there are no numbers."""
+    """Open the menu of a figure; ``copy`` is None where there are no numbers to copy."""
     menu = QMenu(parent)
     menu.setObjectName("figure_menu")
     menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -336,58 +320,56 @@ def open_figure_menu(
     return menu
 
 
-# A picture that follows the theme, says why it is empty, and reads what the pointer is over.
-
 _TEXT = 0.92
 _LEAST_LINES = 6
 
 
 class Figure(QWidget):
-    """What panels paint into; what is drawn, and what a place reads, its heirs say.
+    """A picture with a cursor, or a message why it is empty; subclasses draw and read it.
 
     Attributes
     ----------
     cursor_at
-        Where the pointer, or the keys, have put the cursor; None: nowhere.
+        Place of the cursor, set by the pointer or the keys; None: there is no cursor.
     """
 
-    #: What the cursor reads; "" where it is nowhere.
+    #: What the cursor reads; "" without a cursor.
     reading = Signal(str)
 
     def __init__(self, name: str, accessible_name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.cursor_at: QPointF | None = None
         self.message = ""
-        self._late = False
+        self._stale = False
         self.setObjectName(name)
         self.setAccessibleName(accessible_name)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
 
     def minimumSizeHint(self) -> QSize:
-        # Letters around a frame may be as large as they like: some of it is left.
+        # Some of the frame is left between letters of any size.
         return QSize(200, max(120, _LEAST_LINES * self.fontMetrics().height()))
 
     def draw(self, painter: QPainter, room: QRectF) -> None:
-        """Draw what there is, in ``room``."""
+        """Draw the picture in ``room``."""
         raise NotImplementedError
 
     def read(self, at: QPointF) -> str:
-        """What is to be said of a place; "" for nothing."""
+        """Return what the cursor reads at a place; "" for nothing."""
         del at
         return ""
 
     def keys_area(self) -> QRectF:
-        """Where the cursor can be put with the keys; empty: nowhere."""
+        """Return the area in which keys move the cursor; empty: they do not."""
         return QRectF()
 
-    def show_late(self, late: bool) -> None:
-        """Say whether what is drawn is older than the design."""
-        self._late = late
+    def show_late(self, stale: bool) -> None:
+        """Say whether the picture belongs to an older design."""
+        self._stale = stale
         self.update()
 
     def say(self, message: str) -> None:
-        """Empty the picture and say ``message`` in its middle; "" for a picture."""
+        """Show ``message`` instead of the picture; "" shows the picture."""
         self.message = message
         self.setAccessibleDescription(message)
         if message:
@@ -396,17 +378,17 @@ class Figure(QWidget):
 
     def move_cursor(self, at: QPointF | None) -> None:
         """Read another place, or none."""
-        words = "" if at is None or self.message else self.read(at)
-        self.cursor_at = at if words else None
-        self.reading.emit(words)
+        text = "" if at is None or self.message else self.read(at)
+        self.cursor_at = at if text else None
+        self.reading.emit(text)
         self.update()
 
     def read_again(self) -> None:
-        """Tell what the cursor reads now that something else is drawn."""
+        """Read again after the picture has changed."""
         self.move_cursor(self.cursor_at)
 
     def paint(self, painter: QPainter, room: QRectF) -> None:
-        """Draw what there is, or say why there is nothing; on the screen and on a page."""
+        """Draw the picture or the message, on the screen or on a page."""
         if self.message:
             painter.setPen(QColor(current_theme().dim))
             inner = room.adjusted(2 * UNIT_PX, UNIT_PX, -2 * UNIT_PX, -UNIT_PX)
@@ -414,10 +396,10 @@ class Figure(QWidget):
             painter.drawText(inner, flags, self.message)
             return
         painter.setFont(scaled(tabular(self.font()), _TEXT))
-        painter.setOpacity(PALE if self._late else 1.0)
+        painter.setOpacity(PALE if self._stale else 1.0)
         self.draw(painter, room)
         painter.setOpacity(1.0)
-        if self._late:
+        if self._stale:
             theme = current_theme()
             paint_updating(painter, room, QColor(theme.base), QColor(theme.text))
 
@@ -432,22 +414,22 @@ class Figure(QWidget):
         painter.end()
 
     def event(self, event: QEvent) -> bool:
-        return claims_shortcut(event, self._means) or super().event(event)
+        return claims_shortcut(event, self._meaning_of) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        means, area = self._means(event), self.keys_area()
-        if not means:
+        meaning, area = self._meaning_of(event), self.keys_area()
+        if not meaning:
             super().keyPressEvent(event)
             return
         at = self.cursor_at or area.center()
-        if means == "give_up":
+        if meaning == "give_up":
             self.move_cursor(None)
-        elif means == "jump":
+        elif meaning == "jump":
             end = area.left() if event.key() == Qt.Key.Key_Home else area.right()
             self.move_cursor(QPointF(end, at.y()))
         else:
-            held = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
-            step = 10.0 if held else 1.0
+            far = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+            step = 10.0 if far else 1.0
             across = at.x() + (step if event.key() == Qt.Key.Key_Right else -step)
             self.move_cursor(QPointF(min(max(across, area.left()), area.right()), at.y()))
 
@@ -458,20 +440,15 @@ class Figure(QWidget):
         super().leaveEvent(event)
         self.move_cursor(None)
 
-    def _means(self, event: QKeyEvent) -> str:
-        means = meaning_of("plot", event)
-        if means not in ("step", "jump", "give_up") or self.keys_area().isEmpty():
+    def _meaning_of(self, event: QKeyEvent) -> str:
+        meaning = meaning_of("plot", event)
+        if meaning not in ("step", "jump", "give_up") or self.keys_area().isEmpty():
             return ""
-        return means if means != "give_up" or self.cursor_at is not None else ""
-
-
-# A figure on a page or a slide, between its words and without what it is chosen by.
-
-_FIGURE_PICTURE_NO_END_PX = 100_000.0
+        return meaning if meaning != "give_up" or self.cursor_at is not None else ""
 
 
 def draw_figure(painter: QPainter, room: QRectF, figure: Figure, above: str, below: str) -> None:
-    """Fill ``room`` with a figure and the words above and below it."""
+    """Draw a figure on a page, with the texts above and below it, in ``room``."""
     painter.save()
     painter.fillRect(room, QColor(current_theme().base))
     painter.setFont(tabular(figure.font()))
@@ -485,37 +462,36 @@ def draw_figure(painter: QPainter, room: QRectF, figure: Figure, above: str, bel
         figure.paint(painter, QRectF(0.0, 0.0, room.width(), max(bottom - top, 1.0)))
     figure.cursor_at = cursor_at
     painter.restore()
-    # Where its parts are on the screen it knows again once it is painted there.
+    # The next painting on the screen places its parts there again.
     figure.update()
 
 
 def _write(
-    painter: QPainter, room: QRectF, words: str, side: Qt.AlignmentFlag, figure: Figure
+    painter: QPainter, room: QRectF, text: str, side: Qt.AlignmentFlag, figure: Figure
 ) -> float:
-    """Write words at a side of a room; how high they are."""
-    if not words:
+    """Write text at a side of a room; return its height."""
+    if not text:
         return 0.0
     flags = int(Qt.AlignmentFlag.AlignLeft | side | Qt.TextFlag.TextWordWrap)
-    endless = QRectF(0.0, 0.0, room.width(), _FIGURE_PICTURE_NO_END_PX)
+    endless = QRectF(0.0, 0.0, room.width(), _NO_END_PX)
     painter.setPen(QColor(current_theme().dim))
-    painter.drawText(room, flags, words)
-    return painter.boundingRect(endless, flags, words).height()
+    painter.drawText(room, flags, text)
+    return painter.boundingRect(endless, flags, text).height()
 
 
-# Which colour is which output: a line above a figure.
-
-_STROKE_PX, _WIDE_PX, _OUTPUT_LEGEND_GAP_PX = 3.0, 12.0, 5.0
+# Thickness and length of the strokes of a legend, and the gap beside them.
+_STROKE_PX, _WIDE_PX, _LEGEND_GAP_PX = 3.0, 12.0, 5.0
 
 
 def legend_texts(outputs: tuple[int, ...], room_px: float, painter: QPainter) -> list[str]:
-    """Its head, numbers of the outputs, and how many more there is no room for."""
+    """Return the texts of a legend: head, numbers of outputs, and how many more do not fit."""
     head = "Output" if len(outputs) == 1 else "Outputs"
-    numbers = [str(one) for one in outputs]
+    numbers = [str(output) for output in outputs]
     for count in range(len(numbers), 0, -1):
         left = len(numbers) - count
-        words = [head, *numbers[:count], *([f"+{left}"] if left else [])]
-        if _wide(words, painter) <= room_px:
-            return words
+        texts = [head, *numbers[:count], *([f"+{left}"] if left else [])]
+        if _legend_px(texts, painter) <= room_px:
+            return texts
     return numbers[:1]
 
 
@@ -527,32 +503,30 @@ def draw_legend(
     *,
     broken: bool = False,
 ) -> None:
-    """Numbers of outputs, each behind a stroke of its colour, in one line.
+    """Draw a legend: numbers of outputs in one line, each after a stroke of its colour.
 
-    ``broken``: lines of the figure are, where colours begin again, and so are these strokes.
+    ``broken``: where colours repeat, lines of the figure are dashed, and so are these strokes.
     """
     metrics, at = painter.fontMetrics(), room.left()
-    words = legend_texts(outputs, room.width(), painter)
+    texts = legend_texts(outputs, room.width(), painter)
     ranks = dict(zip(map(str, outputs), range(len(outputs)), strict=True))
-    for word in words:
+    for word in texts:
         if word in ranks:
             rank = ranks[word] if broken else ranks[word] % len(theme.outputs)
             pen = theme.output_pen(rank, _STROKE_PX)
             pen.setCapStyle(Qt.PenCapStyle.FlatCap)
             painter.setPen(pen)
             painter.drawLine(QLineF(at, room.center().y(), at + _WIDE_PX, room.center().y()))
-            at += _WIDE_PX + _OUTPUT_LEGEND_GAP_PX
-        wide = float(metrics.horizontalAdvance(word))
+            at += _WIDE_PX + _LEGEND_GAP_PX
+        width = float(metrics.horizontalAdvance(word))
         painter.setPen(QColor(theme.text))
         painter.drawText(
-            QRectF(at, room.top(), wide + 1.0, room.height()), Qt.AlignmentFlag.AlignVCenter, word
+            QRectF(at, room.top(), width + 1.0, room.height()), Qt.AlignmentFlag.AlignVCenter, word
         )
-        at += wide + 2.0 * _OUTPUT_LEGEND_GAP_PX
+        at += width + 2.0 * _LEGEND_GAP_PX
 
 
-def _wide(words: list[str], painter: QPainter) -> float:
+def _legend_px(texts: list[str], painter: QPainter) -> float:
     metrics = painter.fontMetrics()
-    strokes = (_WIDE_PX + _OUTPUT_LEGEND_GAP_PX) * sum(word.isdigit() for word in words)
-    return strokes + sum(
-        metrics.horizontalAdvance(word) + 2.0 * _OUTPUT_LEGEND_GAP_PX for word in words
-    )
+    strokes = (_WIDE_PX + _LEGEND_GAP_PX) * sum(word.isdigit() for word in texts)
+    return strokes + sum(metrics.horizontalAdvance(word) + 2.0 * _LEGEND_GAP_PX for word in texts)

@@ -1,4 +1,7 @@
-"""What a legend says."""
+"""The legend above a plot: a line of curves, each with what the crosshair reads.
+
+`LegendText` is its content, `LegendLayout` decides which parts fit, `LegendStrip` is the widget.
+"""
 
 from dataclasses import dataclass, replace
 from itertools import accumulate
@@ -19,29 +22,29 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 from skinsource_gui.plots.curves import CurveName
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, scaled, tabular
 
-#: In place of where curves are read: what is said of each is its peak.
+#: Stands in `LegendText.where` while the readings are the peaks of curves.
 PEAK = "peak"
 _BETWEEN = "  "
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LegendText:
-    """What the strip says.
+    """Content of a legend.
 
     Attributes
     ----------
     names
         Names of the curves, by rank.
     unit
-        Of the readings.
+        Unit of the readings.
     where, readings
-        Where curves are read and what is read there; ``""`` and ``()`` where nothing is.
+        Position of the crosshair and its readings; ``""`` and ``()`` without a crosshair.
     where_room, reading_room, unit_room
-        The longest of them, and of units; places stay while numbers change.
+        The longest texts of each kind, so that nothing moves while numbers change.
     by_axis
-        Whether the names are those of axes, each with what all outputs read along it.
+        Whether the names are those of axes, each with the readings of all outputs along it.
     relative
-        Whether curves are relative to their peaks, which are said while nothing is read.
+        Whether curves are relative to their peaks, which the legend shows without a crosshair.
     """
 
     names: tuple[CurveName, ...] = ()
@@ -56,16 +59,16 @@ class LegendText:
 
     @property
     def named(self) -> bool:
-        """Whether names stand for the curves, and numbers do not."""
+        """Whether curves have names without numbers."""
         return any(not name.number for name in self.names)
 
     @property
     def of_peaks(self) -> bool:
-        """Whether nothing is read, and each curve has its peak beside it."""
+        """Whether the readings are the peaks of curves."""
         return self.where == PEAK
 
     def of_axes(self, axes: tuple[str, ...]) -> "LegendText":
-        """The same where each name has a curve along each of some axes."""
+        """Return the legend of curves of the same outputs along each of some axes."""
         outputs = ", ".join(str(name.number) for name in self.names)
         return replace(
             self,
@@ -77,23 +80,21 @@ class LegendText:
         )
 
     def lines(self) -> str:
-        """All of it, one line for each curve."""
+        """Return the whole legend, one line for each curve."""
         lines = [self.where if self.of_peaks else f"at {self.where}"] if self.where else []
         for rank, name in enumerate(self.names):
             reading = f": {self.readings[rank]} {self.unit}" if self.readings else ""
-            told = f"{name.number}  {name.full}" if name.number else f"{name.short}: {name.full}"
-            lines.append(f"{told}{reading}")
+            title = f"{name.number}  {name.full}" if name.number else f"{name.short}: {name.full}"
+            lines.append(f"{title}{reading}")
         return "\n".join(lines)
 
 
 def along_axes(readings: tuple[str, ...], n_axes: int) -> tuple[str, ...]:
-    """What all outputs read along each axis, of readings along each axis of each output."""
+    """Return the readings of all outputs along each axis, from those of each output in turn."""
     return tuple(_BETWEEN.join(readings[axis::n_axes]) for axis in range(n_axes))
 
 
-# What of a legend there is room for, and where.
-
-#: Width of the colour of a curve, and what is left between words.
+#: Width of the line of a curve, and the gap between texts.
 SWATCH_PX, GAP_PX = 13, 4
 
 
@@ -107,38 +108,34 @@ class Detail:
     unit: bool
 
 
-# From wide to narrow.  A unit that entries have no room for is said once.
+# From wide to narrow.  A unit for which entries have no room is written once.
 _READING = (
     Detail(True, True, True, True),
     Detail(True, True, True, False),
     Detail(True, False, True, False),
     Detail(False, False, True, False),
 )
-#: What is written of a curve that a name stands for.
+#: Parts of an entry that has a name without a number.
 NAMED = Detail(number=False, place=True, reading=True, unit=False)
 _IDLE = (Detail(True, True, False, False), Detail(True, False, False, False))
-#: What is written of a curve that takes its number along into more lines.
+#: Parts of an entry with a number, where the legend takes more lines.
 NUMBERED = _READING[2]
-#: Into so many: curves are worth more than their peaks.
+#: At most so many lines: curves are more important than their peaks.
 _MOST_LINES = 2
-# Of a peak nothing in the picture says whose it is: before its output, it goes itself.
+# A peak without its number would say nothing: the peak is left out first.
 _PEAKS = (*_READING[:-1], _IDLE[-1])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LegendLayout:
-    """The words of a legend in a font, and the room for them.
+    """Decides which parts of a legend fit, and where they stand.
 
     Attributes
     ----------
-    text
-        What is said.
-    metrics
-        Of the font.
     width_px
-        Of the strip.
+        Width of the legend.
     may_fold
-        Whether entries may take more lines; else they share one, and names as far as there is room.
+        Whether entries may take more lines.
     """
 
     text: LegendText
@@ -147,34 +144,34 @@ class LegendLayout:
     may_fold: bool = True
 
     def where(self, where: str, detail: Detail) -> str:
-        """Where curves are read, with the unit if it stands nowhere else; "" if nothing is."""
+        """Return the position of the crosshair, with the unit if entries have none; or ""."""
         if self.text.of_peaks and not detail.reading:
             return ""
         once = (detail.number or detail.place) and not detail.unit
         return f"{where} · {self.text.unit}" if once else where
 
     def entry_px(self, rank: int, detail: Detail) -> int:
-        """Width of what is written of a curve."""
+        """Return the width of an entry, px."""
         name = self.text.names[rank]
-        words = [
+        texts = [
             *([str(name.number)] if detail.number else []),
             *([name.short] if detail.place else []),
             *([self.text.reading_room] if detail.reading else []),
             *([self.text.unit] if detail.unit else []),
         ]
-        gaps = GAP_PX * len(words) + UNIT_PX
-        whole = SWATCH_PX + gaps + sum(self.metrics.horizontalAdvance(word) for word in words)
-        # Of what all outputs read as much as a line holds, or a part of it.
-        return min(whole, self._most_px(rank)) if self.text.by_axis else whole
+        gaps = GAP_PX * len(texts) + UNIT_PX
+        width = SWATCH_PX + gaps + sum(self.metrics.horizontalAdvance(word) for word in texts)
+        # The readings of many outputs are cut to a line, or to a part of it.
+        return min(width, self._most_px(rank)) if self.text.by_axis else width
 
     def fitting(self) -> tuple[Detail, int]:
-        """What is written of each curve in one line, and of how many curves."""
+        """Return which parts of entries fit in one line, and how many entries."""
         details = self._details
         for detail in details:
             widths = self._widths(detail)
             if sum(widths) <= self._room_px(detail):
                 return detail, len(widths)
-        # Where some are left out anyway, those that are not say which they are.
+        # Where entries are left out, the others need their numbers.
         for detail in details[-2:]:
             room_px = self._room_px(detail) - self.metrics.horizontalAdvance("+00")
             fitting = sum(1 for end_px in accumulate(self._widths(detail)) if end_px <= room_px)
@@ -184,9 +181,9 @@ class LegendLayout:
 
     @property
     def in_lines(self) -> Detail | None:
-        """What is written of each curve where they may take more lines; None: in one line.
+        """Parts of entries that take more than one line; None: there is one line.
 
-        Names may always; numbers take few more where peaks have no room in one.
+        Named entries always may; numbered ones take few lines, where peaks do not fit in one.
         """
         if self.text.named:
             return NAMED
@@ -197,10 +194,10 @@ class LegendLayout:
 
     @property
     def n_lines(self) -> int:
-        """For how many lines there is to be room: never for fewer because there is less width.
+        """Number of lines for which there is room; it never decreases with less width.
 
-        Else what scrolls would be lower with a scroll bar beside it than without, and Qt would put
-        that bar there and take it away until the stack ran out.
+        Otherwise a scroll area would be lower with its scroll bar than without, and Qt would show
+        and hide the bar without end.
         """
         if self.text.named:
             return self.lines(NAMED)[-1][1] + 1
@@ -209,9 +206,9 @@ class LegendLayout:
         return 1
 
     def lines(self, detail: Detail = NAMED) -> list[tuple[int, int]]:
-        """Where entries begin, and at last where they are read: x and number of the line.
+        """Return x and line of each entry, and last of the position of the crosshair.
 
-        There is room for readings whether or not there are some: nothing moves while one reads.
+        There is always room for readings, so that nothing moves when there are some.
         """
         first, places, line = UNIT_PX // 2, [], 0
         x = first
@@ -232,7 +229,7 @@ class LegendLayout:
         return [self.entry_px(rank, detail) for rank in range(len(self.text.names))]
 
     def _room_px(self, detail: Detail) -> int:
-        """What of one line there is for entries."""
+        """Return the width of one line that is left for entries."""
         where_room = PEAK if self.text.of_peaks else self.text.where_room
         where = self.where(where_room, detail) if self.text.where else ""
         return self.width_px - UNIT_PX - self.metrics.horizontalAdvance(where)
@@ -243,7 +240,7 @@ class LegendLayout:
         return self.metrics.horizontalAdvance(f"{self.text.where_room} · {unit}")
 
     def _most_px(self, rank: int) -> int:
-        """The most that a named entry takes."""
+        """Return the largest width of a named entry."""
         line_px = self.width_px - UNIT_PX
         if self.may_fold:
             return line_px
@@ -252,27 +249,17 @@ class LegendLayout:
         return max(share_px, SWATCH_PX + 2 * GAP_PX + UNIT_PX + name_px)
 
 
-# Paints the entries of a legend.
-
-
 class LegendPainter:
-    """Writes into lines of ``row_px``, from the left.
+    """Paints the entries of a legend into lines of the height ``row_px``, from the left.
 
-    Parameters
-    ----------
-    painter
-        Has the font of the layout.
-    layout
-        What is said, and how wide it is.
-    row_px
-        Height of a line.
+    ``painter`` has the font of ``layout``.
     """
 
     def __init__(self, painter: QPainter, layout: LegendLayout, row_px: int) -> None:
         self._painter, self._layout, self._row_px = painter, layout, row_px
 
     def paint_entry(self, x: int, rank: int, detail: Detail) -> int:
-        """Write what is said of a curve; return where the next one begins."""
+        """Paint an entry; return where the next one begins."""
         text, theme, metrics = self._layout.text, current_theme(), self._layout.metrics
         name, end = text.names[rank], x + self._layout.entry_px(rank, detail)
         by_axis = text.by_axis
@@ -296,35 +283,33 @@ class LegendPainter:
             self.write(x, text.unit, theme.dim)
         return end
 
-    def write(self, x: int, words: str, colour: str) -> int:
-        """Write words; return where the next ones begin."""
+    def write(self, x: int, text: str, colour: str) -> int:
+        """Write text; return where the next text begins."""
         self._painter.setPen(QColor(colour))
-        width = self._layout.metrics.horizontalAdvance(words)
+        width = self._layout.metrics.horizontalAdvance(text)
         place = QRect(x, 0, width + 1, self._row_px)
-        self._painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, words)
+        self._painter.drawText(place, Qt.AlignmentFlag.AlignVCenter, text)
         return x + width + GAP_PX
 
     def write_where(self, line: QRect, detail: Detail) -> None:
-        """Write at the right end of a line where curves are read, if they are."""
+        """Write the position of the crosshair, if any, at the right end of a line."""
         if self._layout.text.where:
             self._painter.setPen(QColor(current_theme().text))
             at_right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-            words = self._layout.where(self._layout.text.where, detail)
-            self._painter.drawText(line, at_right, words)
+            where = self._layout.where(self._layout.text.where, detail)
+            self._painter.drawText(line, at_right, where)
 
-
-# Names of curves, each with what the crosshair reads there.
 
 STRIP_HEIGHT_PX = 20
 _TEXT, _AROUND_PX = 0.9, 7
 
 
 class LegendStrip(QWidget):
-    """One line: colour, number, place and reading of each curve, and where they are read.
+    """A line with colour, number, place and reading of each curve, and where they are read.
 
-    Where the line is too narrow it leaves out units, then places, then numbers, then curves; peaks
-    may take one line more, and are left out before numbers.  The tooltip has them all.  Curves
-    without numbers keep their names, and take more lines if they may.
+    A narrow line leaves out units, then places, then numbers, then curves; peaks may take one more
+    line, and are left out before numbers.  The tooltip has everything.  Curves without numbers keep
+    their names, and take more lines if they may.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -337,7 +322,7 @@ class LegendStrip(QWidget):
 
     @property
     def text(self) -> LegendText:
-        """What is said."""
+        """The content."""
         return self._text
 
     def say(self, text: LegendText) -> None:
@@ -349,15 +334,15 @@ class LegendStrip(QWidget):
             self.update()
 
     def let_fold(self, may_fold: bool) -> None:
-        """Whether there is room for more lines: a plot that is low needs it more."""
+        """Allow or forbid more than one line: a low plot needs the room."""
         if may_fold != self._may_fold:
             self._may_fold = may_fold
             self._make_room()
             self.update()
 
     @property
-    def words_font(self) -> QFont:
-        """Of all words; it follows the font of the studio."""
+    def text_font(self) -> QFont:
+        """Font of the legend; it follows the font of the studio."""
         return scaled(tabular(self.font()), _TEXT)
 
     def sizeHint(self) -> QSize:
@@ -380,8 +365,8 @@ class LegendStrip(QWidget):
         if not self._text.names:
             return
         painter = QPainter(self)
-        painter.setFont(self.words_font)
-        detail = self.layout_of_words.in_lines
+        painter.setFont(self.text_font)
+        detail = self.text_layout.in_lines
         if detail is None:
             self._paint_line(painter)
         else:
@@ -389,27 +374,27 @@ class LegendStrip(QWidget):
         painter.end()
 
     @property
-    def layout_of_words(self) -> LegendLayout:
-        """What there is room for, and where."""
-        metrics = QFontMetrics(self.words_font)
+    def text_layout(self) -> LegendLayout:
+        """The layout for the present size."""
+        metrics = QFontMetrics(self.text_font)
         return LegendLayout(self._text, metrics, self.width(), self._may_fold)
 
     @property
     def _line_px(self) -> int:
-        return max(QFontMetrics(self.words_font).height() + _AROUND_PX, STRIP_HEIGHT_PX)
+        return max(QFontMetrics(self.text_font).height() + _AROUND_PX, STRIP_HEIGHT_PX)
 
     @property
     def _row_px(self) -> int:
         return self._line_px if self._n_lines > 1 else self.height()
 
     def _make_room(self) -> None:
-        n_lines = self.layout_of_words.n_lines
+        n_lines = self.text_layout.n_lines
         if n_lines != self._n_lines:
             self._n_lines = n_lines
             self.updateGeometry()
 
     def _paint_line(self, painter: QPainter) -> None:
-        layout = self.layout_of_words
+        layout = self.text_layout
         writer = LegendPainter(painter, layout, self._row_px)
         detail, fitting = layout.fitting()
         x = UNIT_PX // 2
@@ -421,7 +406,7 @@ class LegendStrip(QWidget):
         writer.write_where(self.rect().adjusted(0, 0, -UNIT_PX // 2, 0), detail)
 
     def _paint_lines(self, painter: QPainter, detail: Detail) -> None:
-        layout, advance = self.layout_of_words, self._line_px - _AROUND_PX // 2
+        layout, advance = self.text_layout, self._line_px - _AROUND_PX // 2
         writer = LegendPainter(painter, layout, self._row_px)
         *entries, (_, last) = layout.lines(detail)
         reading = replace(detail, reading=bool(self._text.readings))

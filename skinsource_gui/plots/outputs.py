@@ -1,4 +1,4 @@
-"""Which output is meant by a click, a rubber band or an arrow key."""
+"""Selecting outputs on a map by clicks, rubber bands and keys."""
 
 import numpy as np
 from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
@@ -9,24 +9,24 @@ from skinsource_gui.qt.keys import meaning_of
 
 Outputs = tuple[int, ...]
 
-# How far from an output it is still meant.
+# A click selects an output from this far away.
 _REACH_PX = 11.0
 
 
 def dorsal_outputs(points: Floats, unplaced: Outputs) -> Outputs:
-    """Numbers of the outputs on the back of hand and arm; ``points`` is (n_outputs, 2)."""
+    """Return the outputs on the back of hand and arm; ``points`` is (n_outputs, 2)."""
     return tuple(k for k in range(1, len(points) + 1) if k not in unplaced)
 
 
 def is_placed(points: Floats, number: int) -> bool:
-    """Whether an output is somewhere; ``points`` is (n_outputs, 2)."""
+    """Return whether an output has a place on the map; ``points`` is (n_outputs, 2)."""
     return number <= len(points) and bool(np.isfinite(points[number - 1]).all())
 
 
 def output_at(points: Floats, at: QPointF, reach_px: float = _REACH_PX) -> int | None:
-    """Number of the output nearest to ``at`` and within reach; ``points`` is (n_outputs, 2), px.
+    """Return the output nearest to ``at`` within reach; ``points`` is (n_outputs, 2), px.
 
-    Those that are nowhere, NaN, are never meant.
+    Outputs without a place, NaN, are ignored.
     """
     distances = np.hypot(points[:, 0] - at.x(), points[:, 1] - at.y())
     distances[np.isnan(distances)] = np.inf
@@ -35,20 +35,20 @@ def output_at(points: Floats, at: QPointF, reach_px: float = _REACH_PX) -> int |
 
 
 def outputs_inside(points: Floats, area: QRectF) -> Outputs:
-    """Numbers of the outputs inside ``area``, ascending."""
+    """Return the outputs inside ``area``, ascending."""
     x, y = points.T
     inside = (x >= area.left()) & (x <= area.right()) & (y >= area.top()) & (y <= area.bottom())
     return tuple(int(k) + 1 for k in np.flatnonzero(inside))
 
 
 def output_beyond(points: Floats, number: int, dx: int, dy: int) -> int:
-    """The nearest output in a direction of the screen, or ``number`` itself if there is none."""
+    """Return the nearest output in a direction of the screen, or ``number`` if there is none."""
     steps = points - points[number - 1]
     ahead = steps @ np.array([dx, dy], float)
-    aside = np.abs(steps @ np.array([-dy, dx], float))
-    # Those within 45 degrees first; then any that lie ahead.
-    for reachable in (aside <= ahead, aside < np.inf):
-        cost = np.where((ahead > 0.5) & reachable, ahead + 2 * aside, np.inf)
+    sideways = np.abs(steps @ np.array([-dy, dx], float))
+    # Outputs within 45 degrees first; then any that lie ahead.
+    for reachable in (sideways <= ahead, sideways < np.inf):
+        cost = np.where((ahead > 0.5) & reachable, ahead + 2 * sideways, np.inf)
         best = int(np.argmin(cost))
         if np.isfinite(cost[best]):
             return best + 1
@@ -56,38 +56,36 @@ def output_beyond(points: Floats, number: int, dx: int, dy: int) -> int:
 
 
 def toggled(outputs: Outputs, number: int) -> Outputs:
-    """``outputs`` with ``number`` added at the end, or taken out."""
+    """Return ``outputs`` with ``number`` added at the end, or removed."""
     if number in outputs:
         return tuple(k for k in outputs if k != number)
     return (*outputs, number)
 
 
 def joined(outputs: Outputs, more: Outputs) -> Outputs:
-    """``outputs`` with those of ``more`` at the end that are new."""
+    """Return ``outputs`` with the new ones of ``more`` at the end."""
     return (*outputs, *(k for k in more if k not in outputs))
 
-
-# What the mouse means on the map.
 
 # A press that moves less than this is a click.
 _CLICK_PX = 4.0
 
 
 class OutputMouse(QObject):
-    """Turns moves, clicks and rubber bands into outputs.
+    """Turns moves, clicks and rubber bands of the mouse into selected outputs.
 
     Attributes
     ----------
     hovered
         The output under the pointer.
     pointer
-        Where the pointer is; ``None`` while it is elsewhere.
+        Place of the pointer; None while it is elsewhere.
     band
         The rubber band, while one is drawn.
     """
 
-    #: The outputs that are meant, whether they are added to the selection.
-    meant = Signal(object)
+    #: The outputs to select.
+    selected_outputs = Signal(object)
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -97,11 +95,11 @@ class OutputMouse(QObject):
         self._pressed: QPointF | None = None
 
     def press(self, at: QPointF) -> None:
-        """The left button goes down."""
+        """Begin a click or a rubber band."""
         self._pressed = at
 
     def move(self, at: QPointF, points: Floats) -> None:
-        """The mouse moves, whether or not the button is held; ``points`` is (n_outputs, 2)."""
+        """Follow the mouse, with or without the button; ``points`` is (n_outputs, 2)."""
         self.pointer = at
         self.hovered = output_at(points, at)
         if self._pressed is not None:
@@ -110,20 +108,20 @@ class OutputMouse(QObject):
                 self.band = band
 
     def release(self, at: QPointF, points: Floats, outputs: Outputs, *, adds: bool) -> None:
-        """The left button goes up; ``adds`` to the present ``outputs``."""
+        """Select outputs; ``adds``: add them to the present ``outputs``."""
         if self._pressed is None:
             return
         band, self.band, self._pressed = self.band, None, None
         if band is not None:
-            found = outputs_inside(points, band)
-            self.meant.emit(joined(outputs, found) if adds else found)
+            inside = outputs_inside(points, band)
+            self.selected_outputs.emit(joined(outputs, inside) if adds else inside)
             return
         number = output_at(points, at)
         if number is not None:
-            self.meant.emit(toggled(outputs, number) if adds else (number,))
+            self.selected_outputs.emit(toggled(outputs, number) if adds else (number,))
 
     def leave(self) -> None:
-        """The pointer is elsewhere, or the keyboard took over."""
+        """Forget the pointer: it is elsewhere, or the keyboard is in use."""
         self.pointer = self.hovered = None
 
     def give_up(self) -> bool:
@@ -132,9 +130,7 @@ class OutputMouse(QObject):
         return pressed is not None
 
 
-# What keys mean on the map.
-
-#: Held, they add to the selection.
+#: Keys that are held to add to the selection.
 ADDS = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier
 _ARROWS = {
     Qt.Key.Key_Left: (-1, 0),
@@ -145,19 +141,19 @@ _ARROWS = {
 
 
 class OutputKeys(QObject):
-    """Moves a cursor from output to output, and selects there.
+    """Moves a cursor from output to output by keys, and selects them.
 
     Attributes
     ----------
     cursor_output
-        Where the cursor is; ``None`` until keys are used.
+        The output under the cursor; None until keys are used.
     used
-        Whether keys were used here since the mouse was.
+        Whether keys were used later than the mouse.
     """
 
-    #: The outputs that are meant.
-    meant = Signal(object)
-    #: Another output has the cursor.
+    #: The outputs to select.
+    selected_outputs = Signal(object)
+    #: The cursor is at another output.
     moved = Signal()
 
     def __init__(self, parent: QObject) -> None:
@@ -166,7 +162,7 @@ class OutputKeys(QObject):
         self.used = False
 
     def claims(self, event: QKeyEvent) -> bool:
-        """Whether a shortcut of the window must not take this key."""
+        """Return whether this key is handled here, before any shortcut of the window."""
         return bool(meaning_of("skin", event))
 
     def press(
@@ -177,34 +173,36 @@ class OutputKeys(QObject):
         outputs: Outputs,
         middle: QPointF,
     ) -> bool:
-        """Act on a key; return whether it means anything to outputs.
+        """Handle a key; return whether it has a meaning for outputs.
 
         Parameters
         ----------
         event
-            The press.
+            The key event.
         points : (n_outputs, 2)
             Screen places of the outputs.
         unplaced
-            Those beside the map.
+            Outputs beside the map.
         outputs
-            Those that are selected.
+            The selected outputs.
         middle
-            Of the map, where the cursor begins.
+            Middle of the map, where the cursor begins.
         """
-        wanted = meaning_of("skin", event)
-        if wanted == "go":
+        meaning = meaning_of("skin", event)
+        if meaning == "go":
             place = self._start(points, outputs, middle)
             if self.cursor_output is not None:
                 place = output_beyond(points, place, *_ARROWS[Qt.Key(event.key())])
             self.cursor_output = place
             self.moved.emit()
-        elif wanted in ("select", "toggle"):
+        elif meaning in ("select", "toggle"):
             number = self._start(points, outputs, middle)
             self.cursor_output = number
-            self.meant.emit(toggled(outputs, number) if wanted == "toggle" else (number,))
-        elif wanted == "select_all":
-            self.meant.emit(dorsal_outputs(points, unplaced))
+            self.selected_outputs.emit(
+                toggled(outputs, number) if meaning == "toggle" else (number,)
+            )
+        elif meaning == "select_all":
+            self.selected_outputs.emit(dorsal_outputs(points, unplaced))
         else:
             return False
         self.used = True
@@ -212,64 +210,59 @@ class OutputKeys(QObject):
 
     def _start(self, points: Floats, outputs: Outputs, middle: QPointF) -> int:
         cursor = () if self.cursor_output is None else (self.cursor_output,)
-        here = [number for number in (*cursor, *outputs) if is_placed(points, number)]
-        return here[0] if here else output_at(points, middle, float("inf")) or 1
-
-
-# Which output of a map is pointed at, and which are to be selected.
+        placed = [number for number in (*cursor, *outputs) if is_placed(points, number)]
+        return placed[0] if placed else output_at(points, middle, float("inf")) or 1
 
 
 class OutputPicker(QObject):
-    """What the mouse and keys mean on a map whose outputs are selected.
+    """Selects the outputs of a map by mouse and keys.
 
     Attributes
     ----------
-    mouse, keys
-        What each of them means.
     selected
         The outputs that are selected at present.
     """
 
     #: The outputs to select, a tuple of numbers.
     chosen = Signal(object)
-    #: The cursor of the keyboard is at another output, and counts from now on.
+    #: The cursor of the keyboard is at another output.
     moved = Signal()
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.mouse, self.keys = OutputMouse(self), OutputKeys(self)
         self.selected: Outputs = ()
-        self.mouse.meant.connect(self._choose)
-        self.keys.meant.connect(self._choose)
+        self.mouse.selected_outputs.connect(self._choose)
+        self.keys.selected_outputs.connect(self._choose)
         self.keys.moved.connect(self._follow_cursor)
 
     def pointed_at(self, *, focused: bool) -> int | None:
-        """The output under the pointer; without one, and ``focused``, under the cursor of keys."""
+        """Return the output under the pointer; if ``focused``, else that under the cursor."""
         if self.mouse.pointer is not None:
             return self.mouse.hovered
         return self.keys.cursor_output if focused else None
 
     def claims(self, event: QKeyEvent) -> bool:
-        """Whether a key is wanted here even if it is a shortcut of the window."""
-        # Until keys are used here, Space is left to whom the window gives it.
+        """Return whether this key is handled here, before any shortcut of the window."""
+        # Until keys are used here, Space is a shortcut of the window.
         is_used = self.keys.used or event.key() != Qt.Key.Key_Space
         return is_used and self.keys.claims(event)
 
     def press(self, event: QMouseEvent) -> None:
-        """A button goes down."""
+        """Handle a button that goes down."""
         self.keys.used = False
         if event.button() == Qt.MouseButton.LeftButton:
             self.mouse.press(event.position())
 
     def release(self, event: QMouseEvent, points: Floats) -> None:
-        """The left button goes up; ``points`` is (n_outputs, 2), px."""
+        """Handle the left button that goes up; ``points`` is (n_outputs, 2), px."""
         adds = bool(event.modifiers() & ADDS)
         self.mouse.release(event.position(), points, self.selected, adds=adds)
 
     def press_key(
         self, event: QKeyEvent, points: Floats, unplaced: Outputs, middle: QPointF
     ) -> bool:
-        """Act on a key, see `OutputKeys.press`; return whether it means anything to outputs."""
+        """Handle a key as `OutputKeys.press` does; return whether it has a meaning here."""
         if meaning_of("skin", event) != "select_none":
             return self.keys.press(event, points, unplaced, self.selected, middle)
         if not self.mouse.give_up():

@@ -1,4 +1,8 @@
-"""Sizes of pictures for print and for the screen."""
+"""Pictures for print and for slides: their sizes, files, captions, and the dialog that asks.
+
+A picture is drawn by a function, so that a page keeps lines and letters.  Its file is written whole
+or not at all.  Words on a PDF page can be searched for and copied.
+"""
 
 import re
 import zlib
@@ -71,7 +75,7 @@ from skinsource_gui.qt.theme import LIGHT, THEMES, Theme, on_paper, set_tone, th
 #: Pixels in an inch of a page or a drawing, as in CSS.
 PER_INCH = 96
 
-#: Told width and height of a picture, px: how much higher a page is that has words below it.
+#: Returns by how much a caption makes a picture of this width and height higher, px.
 Below = Callable[[int, int], int]
 
 
@@ -81,12 +85,10 @@ class Layout:
 
     Attributes
     ----------
-    name, title
-        Short name; what the page says.
     width_in, height_in
         Inches; a height of 0 follows from the picture.
     dpi
-        Dots in an inch of a PNG.
+        Dots per inch of a PNG.
     """
 
     name: str
@@ -96,9 +98,9 @@ class Layout:
     dpi: int = 300
 
     def size_px(self, usual: tuple[int, int], below: Below | None = None) -> tuple[int, int]:
-        """Width and height, px, of a picture that usually has the size ``usual``.
+        """Return width and height, px, of a picture that usually has the size ``usual``.
 
-        Where the height follows from the picture, what stands ``below`` comes to it.
+        A height that follows from the picture includes the caption ``below``.
         """
         width = round(self.width_in * PER_INCH)
         if self.height_in:
@@ -107,23 +109,21 @@ class Layout:
         return width, height + (0 if below is None else below(width, height))
 
 
-#: Columns are those of IEEE's journals; a poster's figure is as wide as a sheet of A3.
+#: Column widths are those of IEEE's journals; a poster's figure is as wide as a sheet of A3.
 LAYOUTS = (
     Layout(name="column", title="One column (89 mm)", width_in=3.5),
     Layout(name="two_columns", title="Two columns (182 mm)", width_in=7.16),
     Layout(name="slide", title="Slide (16 : 9)", width_in=13.333, height_in=7.5, dpi=144),
     Layout(name="poster", title="Poster (420 mm)", width_in=16.54),
 )
-#: What has none of these sizes.
+#: Name of a size that is none of these.
 OWN = "own"
 
 
 def layout_of(name: str) -> Layout | None:
-    """The layout of that name; None for a size of one's own."""
-    return next((one for one in LAYOUTS if one.name == name), None)
+    """Return the layout of that name; None for any other size."""
+    return next((layout for layout in LAYOUTS if layout.name == name), None)
 
-
-# Pages whose words are found by those who search and copy.
 
 _LETTERS_OF_FONT = re.compile(rb"/ToUnicode (\d+) 0 R")
 _TRAILER = re.compile(rb"trailer\s*<<(.*)>>\s*startxref\s*(\d+)\s*%%EOF\s*$", re.DOTALL)
@@ -132,45 +132,42 @@ _TAB, _BLANK = b"<0009>", b"<0020>"
 
 
 def searchable(pdf: bytes) -> bytes:
-    """Return a page that Qt has written, with blanks between its words.
+    """Return a PDF page that Qt has written, with blanks between its words.
 
-    A tab and a blank are one empty letter of a font, and Qt says of a letter the first thing that
-    it stands for: a search for two words would find nothing.  What its fonts say is mended in an
-    update at the end of the file, as the format has it; the page itself stays as it is.
+    Qt maps the empty letter of a font to a tab, so that a search for two words finds nothing.  An
+    incremental update at the end of the file repairs these maps; the page itself does not change.
     """
     end = _TRAILER.search(pdf)
     numbers = sorted({int(number) for number in _LETTERS_OF_FONT.findall(pdf)})
-    mended = {number: _mended(pdf, number) for number in numbers}
-    if end is None or not any(mended.values()):
+    repaired = {number: _repaired_map(pdf, number) for number in numbers}
+    if end is None or not any(repaired.values()):
         return pdf
-    whole, places = bytearray(pdf), {}
-    for number, letters in mended.items():
+    updated, places = bytearray(pdf), {}
+    for number, letters in repaired.items():
         if letters:
-            places[number] = len(whole)
-            whole += b"%d 0 obj\n<</Length %d>>\nstream\n" % (number, len(letters))
-            whole += letters + b"\nendstream\nendobj\n"
-    table = len(whole)
+            places[number] = len(updated)
+            updated += b"%d 0 obj\n<</Length %d>>\nstream\n" % (number, len(letters))
+            updated += letters + b"\nendstream\nendobj\n"
+    table = len(updated)
     rows = b"".join(b"%d 1\n%010d 00000 n \n" % place for place in places.items())
-    whole += b"xref\n" + rows
-    whole += b"trailer\n<<%s/Prev %s\n>>\nstartxref\n%d\n%%%%EOF\n" % (end[1], end[2], table)
-    return bytes(whole)
+    updated += b"xref\n" + rows
+    updated += b"trailer\n<<%s/Prev %s\n>>\nstartxref\n%d\n%%%%EOF\n" % (end[1], end[2], table)
+    return bytes(updated)
 
 
-def _mended(pdf: bytes, number: int) -> bytes:
-    """What the letters of a font mean, with blanks; nothing where there is nothing to mend."""
-    found = re.search(
+def _repaired_map(pdf: bytes, number: int) -> bytes:
+    """Return the repaired letter map of a font; empty where nothing has to be repaired."""
+    stream = re.search(
         rb"(?<!\d)%d 0 obj\s*<<(.*?)>>\s*stream\r?\n(.*?)\r?\nendstream" % number, pdf, re.DOTALL
     )
-    if found is None:
+    if stream is None:
         return b""
-    letters = zlib.decompress(found[2]) if b"/FlateDecode" in found[1] else found[2]
-    mended = _MEANINGS.sub(lambda meanings: meanings[0].replace(_TAB, _BLANK), letters)
-    return b"" if mended == letters else mended
+    letters = zlib.decompress(stream[2]) if b"/FlateDecode" in stream[1] else stream[2]
+    repaired = _MEANINGS.sub(lambda meanings: meanings[0].replace(_TAB, _BLANK), letters)
+    return b"" if repaired == letters else repaired
 
 
-# Pictures are written whole or not at all.
-
-#: Draws a picture with a painter, so wide and so high, px; may take a ``theme`` too.
+#: Draws a picture: painter, width and height in px, and for some a ``theme``.
 Draw = Callable[..., None]
 
 _POINTS = 72
@@ -202,20 +199,20 @@ def save_drawing(
     title: str = "SkinSource",
     dpi: int = PER_INCH,
 ) -> None:
-    """Write what ``draw`` draws to ``path``, as its ending says: PNG, or lines as SVG or PDF.
+    """Write a drawing to ``path``: as PNG, SVG or PDF, by its suffix.
 
     Parameters
     ----------
     path
-        The file; another ending than ``.svg`` and ``.pdf`` means PNG.
+        The file; another suffix than ``.svg`` and ``.pdf`` means PNG.
     draw
         Draws the picture.
     width, height
-        Of the picture, px; 96 of them are an inch of a page.
+        Size of the picture, px; 96 of them are an inch of a page.
     title
-        What readers of drawings and pages are told.
+        Title of an SVG or PDF document.
     dpi
-        Dots in an inch of a PNG.
+        Dots per inch of a PNG.
 
     Raises
     ------
@@ -235,7 +232,7 @@ def save_drawing(
 
 
 def drawn_image(draw: Draw, width: int, height: int, dpi: int = PER_INCH) -> QImage:
-    """What ``draw`` draws, as pixels: of so many in an inch, of which it has 96."""
+    """Return a drawing of ``width`` by ``height`` px as an image with ``dpi`` dots per inch."""
     scale = dpi / PER_INCH
     size = QSize(max(round(width * scale), 1), max(round(height * scale), 1))
     image = QImage(size, QImage.Format.Format_RGB32)
@@ -244,18 +241,18 @@ def drawn_image(draw: Draw, width: int, height: int, dpi: int = PER_INCH) -> QIm
             f"A picture of {size.width()} x {size.height()} pixels does not fit into memory. "
             "Choose a smaller size or resolution, or save it as SVG or PDF."
         )
-    # Letters are sized in points, by the dots of the image: with those of the file they would grow
-    # twice, and out of their places.
-    _say_dots(image, PER_INCH)
+    # Letters are sized in points by the resolution of the image: with that of the file they would
+    # grow twice.
+    _set_resolution(image, PER_INCH)
     painter = QPainter(image)
     painter.scale(size.width() / width, size.height() / height)
     draw(painter, width, height)
     painter.end()
-    _say_dots(image, dpi)
+    _set_resolution(image, dpi)
     return image
 
 
-def _say_dots(image: QImage, dpi: int) -> None:
+def _set_resolution(image: QImage, dpi: int) -> None:
     dots = round(dpi * _INCHES_IN_METRE)
     image.setDotsPerMeterX(dots)
     image.setDotsPerMeterY(dots)
@@ -287,19 +284,15 @@ def _pdf(device: QIODevice, draw: Draw, width: int, height: int, title: str) -> 
     painter.end()
 
 
-# A widget that can be drawn for a page or a slide.
-
-
 class Pictured(QWidget):
-    """Draws itself as it is, unless it knows better."""
+    """A widget that can be drawn for a page or a slide."""
 
     def draw_picture(
         self, painter: QPainter, width: int, height: int, theme: Theme = LIGHT
     ) -> None:
-        """Draw what it shows for a page or a slide; size in px.
+        """Draw what the widget shows; size in px.
 
-        Unless it knows better that is in the colours in use: whoever wants others sees to it that
-        these are in use.
+        Here the widget has the colours in use, and ``theme`` gives only the background.
         """
         scale = min(width / max(self.width(), 1), height / max(self.height(), 1))
         painter.save()
@@ -307,17 +300,17 @@ class Pictured(QWidget):
         painter.translate((width - scale * self.width()) / 2, 0.0)
         painter.scale(scale, scale)
         flags = QWidget.RenderFlag.DrawWindowBackground | QWidget.RenderFlag.DrawChildren
-        with on_paper(), _as_lines(self):
+        with on_paper(), _without_cache(self):
             self.render(painter, QPoint(), QRegion(), flags)
         painter.restore()
 
 
 @contextmanager
-def _as_lines(widget: QWidget) -> Iterator[None]:
-    """Have scenes drawn as lines and letters, not as the pictures that are kept of them."""
+def _without_cache(widget: QWidget) -> Iterator[None]:
+    """Draw scenes as lines and letters, not as the pixels that views and items cache."""
     views = widget.findChildren(QGraphicsView)
-    grounds = {view: view.cacheMode() for view in views}
-    kept = {
+    view_modes = {view: view.cacheMode() for view in views}
+    item_modes = {
         item: item.cacheMode()
         for view in views
         for item in view.scene().items()
@@ -325,23 +318,21 @@ def _as_lines(widget: QWidget) -> Iterator[None]:
     }
     for view in views:
         view.setCacheMode(QGraphicsView.CacheModeFlag.CacheNone)
-    for item in kept:
+    for item in item_modes:
         item.setCacheMode(QGraphicsItem.CacheMode.NoCache)
     try:
         yield
     finally:
-        for view, ground in grounds.items():
-            view.setCacheMode(ground)
-        for item, mode in kept.items():
+        for view, view_mode in view_modes.items():
+            view.setCacheMode(view_mode)
+        for item, mode in item_modes.items():
             item.setCacheMode(mode)
 
 
-# A picture that can be drawn, and how large it usually is.
-
-#: In place of the name of a panel: the one in use, and all that are in sight.
+#: In place of the name of a panel: the panel in use, and all visible panels.
 IN_USE, ALL_IN_SIGHT = "panel in use", "all panels in sight"
 
-#: Asked for the height of letters, px, in a picture of that width and height.
+#: Returns the height of the smallest letters in a picture of this width and height, px.
 Letters = Callable[[int, int], float]
 
 
@@ -352,17 +343,15 @@ class WholePicture:
     Attributes
     ----------
     draw
-        Draws it, with a ``theme`` for its colours.
+        Draws it, with a ``theme`` for its colours; the caption is part of it.
     title
-        Of the panel that it shows; "" where that is more than one.
-    caption
-        The words below it, which are a part of what is drawn.
+        Title of the panel; "" for more than one panel.
     size_px
-        Width and height that it usually has; None: whoever wants it knows.
+        Usual width and height; None: the caller decides.
     seen
-        What part of it is in sight, for whoever draws the same by other means; None: all of it.
+        The visible part, for who draws the same by other means; None: all of it.
     letters_px
-        Height of its smallest letters where these shrink and grow with it; None: they do not.
+        Height of its smallest letters where they scale with the picture; None: they do not.
     """
 
     draw: Draw
@@ -373,135 +362,129 @@ class WholePicture:
     letters_px: Letters | None = None
 
 
-# What is played, in the words that stand below a picture.
-
-# Clips of one input, and inputs, that are told apart; more are counted.
+# Clips of one input, and inputs, that a caption describes; it counts the rest.
 _MOST_CLIPS, _MOST_INPUTS = 3, 6
-#: Where a line may end: a number stays with its unit, and a unit is not broken at its slash.
+#: Where a line may break: a number stays with its unit.
 BREAKS = re.compile(r"(?<!\d) | (?![^\W\d]|°)")
-# What stands behind a number, or behind a word: a unit, and what parts it from what follows.
-_BEHIND = re.compile(r"(?<=\d)(?:\s[^\d]*|[^\w.]*)$|[,;:.()]*$")
+# The unit after a number, and the punctuation after a number or word.
+_UNIT_AND_PUNCTUATION = re.compile(r"(?<=\d)(?:\s[^\d]*|[^\w.]*)$|[,;:.()]*$")
 
-#: A design, and what it is called where it is shown.
+#: A design with the name under which it is shown.
 Named = tuple[str, Design]
 
 
 def stimulus_text(design: Design) -> str:
-    """What is heard, where, how strong."""
-    heard = audible_inputs(design.inputs)
-    said = [_input_words(one, design) for one in heard[:_MOST_INPUTS]]
-    if len(heard) > _MOST_INPUTS:
-        said.append(f"and {counted(len(heard) - _MOST_INPUTS, 'more input')}")
-    return "; ".join(said) or "Silent: nothing is driven"
+    """Describe what is played, where, and how strong."""
+    audible = audible_inputs(design.inputs)
+    parts = [_input_text(track, design) for track in audible[:_MOST_INPUTS]]
+    if len(audible) > _MOST_INPUTS:
+        parts.append(f"and {counted(len(audible) - _MOST_INPUTS, 'more input')}")
+    return "; ".join(parts) or "Silent: nothing is driven"
 
 
 def stimuli_text(named: Sequence[Named]) -> str:
-    """The stimuli of designs side by side: what they have in common once, what differs of each.
+    """Describe the stimuli of several designs.
 
-    Where they are made alike, numbers that differ stand beside each other, ``"Tone 50/100 Hz"``,
-    in the order of their names; else each is told by itself.
+    Where only numbers differ, they stand side by side in the order of the names, as in
+    ``"Tone 50/100 Hz"``; else each design has a sentence of its own.
     """
-    told = [stimulus_text(design) for _, design in named]
+    texts = [stimulus_text(design) for _, design in named]
     if len(named) == 1:
-        return told[0]
+        return texts[0]
     names = [name for name, _ in named]
-    words = [BREAKS.split(one) for one in told]
-    if len({len(one) for one in words}) == 1:
-        together = " ".join(_beside(column) for column in zip(*words, strict=True))
-        return f"{_listed(names)}: {together}"
-    return ". ".join(f"{name}: {one}" for name, one in zip(names, told, strict=True))
+    rows = [BREAKS.split(text) for text in texts]
+    if len({len(row) for row in rows}) == 1:
+        combined = " ".join(_side_by_side(column) for column in zip(*rows, strict=True))
+        return f"{_listed(names)}: {combined}"
+    return ". ".join(f"{name}: {text}" for name, text in zip(names, texts, strict=True))
 
 
 def common_title(titles: Sequence[str]) -> str:
-    """What titles have in common, of their parts between middle dots; empty where it is nothing."""
-    parts = [one.split(" · ") for one in titles]
-    alike: list[str] = []
+    """Return the leading parts, between middle dots, that all titles have in common; else ""."""
+    parts = [title.split(" · ") for title in titles]
+    common: list[str] = []
     for column in zip(*parts, strict=False):
         if len(set(column)) > 1:
             break
-        alike.append(column[0])
-    return " · ".join(alike)
+        common.append(column[0])
+    return " · ".join(common)
 
 
 def _listed(names: Sequence[str]) -> str:
-    """``"Edited, Snapshots 1, 2"``: what the last names begin with is said once."""
+    """List names; a common first word of the last ones stands once: "Edited, Snapshots 1, 2"."""
     first = names[-1].partition(" ")[0]
-    numbers = [one.removeprefix(f"{first} ") for one in names if one.startswith(f"{first} ")]
+    numbers = [name.removeprefix(f"{first} ") for name in names if name.startswith(f"{first} ")]
     before = names[: len(names) - len(numbers)]
-    if len(numbers) < 2 or any(one.startswith(f"{first} ") for one in before):
+    if len(numbers) < 2 or any(name.startswith(f"{first} ") for name in before):
         return ", ".join(names)
     return ", ".join((*before, f"{first}s {', '.join(numbers)}"))
 
 
-def _beside(words: Sequence[str]) -> str:
+def _side_by_side(words: Sequence[str]) -> str:
     """``"50/100 Hz,"`` of ``"50 Hz,"`` and ``"100 Hz,"``."""
     if len(set(words)) == 1:
         return words[0]
-    behind = {_behind(one) for one in words}
-    if len(behind) > 1:
+    endings = {_unit_and_punctuation(word) for word in words}
+    if len(endings) > 1:
         return "/".join(words)
-    [last] = behind
-    return "/".join(one.removesuffix(last) for one in words) + last
+    [last] = endings
+    return "/".join(word.removesuffix(last) for word in words) + last
 
 
-def _behind(word: str) -> str:
-    found = _BEHIND.search(word)
-    return found[0] if found else ""
+def _unit_and_punctuation(word: str) -> str:
+    match = _UNIT_AND_PUNCTUATION.search(word)
+    return match[0] if match else ""
 
 
-def _input_words(one: Input, design: Design) -> str:
-    clips = [clip for clip in one.clips if not clip.muted]
-    said = [_clip_words(clip) for clip in clips[:_MOST_CLIPS]]
+def _input_text(track: Input, design: Design) -> str:
+    clips = [clip for clip in track.clips if not clip.muted]
+    texts = [_clip_text(clip) for clip in clips[:_MOST_CLIPS]]
     if len(clips) > _MOST_CLIPS:
-        said.append(counted(len(clips) - _MOST_CLIPS, "more clip"))
-    curve = f", with a gain curve {_points(one.gain_curve)}" if one.gain_curve else ""
-    strength = amplitude_text(design, one)
-    return f"Place {one.location}, {strength}{curve}: {', '.join(said) or 'no clips'}"
+        texts.append(counted(len(clips) - _MOST_CLIPS, "more clip"))
+    curve = f", with a gain curve {_points(track.gain_curve)}" if track.gain_curve else ""
+    strength = amplitude_text(design, track)
+    return f"Place {track.location}, {strength}{curve}: {', '.join(texts) or 'no clips'}"
 
 
-def _clip_words(clip: Clip) -> str:
+def _clip_text(clip: Clip) -> str:
     parts = full_label(clip.waveform), duration_text(clip.duration_s)
     onset = f"at {clip.onset_s * 1e3:g} ms" if clip.onset_s else ""
     gain = f"gain {clip.gain:g}" if clip.gain != 1.0 else ""
-    effects = _effects_words(clip)
+    effects = _effect_texts(clip)
     through = f"through {', '.join(effects)}" if effects else ""
     return " ".join(part for part in (", ".join(parts), onset, gain, through) if part)
 
 
-def _effects_words(clip: Clip) -> list[str]:
-    """What a clip goes through, each in words, in their order."""
-    said, lasts_s = [], clip.waveform.duration_s
-    for one in clip.effects:
-        if one.on and _changes(one):
-            said.append(_effect_words(one, lasts_s))
-        lasts_s = one.length(lasts_s) if one.on else lasts_s
-    return said
+def _effect_texts(clip: Clip) -> list[str]:
+    """Return the texts of the effects of a clip that are on, in their order."""
+    texts, lasts_s = [], clip.waveform.duration_s
+    for effect in clip.effects:
+        changes = not (isinstance(effect, Envelope) and effect.points == UNCHANGED)
+        if effect.on and changes:
+            texts.append(_effect_text(effect, lasts_s))
+        lasts_s = effect.length(lasts_s) if effect.on else lasts_s
+    return texts
 
 
-def _effect_words(effect: Effect, lasts_s: float) -> str:
-    """``"fade"``, ``"an envelope of 12 points"``, ``"stretch ×2"`` of what lasts so long."""
+def _effect_text(effect: Effect, lasts_s: float) -> str:
+    """Return ``"fade"``, ``"an envelope of 12 points"``, or ``"stretch ×2"`` of ``lasts_s``."""
     if isinstance(effect, Envelope):
         return f"an envelope {_points(effect.points)}"
     if isinstance(effect, Stretch):
-        kept = " that keeps frequencies" if effect.pitch == "stays" else ""
-        return f"stretch ×{effect.factor_of(lasts_s):.3g}{kept}"
+        addition = " that keeps frequencies" if effect.pitch == "stays" else ""
+        return f"stretch ×{effect.factor_of(lasts_s):.3g}{addition}"
     return effect.title.lower()
-
-
-def _changes(effect: Effect) -> bool:
-    return not (isinstance(effect, Envelope) and effect.points == UNCHANGED)
 
 
 def _points(curve: Sequence[object]) -> str:
     return f"of {counted(len(curve), 'point')}"
 
 
-# What stands below a picture: the stimulus that it belongs to, and what it is not good for.
-
-# Height of its letters, as a part of the smaller side of the picture, and their limits, px.
+# Height of the letters of a caption, as a part of the smaller side of the picture; their limits,
+# px.
 _PART, _SMALLEST_PX, _LARGEST_PX = 1 / 45, 8, 40
-# It takes this part of the height, or its letters are smaller; as small as can be read it may take
-# the larger part, and where that is too little, they are smaller still.
+# Letters shrink until the caption takes at most the first part of the height.  The smallest that
+# can be read may take the second part; where that is too little they shrink further.
 _PART_OF_HEIGHT, _MOST_OF_HEIGHT, _LEAST_PX = 0.16, 0.3, 5
 
 
@@ -512,39 +495,40 @@ def caption_of(
     limbs: Sequence[str] = (),
     notes: Sequence[str] = (),
 ) -> str:
-    """The stimulus in words, and the limb: what is heard, where, how strong.
+    """Describe the stimulus below a picture: what is played, where, how strong, on which limb.
 
     Parameters
     ----------
     design
-        What is played.
+        The design that is shown.
     compared
-        Designs that are shown side by side, with what they are called there; none: ``design`` is
-        shown alone.
+        Designs that are shown side by side, with their names; none: ``design`` is shown alone.
     limbs
-        Names of limbs on which something is shown beside the design's own.
+        Names of further limbs that are shown.
     notes
-        Sentences on these limbs, and on what it is not good for; see
-        `skinsource.perception.validity`.
+        Sentences on these limbs, and on validity; see `skinsource.perception.validity`.
     """
     named = compared or [("", design)]
-    designs = [one for _, one in named]
-    title = common_title([scenes.title_of(one) if one.title else "" for one in designs])
+    designs = [named_design for _, named_design in named]
+    title = common_title([scenes.title_of(each) if each.title else "" for each in designs])
     first = f"{sentence(title)} " if title else ""
-    scalings = dict.fromkeys(word_of(SCALINGS, one.scaling).title.lower() for one in designs)
-    titles = [limb_word(one).title for one in dict.fromkeys((*(d.limb for d in designs), *limbs))]
+    scalings = dict.fromkeys(word_of(SCALINGS, each.scaling).title.lower() for each in designs)
+    titles = [
+        limb_word(limb_name).title
+        for limb_name in dict.fromkeys((*(d.limb for d in designs), *limbs))
+    ]
     limb = f"Limb{'s' if len(titles) > 1 else ''}: {', '.join(titles)}"
-    through = dict.fromkeys(one.actuated.words for one in designs if one.actuated is not None)
+    through = dict.fromkeys(each.actuated.words for each in designs if each.actuated is not None)
     driven = f"; predicted through {', '.join(through)}" if through else ""
-    said_last = "".join(f" {one}" for one in notes)
+    remarks = "".join(f" {note}" for note in notes)
     scaling = ", ".join(scalings)
-    return minus(f"{first}{stimuli_text(named)}. {limb}; scaling: {scaling}{driven}.{said_last}")
+    return minus(f"{first}{stimuli_text(named)}. {limb}; scaling: {scaling}{driven}.{remarks}")
 
 
-def lines_of(words: str, metrics: QFontMetricsF, room_px: float) -> list[str]:
-    """Break ``words`` into lines that have room; a number and its unit stay together."""
+def lines_of(text: str, metrics: QFontMetricsF, room_px: float) -> list[str]:
+    """Break ``text`` into lines that fit ``room_px``; a number and its unit stay together."""
     lines: list[str] = []
-    for part in BREAKS.split(words):
+    for part in BREAKS.split(text):
         longer = f"{lines[-1]} {part}" if lines else part
         if lines and metrics.horizontalAdvance(longer) <= room_px:
             lines[-1] = longer
@@ -553,68 +537,68 @@ def lines_of(words: str, metrics: QFontMetricsF, room_px: float) -> list[str]:
     return lines
 
 
-def with_caption(draw: Draw, words: str) -> Draw:
-    """Return what draws a picture with ``words`` below; without any, all of it is the picture."""
-    return partial(_draw, draw, words) if words else draw
+def with_caption(draw: Draw, caption: str) -> Draw:
+    """Return a drawing function that adds ``caption`` below the picture, unless it is empty."""
+    return partial(_draw, draw, caption) if caption else draw
 
 
-def caption_px(words: str, width: int, height: int) -> int:
-    """How much higher a page is than a picture of this size, so that ``words`` have room below."""
-    if not words:
+def caption_px(caption: str, width: int, height: int) -> int:
+    """Return by how much ``caption`` makes a picture of this size higher, px."""
+    if not caption:
         return 0
     font, more = QFont(), 0
     for _ in range(4):
-        # Letters and edges grow with the page, a little less each time.
+        # Letters and edges grow with the page, by less each time.
         edge = _edge_px(width, height + more)
         font.setPixelSize(_letters_px(width, height + more))
-        lines = lines_of(words, QFontMetricsF(font), width - 2 * edge)
+        lines = lines_of(caption, QFontMetricsF(font), width - 2 * edge)
         more = ceil(_height(lines, font) + 1.5 * edge)
     return more
 
 
 def _draw(
-    draw: Callable[..., None],
-    words: str,
+    draw: Draw,
+    caption: str,
     painter: QPainter,
     width: int,
     height: int,
     theme: Theme = LIGHT,
 ) -> None:
-    lines, font, left, edge = _laid_out(words, painter.font(), width, height)
+    lines, font, left, edge = _laid_out(caption, painter.font(), width, height)
     painter.fillRect(QRectF(0, 0, width, height), QColor(theme.base))
     painter.save()
     draw(painter, width, left, theme=theme)
     painter.restore()
     painter.setFont(font)
     painter.setPen(QColor(theme.dim))
-    # Line by line: on a page of more dots lines of a text would stand a little further apart.
+    # Line by line: at a higher resolution Qt would space the lines of one text differently.
     metrics = QFontMetricsF(font)
     first = left + edge / 2 + metrics.ascent()
     for row, line in enumerate(lines):
         painter.drawText(QPointF(edge, first + row * metrics.lineSpacing()), line)
 
 
-def height_above(words: str, font: QFont, width: int, height: int) -> int:
-    """What `with_caption` leaves of the height for the picture itself."""
-    return _laid_out(words, font, width, height)[2] if words else height
+def height_above(caption: str, font: QFont, width: int, height: int) -> int:
+    """Return the height that `with_caption` leaves to the picture itself, px."""
+    return _laid_out(caption, font, width, height)[2] if caption else height
 
 
 def _laid_out(
-    words: str, font: QFont, width: int, height: int
+    caption: str, font: QFont, width: int, height: int
 ) -> tuple[list[str], QFont, int, float]:
-    """Lines and letters of the caption, where it begins, and its edge; px."""
+    """Return lines and font of the caption, its top, and its margin; px."""
     font = QFont(font)
     edge = _edge_px(width, height)
     room_px = width - 2 * edge
     font.setPixelSize(_letters_px(width, height))
-    lines = lines_of(words, QFontMetricsF(font), room_px)
+    lines = lines_of(caption, QFontMetricsF(font), room_px)
     for part, least_px in ((_PART_OF_HEIGHT, _SMALLEST_PX), (_MOST_OF_HEIGHT, _LEAST_PX)):
         while _height(lines, font) > part * height and font.pixelSize() > least_px:
             font.setPixelSize(font.pixelSize() - 1)
-            lines = lines_of(words, QFontMetricsF(font), room_px)
-    while _height(lines, font) > _MOST_OF_HEIGHT * height and len(words) > 1:
-        words = f"{words[: int(0.9 * len(words)) - 1].rstrip('…')}…"
-        lines = lines_of(words, QFontMetricsF(font), room_px)
+            lines = lines_of(caption, QFontMetricsF(font), room_px)
+    while _height(lines, font) > _MOST_OF_HEIGHT * height and len(caption) > 1:
+        caption = f"{caption[: int(0.9 * len(caption)) - 1].rstrip('…')}…"
+        lines = lines_of(caption, QFontMetricsF(font), room_px)
     left = max(int(height - _height(lines, font) - 1.5 * edge), 1)
     return lines, font, left, edge
 
@@ -631,11 +615,9 @@ def _height(lines: Sequence[str], font: QFont) -> float:
     return len(lines) * QFontMetricsF(font).lineSpacing()
 
 
-# How large a picture is, and in which colours.
-
 LAYOUT = ChoiceSpec(
     label="For",
-    options=((OWN, "A size of its own"), *((one.name, one.title) for one in LAYOUTS)),
+    options=((OWN, "A size of its own"), *((layout.name, layout.title) for layout in LAYOUTS)),
     hint="Width and height for a column of a paper, a slide, or a poster",
 )
 _SIDE: dict[str, Any] = {
@@ -667,16 +649,14 @@ COLOURS = ChoiceSpec(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PictureOptions:
-    """What is asked before a picture is written.
+    """What the user is asked before a picture is written.
 
     Attributes
     ----------
     layout
         Name of a layout, or `OWN`.
-    width_px, height_px
-        Its size.
     dpi
-        Dots in an inch of a PNG.
+        Dots per inch of a PNG.
     colours
         Name of a theme.
     """
@@ -697,26 +677,26 @@ class PictureOptions:
 
     @property
     def unused(self) -> frozenset[str]:
-        """Names of the fields that say nothing beside the values of the others."""
+        """Names of the fields that have no effect beside the values of the others."""
         return frozenset()
 
     @property
-    def pixels_words(self) -> str:
-        """How many pixels it has where it is made of pixels."""
-        across, down = (round(one * self.dpi / PER_INCH) for one in (self.width_px, self.height_px))
+    def pixels_text(self) -> str:
+        """Width and height of a PNG, in pixels."""
+        across, down = (
+            round(side_px * self.dpi / PER_INCH) for side_px in (self.width_px, self.height_px)
+        )
         return f"In pixels: {across} × {down}"
 
 
 @dataclass(frozen=True, slots=True)
 class Remark:
-    """What is to be known of a picture before it is written.
+    """A remark on a picture before it is written.
 
     Attributes
     ----------
-    words
-        Sentences.
     warns, refuses
-        Whether it will not be as it is wanted; whether it cannot be written at all.
+        Whether the picture will have a flaw; whether it cannot be written at all.
     """
 
     words: str
@@ -724,36 +704,34 @@ class Remark:
     refuses: bool = False
 
 
-#: Asked for what is to be known of a picture with these options.
+#: Returns the remark on a picture with these options.
 RemarkOf = Callable[[Any], Remark]
 
 
 class PictureDialog(QDialog):
-    """Lets the user change `PictureOptions`, or what more than these a picture takes.
+    """Lets the user change `PictureOptions`, or a subclass of them.
 
     Parameters
     ----------
     options
-        To begin with.
+        The options to begin with.
     title, kinds
-        Of the window; what can be written, in words, unless that is among the options.
+        Title of the window; names of the file formats, unless they are among the options.
     most_px
         Pixels that the longer side may have: the resolution of a layout is lowered to it.
     remark
-        Says what else is to be known before it is written.
+        Returns the remark on the present options.
     shape
-        Width and height that the picture usually has; those of ``options`` unless given.
+        Usual width and height of the picture; those of ``options`` unless given.
     below
-        Says how much higher a page is that has words below the picture.
+        Returns by how much the caption makes the page higher, px.
 
     Attributes
     ----------
     options
-        As they are in the fields.
-    pixels
-        Says how many pixels the file has: width and height are those of an inch of a page.
-    said
-        What is to be known besides.
+        The options as they are in the fields.
+    pixels, remark_label
+        Labels of the size in pixels, and of the remark.
     """
 
     def __init__(
@@ -778,10 +756,10 @@ class PictureDialog(QDialog):
             self._cells[name] = self._cell(name, spec)
         self.pixels = QLabel()
         form.addRow(self.pixels)
-        self.said = QLabel()
-        self.said.setObjectName("picture_remark")
-        self.said.setWordWrap(True)
-        form.addRow(self.said)
+        self.remark_label = QLabel()
+        self.remark_label.setObjectName("picture_remark")
+        self.remark_label.setWordWrap(True)
+        form.addRow(self.remark_label)
         whether = f", and whether as {kinds}" if kinds else ""
         form.addRow(QLabel(f"The next step asks where to{whether}."))
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
@@ -790,18 +768,18 @@ class PictureDialog(QDialog):
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         form.addRow(buttons)
-        self._tell()
+        self._show_options()
 
     def _cell(self, name: str, spec: Spec) -> FieldCell:
         cell = FieldCell(name, spec, self)
         cell.set_value(getattr(self.options, name))
-        cell.edited.connect(self._take)
+        cell.edited.connect(self._edit)
         cell.field.installEventFilter(self)
         self._form.addRow(cell.label, cell)
         return cell
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        # In the studio's panels Enter begins to type; a dialog is done with it.
+        # In the studio's panels Enter begins to type; in a dialog it accepts.
         if (
             isinstance(event, QKeyEvent)
             and event.type() == QEvent.Type.KeyPress
@@ -821,7 +799,7 @@ class PictureDialog(QDialog):
             self.resize(self.width(), max(self.height(), needed))
         return done
 
-    def _take(self, name: str, value: object, _gesture: int | None) -> None:
+    def _edit(self, name: str, value: object, _gesture: int | None) -> None:
         spec = specs_of(self.options)[name]
         if isinstance(value, float) and isinstance(spec, NumberSpec) and spec.whole:
             value = int(value)
@@ -838,23 +816,23 @@ class PictureDialog(QDialog):
         self.options = replace(self.options, **changes)
         for other in changes.keys() - {name}:
             self._cells[other].set_value(getattr(self.options, other))
-        self._tell()
+        self._show_options()
 
-    def _tell(self) -> None:
-        """Say what follows from the options, and show the fields that say something with them."""
+    def _show_options(self) -> None:
+        """Show what follows from the options, and the fields that have an effect."""
         for name, cell in self._cells.items():
             self._form.setRowVisible(cell, name not in self.options.unused)
-        self.pixels.setText(self.options.pixels_words)
+        self.pixels.setText(self.options.pixels_text)
         remark = Remark("") if self._remark is None else self._remark(self.options)
         tones = {(True, False): "warning", (False, True): "error"}
-        set_tone(self.said, tones.get((remark.warns, remark.refuses), ""))
-        self.said.setText(remark.words)
-        self._form.setRowVisible(self.said, bool(remark.words))
+        set_tone(self.remark_label, tones.get((remark.warns, remark.refuses), ""))
+        self.remark_label.setText(remark.words)
+        self._form.setRowVisible(self.remark_label, bool(remark.words))
         self._save.setEnabled(not remark.refuses)
 
 
 def _specs(options: PictureOptions) -> dict[str, Spec]:
-    """Of all fields; what a picture shows stands above how large it is."""
+    """Return the specifications of all fields: content first, size last."""
     usual, every = specs_of(PictureOptions), specs_of(options)
     return {name: spec for name, spec in every.items() if name not in usual} | usual
 
@@ -862,9 +840,9 @@ def _specs(options: PictureOptions) -> dict[str, Spec]:
 def ask_picture_options(
     parent: QWidget, options: PictureOptions, **about: Any
 ) -> PictureOptions | None:
-    """Let the user change ``options``; None if there is to be no picture.
+    """Let the user change ``options``; return None if the dialog is cancelled.
 
-    ``about`` is what `PictureDialog` takes besides.
+    ``about`` are the other arguments of `PictureDialog`.
     """
     dialog = PictureDialog(options, parent, **about)
     accepted = dialog.exec() == QDialog.DialogCode.Accepted
@@ -872,17 +850,14 @@ def ask_picture_options(
     return dialog.options if accepted else None
 
 
-# Whether the letters of a picture can be read in print.
-
-#: Journals take no smaller ones.
+#: The smallest letters that journals accept, points.
 SMALLEST_PT = 5.0
-_LETTERS_POINTS = 72.0
-# A width that is said is a multiple of it.
+# A width that a remark proposes is a multiple of this.
 _ROUND_PX = 10
 
 
 def letters_remark(picture: WholePicture) -> RemarkOf | None:
-    """What says how small letters become in print; None where they keep their size."""
+    """Return what warns of letters too small for print; None where letters keep their size."""
     letters_px, usual = picture.letters_px, picture.size_px
     if letters_px is None or usual is None:
         return None
@@ -897,9 +872,9 @@ def _remark(
         return Remark("")
     needed_px = ceil(options.width_px * SMALLEST_PT / size_pt / _ROUND_PX) * _ROUND_PX
     large = [
-        one.title
-        for one in LAYOUTS
-        if _letters_points(letters_px, *one.size_px(usual, below)) >= SMALLEST_PT
+        layout.title
+        for layout in LAYOUTS
+        if _letters_points(letters_px, *layout.size_px(usual, below)) >= SMALLEST_PT
     ]
     sizes = [f"a width of {needed_px} px", *large]
     choose = f"{', '.join(sizes[:-1])} or {sizes[-1]}" if large else sizes[0]
@@ -912,4 +887,4 @@ def _remark(
 
 
 def _letters_points(letters_px: Letters, width: int, height: int) -> float:
-    return letters_px(width, height) * _LETTERS_POINTS / PER_INCH
+    return letters_px(width, height) * _POINTS / PER_INCH

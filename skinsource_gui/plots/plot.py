@@ -1,8 +1,12 @@
-"""What all our views of pyqtgraph have in common."""
+"""Plots of curves over one x axis, on pyqtgraph, with crosshair, playhead, zoom and pan.
+
+`Canvas` is the base of all views of pyqtgraph.  `Crosshair`, `Playhead` and `Navigation` are parts
+of `Plot`.
+"""
 
 from bisect import bisect_left, bisect_right
 from math import floor, log10
-from typing import Any, ClassVar, Protocol
+from typing import Any, ClassVar
 
 import numpy as np
 import pyqtgraph
@@ -58,36 +62,36 @@ from skinsource_gui.qt.wheel import ScrollingOn
 
 
 class Canvas(pyqtgraph.GraphicsView):
-    """A view with a frame while it has the keyboard, and with keys of its own.
+    """A view with a frame while it has the focus, and with keys of its own.
 
     Attributes
     ----------
     key_place
-        Where in the table of keys its own stand.
+        Place in the table of keys that lists its keys.
     scrolling_on
-        Knows when the wheel is for what is around it.
+        Tells when the wheel scrolls what is around the view.
     """
 
     key_place: ClassVar[str] = ""
 
     def __init__(self, parent: QWidget | None = None, **options: Any) -> None:
-        # Each move of the mouse counts, however quick: the last one is where it stopped.
+        # No move of the mouse may be skipped: the last one is where it stopped.
         pyqtgraph.setConfigOption("mouseRateLimit", 0)
         super().__init__(parent, **options)
         self.scrolling_on = ScrollingOn(self)
 
     def take_look(self) -> None:
-        """Take over colours and font, also where a picture of an item is kept."""
+        """Use the present colours and font, also in items that cache a picture."""
         self.setBackground(QColor(current_theme().base))
         for item in self.scene().items():
             item.update()
 
     def claims(self, event: QKeyEvent) -> bool:
-        """Whether it wants this key for itself, whatever the window's actions are."""
+        """Return whether the view handles this key, before any shortcut of the window."""
         return bool(meaning_of(self.key_place, event))
 
     def lay_out(self) -> None:
-        """Put everything where it belongs in the size that there is now."""
+        """Lay out everything in the present size."""
 
     def event(self, event: QEvent) -> bool:
         return claims_shortcut(event, self.claims) or super().event(event)
@@ -130,39 +134,26 @@ class Canvas(pyqtgraph.GraphicsView):
             self.lay_out()
 
 
-# What a plot reads, and where.
-
-
-class Readable(Protocol):
-    """What a crosshair asks of a plot."""
-
-    curves: Curves | None
-    x_window: XWindow
-    value_scale: ValueScale
-    stacked: bool
-    stack: Stack
-
-
 class Crosshair(QObject):
     """Reads each curve of a plot at one of its samples.
 
     Attributes
     ----------
     index
-        Of the sample, or ``None``.
+        Index of the sample, or None.
     """
 
-    #: It reads another sample, and is drawn there.
+    #: The crosshair reads another sample, and is drawn there.
     moved = Signal()
 
-    def __init__(self, plot: Readable, parent: QObject) -> None:
-        super().__init__(parent)
+    def __init__(self, plot: "Plot") -> None:
+        super().__init__(plot)
         self._plot = plot
         self.index: int | None = None
 
     @property
     def position(self) -> float | None:
-        """Where it is on the x axis; ``None`` where there is none in the visible part."""
+        """Position on the x axis; None outside of the visible part."""
         plot = self._plot
         if plot.curves is None or self.index is None:
             return None
@@ -180,16 +171,12 @@ class Crosshair(QObject):
             self.moved.emit()
 
     def follow(self, curves: Curves) -> None:
-        """Stay where it is when ``curves`` take the place of those that are shown."""
+        """Stay at the same x when ``curves`` replace those that are shown."""
         if self._plot.curves is not None and self.index is not None:
             self.index = curves.nearest(float(self._plot.curves.x[self.index]))
 
-    def forget(self) -> None:
-        """Read nothing: the curves are gone."""
-        self.index = None
-
     def draw(self) -> None:
-        """Draw it over what is shown."""
+        """Draw the crosshair over the curves."""
         plot, position = self._plot, self.position
         if plot.curves is None or position is None:
             plot.stack.show_crosshair(None, ())
@@ -198,8 +185,6 @@ class Crosshair(QObject):
         heights = plot.value_scale.heights(plot.curves.y[:n_drawn, self.index])
         plot.stack.show_crosshair(position, heights.tolist())
 
-
-# The playhead in a plot over time.
 
 _HANDLE_PX = 10.0
 
@@ -214,29 +199,25 @@ class PlayheadLine(pyqtgraph.InfiniteLine):
         self.setZValue(20)
         self.setCursor(Qt.CursorShape.SizeHorCursor)
 
-    def take_colours(self) -> None:
-        """Take over the colours in use."""
+    def update_colours(self) -> None:
+        """Use the present colours."""
         theme = current_theme()
         self.setPen(QPen(QColor(theme.error), 0))
         self.setHoverPen(QPen(QColor(theme.accent), 0))
 
-    def let_go(self) -> None:
-        """Stay where it is, whatever the mouse does until its button goes up."""
-        self.moving = False
-
 
 class Playhead(QObject):
-    """One line in each row of a plot, all at the same time; dragged, it tells where to.
+    """The playhead of a plot over time: one line in each row, which can be dragged.
 
     Attributes
     ----------
     time_s
-        Where it is; None: there is none.
+        Its time; None: there is no playhead.
     moved
         How often lines were moved.
     """
 
-    #: The time to which it shall go, s.
+    #: The time to which the user drags the playhead, s.
     wanted = Signal(float)
 
     def __init__(self, parent: QObject) -> None:
@@ -244,28 +225,28 @@ class Playhead(QObject):
         self.time_s: float | None = None
         self.moved = 0
         self._lines: list[PlayheadLine] = []
-        # Which line is dragged, and where it was before.
-        self._held: tuple[PlayheadLine, float] | None = None
+        # The line that is dragged, and its time before.
+        self._drag: tuple[PlayheadLine, float] | None = None
 
     def watch(self, view: PlotViewBox) -> None:
-        """Show it in one more row."""
+        """Show the playhead in a further row."""
         line = PlayheadLine()
-        line.take_colours()
+        line.update_colours()
         line.setVisible(self.time_s is not None)
         if self.time_s is not None:
             line.setPos(QPointF(self.time_s, 0.0))
-        line.sigDragged.connect(self._drag)
-        line.sigPositionChangeFinished.connect(self._let_go)
+        line.sigDragged.connect(self._move)
+        line.sigPositionChangeFinished.connect(self._end_drag)
         view.addItem(line, ignoreBounds=True)
         self._lines.append(line)
 
-    def take_colours(self) -> None:
-        """Take over the colours in use."""
+    def update_colours(self) -> None:
+        """Use the present colours."""
         for line in self._lines:
-            line.take_colours()
+            line.update_colours()
 
     def show_at(self, time_s: float) -> None:
-        """Put it there, and tell nobody; nothing but the lines is painted again."""
+        """Move the lines without a signal; nothing else is painted again."""
         if time_s == self.time_s:
             return
         appears, self.time_s = self.time_s is None, time_s
@@ -276,77 +257,65 @@ class Playhead(QObject):
                 line.show()
 
     def cancel(self) -> bool:
-        """Give up a drag; whether there was one."""
-        held, self._held = self._held, None
-        if held is None:
+        """Cancel a drag; return whether there was one."""
+        drag, self._drag = self._drag, None
+        if drag is None:
             return False
-        line, before_s = held
-        line.let_go()
+        line, before_s = drag
+        # pyqtgraph would move the line until the button goes up.
+        line.moving = False
         self.wanted.emit(before_s)
         return True
 
-    def _drag(self, line: PlayheadLine) -> None:
-        if self._held is None:
-            self._held = (line, self.time_s or 0.0)
+    def _move(self, line: PlayheadLine) -> None:
+        if self._drag is None:
+            self._drag = (line, self.time_s or 0.0)
         before_s, self.time_s = self.time_s or 0.0, None
         pixel_s = float(line.getViewBox().viewPixelSize()[0])
         self.wanted.emit(round_time(float(line.value()), pixel_s))
-        # The line is under the pointer: it goes where it was told to, or back.
+        # The line is under the pointer: unless a slot has placed it, it goes back.
         if self.time_s is None:
             self.show_at(before_s)
 
-    def _let_go(self, line: PlayheadLine) -> None:
-        self._held = None
+    def _end_drag(self, line: PlayheadLine) -> None:
+        self._drag = None
 
 
 def round_time(time_s: float, pixel_s: float) -> float:
-    """A time that is not before 0, with no more digits than a pixel tells apart."""
+    """Return a time of at least 0, with no more digits than a pixel can show."""
     if not pixel_s > 0.0:
         return max(time_s, 0.0)
     digits = -floor(log10(pixel_s))
     return max(round(time_s, digits), 0.0)
 
 
-# Zoom, pan and crosshair by mouse and keys.
-
 _KEY_ZOOM = 1.5
+# With Shift a key goes so many times as far.
 _LEAP = 10
-# No closer than so many samples.
+# A zoom shows at least so many samples.
 _FEWEST_SAMPLES = 4
 _STEPS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
 _ZOOMS = {"zoom_in": _KEY_ZOOM, "zoom_out": 1 / _KEY_ZOOM}
 
 
-class Navigable(Protocol):
-    """What navigation asks of a plot."""
-
-    curves: Curves | None
-    x_window: XWindow
-    places: PlotLayout
-    crosshair: Crosshair
-
-    def show_band(self, covered: Range | None) -> None:
-        """Show what a drag covers, positions, or nothing."""
-
-
 class Navigation(QObject):
     """Turns gestures and keys into a crosshair, and into requests for a part of the x axis.
 
-    Wheel: zoom at the pointer.  Drag: zoom to what is covered.  Middle button or Shift: pan.
-    Double click: everything.  Keys: as the table of keys says.
+    Wheel: zoom at the pointer.  Drag: zoom to the covered part.  Middle button or Shift: pan.
+    Double click: show everything.  Keys: see the table of keys.
     """
 
     #: Part of the x axis the user wants to see, SI; None: everything.
     zoom_requested = Signal(object)
 
-    def __init__(self, plot: Navigable, parent: QObject) -> None:
-        super().__init__(parent)
+    def __init__(self, plot: "Plot") -> None:
+        super().__init__(plot)
         self._plot = plot
+        # Keys have put the crosshair where it is.
         self._pinned = False
         # Where the pointer rests on the plot, px.
         self._pointer: QPointF | None = None
-        self._covering = False
-        self._given_up = False
+        self._covering = self._cancelled = False
 
     def watch(self, view: PlotViewBox) -> None:
         """Follow the gestures on ``view``."""
@@ -373,35 +342,35 @@ class Navigation(QObject):
         )
 
     def follow_view(self) -> None:
-        """Read what is under a pointer that rests: another part of the x axis is seen."""
+        """Read what is under a pointer at rest: another part of the x axis is visible."""
         if self._pointer is not None and not self._pinned:
             self.follow_mouse(self._pointer)
 
     def leave(self) -> None:
-        """Read nothing, unless keys put the crosshair where it is."""
+        """Read nothing, unless the crosshair is pinned."""
         self._pointer = None
         if not self._pinned:
             self._plot.crosshair.put(None)
 
     def bring(self, value: float) -> None:
-        """Ask for a part of the x axis in which a value is."""
+        """Ask for a part of the x axis that contains a value."""
         position, (low, high) = self._plot.x_window.axis.position(value), self._plot.x_window.shown
         self._pan(min(position - low, 0.0) + max(position - high, 0.0))
 
     def press(self, event: QKeyEvent) -> None:
-        """Do what a key means, or leave it to others."""
-        plot, key, wanted = self._plot, Qt.Key(event.key()), meaning_of("plot", event)
-        if plot.curves is None or not wanted:
+        """Do what a key means, or ignore the event."""
+        plot, key, meaning = self._plot, Qt.Key(event.key()), meaning_of("plot", event)
+        if plot.curves is None or not meaning:
             event.ignore()
-        elif wanted == "give_up":
+        elif meaning == "give_up":
             self._escape(event)
-        elif wanted == "whole":
+        elif meaning == "whole":
             self.show_everything()
-        elif wanted in _ZOOMS:
+        elif meaning in _ZOOMS:
             anchor = plot.crosshair.position
-            # Keys zoom at the crosshair if it is in sight.
-            self._zoom(sum(plot.x_window.shown) / 2 if anchor is None else anchor, _ZOOMS[wanted])
-        elif wanted == "step":
+            # Keys zoom at the crosshair if it is visible.
+            self._zoom(sum(plot.x_window.shown) / 2 if anchor is None else anchor, _ZOOMS[meaning])
+        elif meaning == "step":
             leap = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
             self._step(plot.curves, _STEPS[key] * (_LEAP if leap else 1))
         else:
@@ -419,13 +388,13 @@ class Navigation(QObject):
         if self._plot.curves is None:
             return
         low, high = self._plot.x_window.shown
-        ends = sorted(min(max(place, low), high) for place in (start, end))
+        ends = sorted(min(max(position, low), high) for position in (start, end))
         covered = (ends[0], ends[1])
-        self._covering = not (finished or self._given_up)
+        self._covering = not (finished or self._cancelled)
         self._plot.show_band(covered if self._covering else None)
-        if finished and not self._given_up and covered[0] < covered[1]:
+        if finished and not self._cancelled and covered[0] < covered[1]:
             self._request(covered)
-        self._given_up = self._given_up and not finished
+        self._cancelled = self._cancelled and not finished
 
     def _request(self, shown: Range) -> None:
         plot = self._plot
@@ -454,7 +423,7 @@ class Navigation(QObject):
 
     def _escape(self, event: QKeyEvent) -> None:
         if self._covering:
-            self._covering, self._given_up = False, True
+            self._covering, self._cancelled = False, True
             self._plot.show_band(None)
         elif self._plot.crosshair.index is not None:
             self._pinned, self._pointer = False, None
@@ -463,24 +432,22 @@ class Navigation(QObject):
             event.ignore()
 
 
-# What keys do to the playhead, wherever there is one.
-
-#: Where these keys stand in the table of keys.
+#: Place in the table of keys that lists the keys of the playhead.
 PLAYHEAD = "playhead"
-#: How far a key moves it, s; with Shift so many times as far.
-STEP_S, _PLAYHEAD_MOVES_LEAP = 0.001, 10
+#: How far a key moves the playhead, s.
+STEP_S = 0.001
 _BACK = (Qt.Key.Key_Left, Qt.Key.Key_PageUp)
 
 
 def moved_playhead(event: QKeyEvent, design: Design, playhead_s: float) -> float | None:
-    """Where a key puts the playhead, s; None where it means nothing to it."""
-    wanted, back = meaning_of(PLAYHEAD, event), Qt.Key(event.key()) in _BACK
-    if wanted == "step":
+    """Return where a key moves the playhead, s; None where the key does not move it."""
+    meaning, back = meaning_of(PLAYHEAD, event), Qt.Key(event.key()) in _BACK
+    if meaning == "step":
         leap = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
-        by_s = STEP_S * (_PLAYHEAD_MOVES_LEAP if leap else 1)
-        # Sums of decimal steps shall be short to read.
+        by_s = STEP_S * (_LEAP if leap else 1)
+        # Sums of decimal steps would have many digits.
         return max(round(playhead_s + (-by_s if back else by_s), 9), 0.0)
-    if wanted != "stop":
+    if meaning != "stop":
         return None
     stops = stops_of(design)
     if back:
@@ -489,14 +456,12 @@ def moved_playhead(event: QKeyEvent, design: Design, playhead_s: float) -> float
 
 
 def stops_of(design: Design) -> tuple[float, ...]:
-    """Rising times at which something is: the start, ends of clips and of the loop, markers, s."""
-    found = {0.0, *(one.time_s for one in design.markers), *(design.loop_s or ())}
+    """Return the start, markers, and the ends of clips and of the loop, rising, s."""
+    times_s = {0.0, *(marker.time_s for marker in design.markers), *(design.loop_s or ())}
     for clip in design.clips:
-        found.update((clip.onset_s, clip.end_s))
-    return tuple(sorted(found))
+        times_s.update((clip.onset_s, clip.end_s))
+    return tuple(sorted(times_s))
 
-
-# Curves over one x axis, on pyqtgraph: no toolbar, no legend.
 
 _NOT_FINITE = "The response has values that are not finite numbers."
 # A drag shorter than this is a click.
@@ -505,48 +470,42 @@ _TEXT = 0.9
 
 
 class Plot(Canvas):
-    """Curves in one row or in one row each, with a crosshair.
+    """Curves in one row or in one row each, with a crosshair; without toolbar and legend.
 
-    Ranges are decided once for each update; what is around the curves is kept as pictures.
+    Ranges are decided once for each update; items around the curves cache their pictures.
 
     Parameters
     ----------
     on_paper
-        Whether it is drawn for a page, as finely as printers print, not for the screen.
+        Whether it is drawn for a page, at the resolution of a printer.
 
     Attributes
     ----------
-    curves
-        What is drawn, or ``None``.
     stack
-        What is in the scene.
-    held
-        Decides the range of values, by those of curves before.
+        The items of the scene.
+    steady_range
+        Decides the range of values, by those of earlier curves.
     value_scale, unit
         Where values lie in a row; how they are written.
     x_window, zoom, stacked, fitted
-        Visible part of the x axis; the rest as `set_view` was told.
-    words, words_font
-        What is said around the curves, and how it is written.
+        Visible part of the x axis; the rest as in `set_view`.
+    texts, text_font
+        Texts around the curves, and their font.
     places
-        Where everything is, px.
+        The layout, px.
     columns
-        Where samples fall among columns of pixels.
-    crosshair
-        What is read.
-    navigation
-        What mouse and keys ask for.
+        Cache of the samples in each column of pixels.
     playhead
-        Where the playhead is, for plots over time.
+        The playhead, for plots over time.
     """
 
     key_place = "plot"
 
-    #: The crosshair reads something else: `crosshair` and what is drawn are up to date.
+    #: The crosshair reads something else: `crosshair` and the picture are up to date.
     reading_changed = Signal()
-    #: Where on the screen the menu is wanted.
+    #: The user asks for the menu at this place of the screen.
     menu_wanted = Signal(object)
-    #: What a key wants of the playhead, see `playhead_keys`.
+    #: A key event for the playhead, see `moved_playhead`.
     playhead_key = Signal(object)
 
     def __init__(self, parent: QWidget | None = None, *, on_paper: bool = False) -> None:
@@ -560,46 +519,46 @@ class Plot(Canvas):
         self.unit: ValueUnit = value_unit("amplitude", 0.0, 1.0)
         self.x_window: XWindow = x_window(XAxis(titles=("",), unit=""), (0.0, 1.0), None)
         self.places = PlotLayout(width=1, height=1, left=0, top=0, right=1, bottom=1, n_rows=1)
-        self.words_font = scaled(tabular(self.font()), _TEXT)
+        self.text_font = scaled(tabular(self.font()), _TEXT)
         self.zoom: Range | None = None
         self.stacked = self.fitted = False
-        self.words, self.held = PlotTexts(), SteadyRange()
+        self.texts, self.steady_range = PlotTexts(), SteadyRange()
         self.columns = CachedColumns()
         self._content: tuple[PlotContent, XWindow] | None = None
-        self.crosshair = Crosshair(self, self)
+        self.crosshair = Crosshair(self)
         self.crosshair.moved.connect(self.reading_changed)
-        self.navigation = Navigation(self, self)
+        self.navigation = Navigation(self)
         self.playhead = Playhead(self)
         watch = (self.navigation.watch, self.playhead.watch)
-        self.stack = Stack(self.scene(), self.words_font, watch)
+        self.stack = Stack(self.scene(), self.text_font, watch)
         self.scene().sigMouseMoved.connect(self.navigation.follow_mouse)
         self.take_look()
 
     @property
     def message(self) -> str:
-        """What is said in place of curves."""
+        """The text in place of curves."""
         return self.stack.message.text
 
     def sizeHint(self) -> QSize:
         return QSize(256, 192)
 
     def minimumSizeHint(self) -> QSize:
-        return least_size(QFontMetricsF(self.words_font))
+        return least_size(QFontMetricsF(self.text_font))
 
     def take_look(self) -> None:
         super().take_look()
-        self.words_font = scaled(tabular(self.font()), _TEXT)
+        self.text_font = scaled(tabular(self.font()), _TEXT)
         self.updateGeometry()
-        self.stack.show_fonts(self.words_font, self.font())
-        self.playhead.take_colours()
+        self.stack.show_fonts(self.text_font, self.font())
+        self.playhead.update_colours()
         self._colour()
 
     def set_view(
         self, axis: XAxis, zoom: Range | None, *, stacked: bool, fitted: bool = False
     ) -> None:
-        """X axis, its visible part in SI (``None``: all), one row for each curve or one.
+        """Set the x axis, its visible part in SI (None: all), and one row for each curve or one.
 
-        Values are ``fitted`` to that part, or to all of it.
+        The range of values fits the visible part if ``fitted``, else all of it.
         """
         view = (self.x_window.axis, self.zoom, self.stacked, self.fitted)
         if (axis, zoom, stacked, fitted) != view:
@@ -613,19 +572,19 @@ class Plot(Canvas):
             self.navigation.follow_view()
             self.reading_changed.emit()
 
-    def set_words(self, words: PlotTexts) -> None:
-        """Words around the curves."""
-        if words != self.words:
-            self.words = words
+    def set_texts(self, texts: PlotTexts) -> None:
+        """Show ``texts`` around the curves."""
+        if texts != self.texts:
+            self.texts = texts
             self._place()
             self._colour()
 
     def begin_anew(self) -> None:
-        """Decide the range of the next curves without a look at those before."""
-        self.held.let_go()
+        """Decide the range of the next curves by them alone."""
+        self.steady_range.let_go()
 
     def show_curves(self, curves: Curves) -> None:
-        """Draw ``curves`` in place of those before; zoom and crosshair stay."""
+        """Draw ``curves`` instead of those before; zoom and crosshair stay."""
         reach = curves.reach
         if not np.isfinite(reach).all():
             self.show_message(_NOT_FINITE)
@@ -640,18 +599,18 @@ class Plot(Canvas):
         self.reading_changed.emit()
 
     def show_message(self, message: str) -> None:
-        """Empty the picture and say ``message`` in its middle."""
+        """Remove the curves and show ``message`` in the middle."""
         if self.curves is None and message == self.message:
             return
         self.curves, self._content = None, None
-        self.crosshair.forget()
+        self.crosshair.index = None
         self.stack.say(message)
-        # While there were curves, the plot may have got another size.
+        # The plot may have been resized while there were curves.
         self._place()
         self.reading_changed.emit()
 
     def show_band(self, covered: Range | None) -> None:
-        """Show what a drag covers, positions, or nothing."""
+        """Show the part that a drag covers, positions, or nothing."""
         if covered is None:
             self.stack.show_band(None)
             return
@@ -677,7 +636,7 @@ class Plot(Canvas):
             self.navigation.press(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        # The right button opens the menu, which takes its release: the scene need not know.
+        # The right button opens the menu, which gets its release: the scene must not see the press.
         if event.button() == Qt.MouseButton.RightButton:
             event.accept()
         else:
@@ -702,7 +661,7 @@ class Plot(Canvas):
         return self.playhead.time_s is not None and bool(meaning_of(PLAYHEAD, event))
 
     def _hint_at(self, y_px: float) -> str:
-        # What the words above and below the plot say when there is room for them.
+        # The longest texts above and below the plot.
         if self.curves is None or self.places.top <= y_px <= self.places.bottom:
             return ""
         return self.places.header.whole if y_px < self.places.top else self.x_window.axis.titles[0]
@@ -716,23 +675,24 @@ class Plot(Canvas):
         n_drawn = self.curves.n_drawn(places.n_rows, stacked=self.stacked)
         rows = [places.row(rank // each if self.stacked else 0) for rank in range(n_drawn)]
         ratio = PAPER_DOTS if self._on_paper else self.devicePixelRatioF()
-        seen = visible_range(self.curves, self.x_window, n_drawn, rows[0], ratio, self.columns)
+        visible = visible_range(self.curves, self.x_window, n_drawn, rows[0], ratio, self.columns)
         fitted = self.fitted and self.zoom is not None
-        if found := seen.extremes if fitted else seen.beyond(self.value_scale.values):
-            self._fit(self.curves, found)
+        if values := visible.extremes if fitted else visible.beyond(self.value_scale.values):
+            self._fit(self.curves, values)
             self._place()
-        self.stack.show_points(curve_points(seen, self.value_scale, rows, ratio))
+        self.stack.show_points(curve_points(visible, self.value_scale, rows, ratio))
         if other_rows:  # only now has each row its curves
             self._colour()
         self.crosshair.draw()
 
-    def _fit(self, curves: Curves, found: Range) -> None:
-        """Have room for values that were found."""
-        values = self.held.follow(*found, curves.kind)
+    def _fit(self, curves: Curves, extremes: Range) -> None:
+        """Make room for values between these extremes."""
+        values = self.steady_range.follow(*extremes, curves.kind)
         self.value_scale = ValueScale(values=values, edge=self.value_scale.edge)
         self.unit = value_unit(curves.kind, *values)
 
-    def _place(self) -> bool:  # whether there are more or fewer rows than before
+    def _place(self) -> bool:
+        """Lay out rows and texts; return whether the number of rows has changed."""
         curves = self.curves
         if curves is None:
             self.stack.place_message(QRectF(self.rect()))
@@ -752,12 +712,12 @@ class Plot(Canvas):
             matched=curves.matched,
             n_curves=len(curves.names),
             scaling=curves.scaling,
-            words=self.words,
+            texts=self.texts,
         )
         other_rows = self._content is None or self._content[0].n_rows != count
         if (content, self.x_window) != self._content:
             self._content = (content, self.x_window)
-            self.places = laid_out(content, QFontMetricsF(self.words_font), self.places.left)
+            self.places = laid_out(content, QFontMetricsF(self.text_font), self.places.left)
             self.stack.place(self.places, self.x_window)
         return other_rows
 
@@ -765,4 +725,4 @@ class Plot(Canvas):
         names = () if self.curves is None or not self.stacked else self.curves.names
         n_axes = 0 if self.curves is None else len(self.curves.axes)
         numbers = [name.number for name in names]
-        self.stack.show_colours(numbers, stale=self.words.stale, n_axes=n_axes)
+        self.stack.show_colours(numbers, stale=self.texts.stale, n_axes=n_axes)

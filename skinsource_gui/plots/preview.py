@@ -1,4 +1,4 @@
-"""A small spectrum of a signal, with the measured band."""
+"""Small pictures of what a design plays: a spectrum, a waveform, and clips on tracks."""
 
 import math
 from collections.abc import Callable
@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 from pyqtgraph.functions import arrayToQPath
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QPainter, QPainterPath, QPaintEvent, QPen
+from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from skinsource.base.arrays import Floats
@@ -42,9 +42,9 @@ _BAND_ALPHA = 24
 
 
 class SpectrumPreview(QWidget):
-    """The largest line of each pixel, in dB below the largest of all, from 10 Hz to half the rate.
+    """A spectrum from 10 Hz to half the rate: the largest line of each pixel, in dB below the peak.
 
-    The band in which the limb was measured is shaded.
+    The measured band of the limb is shaded.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -63,7 +63,7 @@ class SpectrumPreview(QWidget):
         sample_rate_hz: float = SAMPLE_RATE_HZ,
         band_hz: Band | None = None,
     ) -> None:
-        """Draw the spectrum of ``samples``, (n_times,), and the band; nothing without any."""
+        """Draw the spectrum of ``samples``, (n_times,), and the band; None: nothing."""
         self._band_hz = band_hz
         self._highest_hz = sample_rate_hz / 2.0
         self._lines = None if samples is None else _lines(samples, sample_rate_hz)
@@ -84,31 +84,28 @@ class SpectrumPreview(QWidget):
             self._paint_lines(painter, plot, *self._lines)
 
     def _x(self, plot: QRectF, hz: float) -> float:
-        whole = np.log(self._highest_hz / LOWEST_HZ)
-        return plot.left() + plot.width() * float(np.log(hz / LOWEST_HZ) / whole)
-
-    def _y(self, plot: QRectF, db: float) -> float:
-        return plot.top() + plot.height() * db / FLOOR_DB
+        span = np.log(self._highest_hz / LOWEST_HZ)
+        return plot.left() + plot.width() * float(np.log(hz / LOWEST_HZ) / span)
 
     def _paint_ticks(self, painter: QPainter, plot: QRectF) -> None:
-        grid, words = QPen(QColor(current_theme().grid), 1), QPen(QColor(current_theme().dim))
+        grid, text_pen = QPen(QColor(current_theme().grid), 1), QPen(QColor(current_theme().dim))
         metrics = self.fontMetrics()
         for db in _TICKS_DB:
-            y = self._y(plot, db)
+            y = plot.top() + plot.height() * db / FLOOR_DB
             painter.setPen(grid)
             painter.drawLine(QLineF(plot.left(), y, plot.right(), y))
-            painter.setPen(words)
+            painter.setPen(text_pen)
             text = f"{db}".replace("-", "−") if db else "0 dB"
             room = QRectF(0, y - 8, plot.left() - 4, 16)
-            # The lowest and the highest stay inside.
+            # The lowest and the highest label stay inside.
             room.moveTop(min(max(room.top(), 0.0), plot.bottom() - 14))
             painter.drawText(
                 room, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, text
             )
         free = plot.left() - 8.0
-        seen = [hz for hz in _TICKS_HZ if hz < self._highest_hz]
-        last = seen[-1] if seen else 0
-        for hz in seen:
+        visible_hz = [hz for hz in _TICKS_HZ if hz < self._highest_hz]
+        last = visible_hz[-1] if visible_hz else 0
+        for hz in visible_hz:
             x = self._x(plot, hz)
             painter.setPen(grid)
             painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
@@ -116,7 +113,7 @@ class SpectrumPreview(QWidget):
             width = metrics.horizontalAdvance(text)
             start = min(x - width / 2, self.width() - width - 1)
             if start > free:
-                painter.setPen(words)
+                painter.setPen(text_pen)
                 painter.drawText(QPointF(start, self.height() - 5), text)
                 free = start + width + 4
 
@@ -124,8 +121,8 @@ class SpectrumPreview(QWidget):
         inside = (hz >= LOWEST_HZ) & (hz <= self._highest_hz)
         if not inside.any():
             return
-        whole = np.log(self._highest_hz / LOWEST_HZ)
-        column = (plot.width() * np.log(hz[inside] / LOWEST_HZ) / whole).astype(np.intp)
+        span = np.log(self._highest_hz / LOWEST_HZ)
+        column = (plot.width() * np.log(hz[inside] / LOWEST_HZ) / span).astype(np.intp)
         firsts = np.flatnonzero(np.diff(column, prepend=-1))
         x = plot.left() + column[firsts].astype(np.float64)
         highest = np.maximum.reduceat(db[inside], firsts)
@@ -136,8 +133,8 @@ class SpectrumPreview(QWidget):
 
 
 def _lines(samples: Floats, sample_rate_hz: float) -> tuple[Floats, Floats]:
-    """Frequencies and their levels, in dB below the largest."""
-    # Short signals are padded: a line for each pixel.
+    """Return frequencies and their levels, in dB below the largest."""
+    # Short signals are padded, so that each pixel has a line.
     length = max(samples.size, 4096)
     magnitude = np.abs(np.fft.rfft(samples, length))
     largest = max(float(magnitude.max(initial=0.0)), np.finfo(np.float64).tiny)
@@ -145,30 +142,28 @@ def _lines(samples: Floats, sample_rate_hz: float) -> tuple[Floats, Floats]:
     return np.asarray(np.fft.rfftfreq(length, 1.0 / sample_rate_hz), np.float64), level_db
 
 
-# A small picture of what an input plays.
-
 _AXIS_PX, _CURVE_PX = 18, 46
 _MARGIN_PX = 4
-# Between ticks, in letters of the usual size.
+# Distance of ticks, in letters of the usual size.
 _TICK_SPACING_PX = 52
-# Strokes of this mean length, of 2, make a block, whose edge needs no smoothing.
+# Strokes of this mean length, of 2, make a block, which needs no antialiasing.
 _BLOCK = 0.8
-# A single sample needs some time around it to be seen as one.
+# A single sample needs some time around it to look like one.
 _SHORTEST_S = 0.005
 _PALE = 0.35
 
 
 def tick_step(span: float, most: int) -> float:
-    """The smallest of 1, 2, 5, 10, … that divides ``span`` into at most ``most`` parts."""
+    """Return the smallest of 1, 2, 5, 10, … that divides ``span`` into at most ``most`` parts."""
     least = span / max(most, 1)
     decade = 10.0 ** math.floor(math.log10(least))
     return next(decade * factor for factor in (1, 2, 5, 10, 20) if decade * factor >= least)
 
 
 class WaveformPreview(QWidget):
-    """Samples over their time, optionally with an axis in milliseconds, or seconds.
+    """Samples over time, optionally with an axis in milliseconds or seconds.
 
-    The height is 1, or the peak where that is more.
+    The height is 1, or the peak where that is larger.
     """
 
     def __init__(self, parent: QWidget | None = None, *, axis: bool = False) -> None:
@@ -184,7 +179,7 @@ class WaveformPreview(QWidget):
         self.setObjectName("waveform_preview")
         self.setAccessibleName("Waveform")
         self.setFont(tabular(self.font()))
-        # With an axis all of it is painted: nothing behind needs to be.
+        # With an axis it paints all of itself: nothing behind is visible.
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent, axis)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
@@ -197,12 +192,12 @@ class WaveformPreview(QWidget):
 
     @property
     def words(self) -> str:
-        """What stands in place of a curve, or ""."""
+        """The message in place of a curve, or ""."""
         return self._words
 
     @property
     def duration_s(self) -> float | None:
-        """Length of what is drawn, or None."""
+        """Duration of the samples, or None."""
         return None if self._samples is None else self._samples.size / self._sample_rate_hz
 
     def show_samples(self, samples: Floats, sample_rate_hz: float) -> None:
@@ -217,14 +212,14 @@ class WaveformPreview(QWidget):
         show_tooltip(self, "")
         self.update()
 
-    def show_words(self, words: str) -> None:
-        """Draw no curve, and say why."""
-        self._samples, self._words = None, words
-        self.setToolTip(words)
+    def show_words(self, message: str) -> None:
+        """Show a message instead of a curve."""
+        self._samples, self._words = None, message
+        self.setToolTip(message)
         self.update()
 
     def set_look(self, colour: int, *, flipped: bool = False, problem: str = "") -> None:
-        """Colour of the curve, by `Input.colour`; whether a negative amplitude turns it over.
+        """Set the colour, by `Input.colour`, and whether a negative amplitude flips the curve.
 
         With a ``problem``, the curve has the colour of errors.
         """
@@ -234,7 +229,7 @@ class WaveformPreview(QWidget):
             self.update()
 
     def set_pale(self, pale: bool) -> None:
-        """Whether the curve is out of date."""
+        """Set whether the curve is out of date."""
         if pale != self._pale:
             self._pale = pale
             self.update()
@@ -248,7 +243,7 @@ class WaveformPreview(QWidget):
         if self._words:
             painter.setPen(QColor(current_theme().dim))
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-            painter.drawText(self.rect(), flags, self._words_that_fit(flags))
+            painter.drawText(self.rect(), flags, self._fitting_message(flags))
             return
         if not drawn or self._samples is None:
             return
@@ -268,13 +263,13 @@ class WaveformPreview(QWidget):
         painter.drawLine(QLineF(plot.left(), plot.center().y(), plot.right(), plot.center().y()))
         self._paint_curve(painter, plot, self._samples)
 
-    def _words_that_fit(self, flags: int) -> str:
-        # The whole is in the tooltip, and where it concerns the whole window, at its top.
-        shown, words = self._words, self._words.split(" ")
+    def _fitting_message(self, flags: int) -> str:
+        # The tooltip has the whole message.
+        shown, words_left = self._words, self._words.split(" ")
         room, metrics = self.rect(), self.fontMetrics()
-        while words and metrics.boundingRect(room, flags, shown).height() > room.height():
-            words.pop()
-            shown = " ".join(words) + " …"
+        while words_left and metrics.boundingRect(room, flags, shown).height() > room.height():
+            words_left.pop()
+            shown = " ".join(words_left) + " …"
         return shown
 
     def _span_s(self, samples: Floats) -> float:
@@ -299,10 +294,10 @@ class WaveformPreview(QWidget):
             drawn.size / self._sample_rate_hz,
         )
         wave, across = wave_of(time_s, drawn[np.newaxis]), max(int(shown_px * ratio), 1)
-        found = self._columns.of(time_s, (0.0, end_s), across)
-        points = course_of(found, drawn[np.newaxis], wave, shown_px, ratio).line
+        columns = self._columns.of(time_s, (0.0, end_s), across)
+        points = course_of(columns, drawn[np.newaxis], wave, shown_px, ratio).line
         samples = points.y[0]
-        # Between samples it may be higher than they are.
+        # The wave between samples may be higher than they are.
         highest = max(self._height, float(np.abs(samples).max()))
         middle, reach = plot.center().y(), sign * plot.height() / 2 / highest
         if points.strokes and not is_on_paper():
@@ -321,46 +316,20 @@ class WaveformPreview(QWidget):
         painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
 
     def _paint_axis(self, painter: QPainter, plot: QRectF, span_s: float) -> None:
-        unit, per_s = axis_unit(span_s)
-        span = span_s * per_s
         spacing_px = _TICK_SPACING_PX * letter_scale(self.font())
-        step = tick_step(span, int(plot.width() / spacing_px))
-        unit_px = self.fontMetrics().horizontalAdvance(f" {unit}") + 2
-        for k in range(int(span / step * (1 + 1e-9)) + 1):
-            x = plot.left() + k * step / span * plot.width()
-            painter.setPen(QPen(QColor(current_theme().grid), 1))
-            painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
-            label = f"{k * step:g}"
-            width = self.fontMetrics().horizontalAdvance(label)
-            left = min(max(x - width / 2, plot.left()), plot.right() - width)
-            if left + width > plot.right() - unit_px:
-                # The last tick makes room for the unit of all.
-                continue
-            painter.setPen(QColor(current_theme().dim))
-            painter.drawText(QPointF(left, self.height() - 5), label)
-        painter.setPen(QColor(current_theme().dim))
-        painter.drawText(QPointF(plot.right() - unit_px + 2, self.height() - 5), f" {unit}")
+        baseline = self.height() - 5
+        _paint_time_axis(painter, plot, self.fontMetrics(), (0.0, span_s), spacing_px, baseline)
 
 
-# Clips of several tracks on a small ruler.
-
-_HEAD_PX, _CLIP_STRIP_AXIS_PX = 34, 20
+_HEAD_PX, _STRIP_AXIS_PX = 34, 20
 _SWATCH_PX = 24.0
 _LANE_PX = (16.0, 40.0)
-_CLIP_STRIP_TICK_SPACING_PX = 64
+_STRIP_TICK_SPACING_PX = 64
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class StripClip:
-    """A clip on the ruler.
-
-    Attributes
-    ----------
-    start_s, duration_s
-        When it plays.
-    samples : (n_times,)
-        What it plays; 1 is the full height of its lane.
-    """
+    """A clip on a `ClipStrip`; a sample of 1 has the full height of the lane."""
 
     start_s: float
     duration_s: float
@@ -369,7 +338,7 @@ class StripClip:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Lane:
-    """A track: its place, number of its colour, and clips."""
+    """A track of a `ClipStrip`: numbers of its place and its colour, and its clips."""
 
     place: int
     colour: int
@@ -377,36 +346,30 @@ class Lane:
 
 
 class ClipDrawings:
-    """Draws clips; what is alike is drawn once, however often it comes: some motions repeat much.
-
-    Parameters
-    ----------
-    sample_rate_hz
-        Of what is shown.
-    """
+    """Samples clips; equal clips share their samples, because some motions repeat them often."""
 
     def __init__(self, sample_rate_hz: float) -> None:
         self._rate_hz = sample_rate_hz
-        self._drawn: dict[tuple[Waveform, tuple[Effect, ...], float], Floats] = {}
+        self._cached: dict[tuple[Waveform, tuple[Effect, ...], float], Floats] = {}
 
     def of(self, clip: Clip, factor: float) -> StripClip:
-        """A clip, its samples times its gain and ``factor``; those that pass 1 are not cut off."""
+        """Return a clip, its samples times its gain and ``factor``, scaled down to at most 1."""
         key = (clip.waveform, clip.effects, clip.gain * factor)
-        samples = self._drawn.get(key)
+        samples = self._cached.get(key)
         if samples is None:
             plain = played(clip.waveform, clip.effects, self._rate_hz)
             reach = max(float(np.abs(plain).max(initial=0.0)), 1.0)
-            samples = self._drawn[key] = plain * (clip.gain * factor / reach)
+            samples = self._cached[key] = plain * (clip.gain * factor / reach)
         return StripClip(start_s=clip.onset_s, duration_s=clip.duration_s, samples=samples)
 
 
 def strip_lanes(fragment: Fragment, sample_rate_hz: float) -> tuple[Lane, ...]:
-    """The tracks of a fragment, the strongest clip at full height.
+    """Return the tracks of a fragment, the strongest clip at full height.
 
     Raises
     ------
     InvalidInputError
-        It holds something that cannot be played at this rate.
+        Something in the fragment cannot be played at this rate.
     """
     largest = max(
         (abs(lane.amplitude * clip.gain) for lane in fragment.lanes for clip in lane.clips),
@@ -424,14 +387,14 @@ def strip_lanes(fragment: Fragment, sample_rate_hz: float) -> tuple[Lane, ...]:
 
 
 class ClipStrip(QWidget):
-    """A lane for each track above an axis of time; or words where there is nothing to show."""
+    """A lane for each track above an axis of time, or a message."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._lanes: tuple[Lane, ...] = ()
         self._words = ""
         self._picture = CachedPicture()
-        # Outlines of what is painted, by samples and size.
+        # Outlines of the clips being painted, by samples and size.
         self._outlines: dict[tuple[int, float, float], QPainterPath] = {}
         self.setObjectName("clip_strip")
         self.setAccessibleName("Clips")
@@ -445,7 +408,7 @@ class ClipStrip(QWidget):
 
     @property
     def words(self) -> str:
-        """What stands in place of lanes, or ""."""
+        """The message in place of lanes, or ""."""
         return self._words
 
     def show_lanes(self, lanes: tuple[Lane, ...]) -> None:
@@ -454,18 +417,18 @@ class ClipStrip(QWidget):
         self.updateGeometry()
         self.update()
 
-    def show_words(self, words: str) -> None:
-        """Show no track, and say why."""
-        self._lanes, self._words = (), words
+    def show_words(self, message: str) -> None:
+        """Show a message instead of tracks."""
+        self._lanes, self._words = (), message
         self.update()
 
     def minimumSizeHint(self) -> QSize:
         lanes = max(len(self._lanes), 2)
-        return QSize(300, round(lanes * _LANE_PX[0]) + _CLIP_STRIP_AXIS_PX + 4)
+        return QSize(300, round(lanes * _LANE_PX[0]) + _STRIP_AXIS_PX + 4)
 
     def sizeHint(self) -> QSize:
         lanes = max(len(self._lanes), 3)
-        return QSize(520, round(lanes * _LANE_PX[1]) + _CLIP_STRIP_AXIS_PX + 4)
+        return QSize(520, round(lanes * _LANE_PX[1]) + _STRIP_AXIS_PX + 4)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
@@ -476,19 +439,23 @@ class ClipStrip(QWidget):
             return
         if self._lanes:
             shown = (current_theme(), self._lanes, self.font().toString())
-            whole = QRectF(self.rect())
+            area = QRectF(self.rect())
             self._picture.paint(
-                painter, whole, shown, self._paint_all, self.palette().window().color()
+                painter, area, shown, self._paint_all, self.palette().window().color()
             )
 
     def _paint_all(self, painter: QPainter) -> None:
         start_s = min(clip.start_s for lane in self._lanes for clip in lane.clips)
         end_s = max(clip.start_s + clip.duration_s for lane in self._lanes for clip in lane.clips)
         span_s = max(end_s - start_s, 1e-3)
-        plot = QRectF(self.rect()).adjusted(_HEAD_PX, 2, -UNIT_PX, -_CLIP_STRIP_AXIS_PX)
+        plot = QRectF(self.rect()).adjusted(_HEAD_PX, 2, -UNIT_PX, -_STRIP_AXIS_PX)
         height = min(plot.height() / len(self._lanes), _LANE_PX[1])
         plot.setHeight(height * len(self._lanes))
-        self._paint_axis(painter, plot, start_s, span_s)
+        baseline = plot.bottom() + _STRIP_AXIS_PX - 5
+        part_s = (start_s, span_s)
+        _paint_time_axis(
+            painter, plot, self.fontMetrics(), part_s, _STRIP_TICK_SPACING_PX, baseline
+        )
         x_of = partial(_x_at, plot, start_s, span_s)
         for row, lane in enumerate(self._lanes):
             area = QRectF(plot.left(), plot.top() + row * height, plot.width(), height)
@@ -501,8 +468,8 @@ class ClipStrip(QWidget):
         self._outlines.clear()
 
     def _paint_head(self, painter: QPainter, area: QRectF, lane: Lane, colour: QColor) -> None:
-        high = min(area.height() - 2.0, _SWATCH_PX)
-        place = QRectF(0.0, area.center().y() - high / 2, _SWATCH_PX, high)
+        height = min(area.height() - 2.0, _SWATCH_PX)
+        place = QRectF(0.0, area.center().y() - height / 2, _SWATCH_PX, height)
         paint_swatch(painter, place, lane.place, colour, QColor(current_theme().text), silent=False)
 
     def _paint_clip(
@@ -532,26 +499,35 @@ class ClipStrip(QWidget):
             self._outlines[key] = _outline(samples, size)
         return self._outlines[key].translated(box.topLeft())
 
-    def _paint_axis(self, painter: QPainter, plot: QRectF, start_s: float, span_s: float) -> None:
-        unit, per_s = axis_unit(start_s + span_s)
-        step = tick_step(span_s * per_s, int(plot.width() / _CLIP_STRIP_TICK_SPACING_PX))
-        first = int(np.ceil(start_s * per_s / step - 1e-9))
-        last = int(np.floor((start_s + span_s) * per_s / step + 1e-9))
-        unit_px = self.fontMetrics().horizontalAdvance(f" {unit}") + 2
-        baseline = plot.bottom() + _CLIP_STRIP_AXIS_PX - 5
-        for k in range(first, last + 1):
-            x = _x_at(plot, start_s, span_s, k * step / per_s)
-            painter.setPen(QPen(QColor(current_theme().grid), 1))
-            painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
-            label = f"{k * step:g}"
-            width = self.fontMetrics().horizontalAdvance(label)
-            where = min(max(x - width / 2, plot.left()), plot.right() - width)
-            # The last tick makes room for the unit of all.
-            if where + width <= plot.right() - unit_px:
-                painter.setPen(QColor(current_theme().dim))
-                painter.drawText(QPointF(where, baseline), label)
-        painter.setPen(QColor(current_theme().dim))
-        painter.drawText(QPointF(plot.right() - unit_px + 2, baseline), f" {unit}")
+
+def _paint_time_axis(
+    painter: QPainter,
+    plot: QRectF,
+    metrics: QFontMetrics,
+    part_s: tuple[float, float],
+    spacing_px: float,
+    baseline: float,
+) -> None:
+    """Draw grid, labels and unit of an axis of time; ``part_s`` is its start and its length."""
+    start_s, span_s = part_s
+    unit, per_s = axis_unit(start_s + span_s)
+    step = tick_step(span_s * per_s, int(plot.width() / spacing_px))
+    first = math.ceil(start_s * per_s / step - 1e-9)
+    last = math.floor((start_s + span_s) * per_s / step + 1e-9)
+    unit_px = metrics.horizontalAdvance(f" {unit}") + 2
+    for k in range(first, last + 1):
+        x = _x_at(plot, start_s, span_s, k * step / per_s)
+        painter.setPen(QPen(QColor(current_theme().grid), 1))
+        painter.drawLine(QLineF(x, plot.top(), x, plot.bottom() + 3))
+        label = f"{k * step:g}"
+        width = metrics.horizontalAdvance(label)
+        left = min(max(x - width / 2, plot.left()), plot.right() - width)
+        # The last tick makes room for the unit of all.
+        if left + width <= plot.right() - unit_px:
+            painter.setPen(QColor(current_theme().dim))
+            painter.drawText(QPointF(left, baseline), label)
+    painter.setPen(QColor(current_theme().dim))
+    painter.drawText(QPointF(plot.right() - unit_px + 2, baseline), f" {unit}")
 
 
 def _x_at(plot: QRectF, start_s: float, span_s: float, time_s: float) -> float:
@@ -559,7 +535,7 @@ def _x_at(plot: QRectF, start_s: float, span_s: float, time_s: float) -> float:
 
 
 def _outline(samples: Floats, box: QRectF) -> QPainterPath:
-    """What lies between the highest and the lowest sample of each pixel."""
+    """Return the area between the highest and the lowest sample of each pixel."""
     columns = max(int(box.width()), 1)
     edges = np.linspace(0, samples.size, min(columns, max(samples.size, 1)) + 1).astype(int)
     if samples.size == 0:
@@ -579,14 +555,11 @@ def _outline(samples: Floats, box: QRectF) -> QPainterPath:
     return path
 
 
-# What points at an input in one panel is seen in the others.
-
-
 class PointsAtInputs(Pictured):
-    """Tells which input is pointed at here, and shows which one is elsewhere."""
+    """A panel that shares with others which input is under the pointer."""
 
-    #: Id of the input that is pointed at here, or None.
+    #: Id of the input under the pointer in this panel, or None.
     input_pointed_at = Signal(object)
 
     def show_pointed_input(self, input_id: int | None) -> None:
-        """Mark the input that is pointed at in another panel; None: none is."""
+        """Mark the input that is under the pointer in another panel; None: there is none."""

@@ -1,7 +1,9 @@
-"""Ranges of axes: held while data change, zoomed and panned by the user."""
+"""Ranges and ticks of axes, numbers and units on them, and the points that draw a curve.
+
+Ranges of values stay while data change; the user zooms and pans the x axis.
+"""
 
 from collections.abc import Callable
-from copy import copy
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from math import ceil, floor, isfinite, log10
@@ -34,7 +36,7 @@ _HEADROOM = 1.02
 class SteadyRange:
     """Range of a value axis that follows its data without flicker.
 
-    It grows at once, and shrinks only when the data need less than 60 % of it.
+    The range grows at once, and shrinks only when the data need less than 60 % of it.
     """
 
     def __init__(self) -> None:
@@ -42,77 +44,64 @@ class SteadyRange:
         self._range: Range = (0.0, 1.0)
 
     def follow(self, low: float, high: float, kind: Kind) -> Range:
-        """Range for data from ``low`` to ``high``.
+        """Return the range for data from ``low`` to ``high``.
 
         Amplitudes: ``(0, top)`` for data that are never negative, else ``(-top, top)``.
-        Levels: ``(top - 80, top)``.  Silence leaves the range as it was.
+        Levels: ``(top - 80, top)``.  Silence does not change the range.
         """
-        wanted = _wanted(low, high, kind)
-        if kind != self._kind or not self._still_fits(low, high, wanted):
-            self._range = wanted
+        needed = _needed_range(low, high, kind)
+        if kind != self._kind or not self._still_fits(low, high, needed):
+            self._range = needed
         self._kind = kind
         return self._range
-
-    def copied(self) -> "SteadyRange":
-        """One that has followed the same data."""
-        return copy(self)
 
     def let_go(self) -> None:
         """Decide the next range by its data alone."""
         self._kind, self._range = None, (0.0, 1.0)
 
-    def _still_fits(self, low: float, high: float, wanted: Range) -> bool:
+    def _still_fits(self, low: float, high: float, needed: Range) -> bool:
         held_low, held_high = self._range
         if self._kind == "level":
             if high <= FLOOR_DB:
                 return True
-            return wanted[1] <= held_high <= wanted[1] + _LEVEL_SLACK_DB
+            return needed[1] <= held_high <= needed[1] + _LEVEL_SLACK_DB
         if low == high == 0:
             return True
-        if (held_low < 0) != (wanted[0] < 0):
+        if (held_low < 0) != (needed[0] < 0):
             return False
-        return max(high, -low) <= held_high and wanted[1] >= _SHRINK_BELOW * held_high
+        return max(high, -low) <= held_high and needed[1] >= _SHRINK_BELOW * held_high
 
 
-def _wanted(low: float, high: float, kind: Kind) -> Range:
+def _needed_range(low: float, high: float, kind: Kind) -> Range:
     if kind == "level":
-        return _level_range(high)
-    if kind == "relative" and max(high, -low) <= _RELATIVE_TOP:
-        return (-_RELATIVE_TOP if low < 0 else 0.0, _RELATIVE_TOP)
-    return _amplitude_range(low, high)
-
-
-def _amplitude_range(low: float, high: float) -> Range:
+        top = ceil(high / _LEVEL_STEP_DB) * _LEVEL_STEP_DB if high > FLOOR_DB else 0.0
+        return (top - LEVEL_SPAN_DB, top)
     peak = max(high, -low)
-    top = _round_up(peak * _HEADROOM) if peak > 0 else 1.0
+    if kind == "relative" and peak <= _RELATIVE_TOP:
+        top = _RELATIVE_TOP
+    else:
+        top = _round_up(peak * _HEADROOM) if peak > 0 else 1.0
     return (-top if low < 0 else 0.0, top)
-
-
-def _level_range(high: float) -> Range:
-    if high <= FLOOR_DB:
-        return (-LEVEL_SPAN_DB, 0.0)
-    top = ceil(high / _LEVEL_STEP_DB) * _LEVEL_STEP_DB
-    return (top - LEVEL_SPAN_DB, top)
 
 
 def _round_up(value: float) -> float:
     decade = 10.0 ** floor(log10(value))
-    # A value at the edge of the numbers has no decade that can be multiplied.
+    # At the edge of the floats there is no decade to multiply.
     if not isfinite(10.0 * decade) or decade == 0:
         return value
     return next((top * decade for top in _TOPS if top * decade >= value), 10.0 * decade)
 
 
 def zoomed(shown: Range, anchor: float, factor: float) -> Range:
-    """``shown`` made ``factor`` times narrower, with ``anchor`` staying where it is."""
+    """Return ``shown`` made ``factor`` times narrower around ``anchor``, which stays in place."""
     low, high = shown
     return (anchor - (anchor - low) / factor, anchor + (high - anchor) / factor)
 
 
 def within(wanted: Range, extent: Range, shortest: float) -> Range | None:
-    """``wanted`` moved and cut so that it lies in ``extent``; ``None`` where that is all of it.
+    """Return ``wanted`` moved and cut to lie in ``extent``; None where it covers all of that.
 
-    It becomes no shorter than ``shortest``.
+    The range has at least the length ``shortest``.
     """
     low, high = wanted
     length = max(high - low, shortest)
@@ -123,14 +112,12 @@ def within(wanted: Range, extent: Range, shortest: float) -> Range | None:
     return (low, low + length)
 
 
-# Round numbers along an axis, and how numbers are written.
-
 _MINUS = "\u2212"
 _THIN_SPACE = "\u202f"
 _STEPS = (1.0, 2.0, 5.0, 10.0)
 _MAX_TICKS = 40
 # Axes are painted far more often than they change.
-_MOST_KEPT = 256
+_CACHED_TICKS = 256
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -141,14 +128,14 @@ class Tick:
     label: str
 
 
-@lru_cache(_MOST_KEPT)
+@lru_cache(_CACHED_TICKS)
 def linear_ticks(low: float, high: float, most: float, factor: float = 1.0) -> tuple[Tick, ...]:
-    """At most about ``most`` ticks on round numbers; labels show values times ``factor``."""
+    """Return about ``most`` ticks or fewer on round numbers; labels are values times ``factor``."""
     low, high = low * factor, high * factor
     length = high - low
     if not (isfinite(length) and length > 0) or most < 1:
         return ()
-    step = _round_step(length / min(most, _MAX_TICKS))
+    step = round_step(length / min(most, _MAX_TICKS))
     decimals = max(0, -floor(log10(step) + 1e-9))
     first, last = ceil(low / step - 1e-6), floor(high / step + 1e-6)
     return tuple(
@@ -160,10 +147,10 @@ def linear_ticks(low: float, high: float, most: float, factor: float = 1.0) -> t
 def readable_ticks(
     low: float, high: float, airy: float, dense: float, factor: float = 1.0
 ) -> tuple[Tick, ...]:
-    """Two ticks at least: one alone says nothing of what a height or a width means.
+    """Return at least two ticks: one alone does not tell the scale of an axis.
 
-    Where there are not two among at most about ``airy`` round numbers they stand closer, up to
-    ``dense`` of them; where even these leave but one, both ends are labelled.
+    There are up to about ``airy`` ticks on round numbers; if these are fewer than two, up to
+    ``dense``; if these are still too few, both ends of the axis are labelled.
     """
     for most in (airy, dense):
         ticks = linear_ticks(low, high, most, factor)
@@ -180,9 +167,9 @@ def readable_ticks(
     )
 
 
-@lru_cache(_MOST_KEPT)
+@lru_cache(_CACHED_TICKS)
 def log_ticks(low: float, high: float, most: float) -> tuple[Tick, ...]:
-    """Grid lines at 1 to 9 times each power of ten, with labels where they find room."""
+    """Return grid lines at 1 to 9 times each power of ten, with labels where there is room."""
     decades = log10(high / low)
     every = (1, 2, 5) if most >= 3 * decades else (1,)
     ticks = [
@@ -198,9 +185,9 @@ def log_ticks(low: float, high: float, most: float) -> tuple[Tick, ...]:
 
 
 def number_text(value: float, decimals: int) -> str:
-    """``value`` with a true minus sign and thin spaces between thousands, like "1 200".
+    """Return ``value`` with a true minus sign and thin spaces between thousands, as "1 200".
 
-    Very large and very small ones have an exponent.
+    Very large and very small values have an exponent.
     """
     if value != 0 and (decimals > 6 or abs(value) >= 1e7):
         text = f"{value:.1e}"
@@ -215,7 +202,8 @@ def _is_round(value: float, decimals: int) -> bool:
     return abs(value - round(value, decimals)) < 1e-9 * max(abs(value), 1e-300)
 
 
-def _round_step(least: float) -> float:
+def round_step(least: float) -> float:
+    """Return the smallest of 1, 2, 5, 10 … times a power of ten that is at least ``least``."""
     decade = 10.0 ** floor(log10(least))
     return next(step * decade for step in _STEPS if step * decade >= least * (1 - 1e-9))
 
@@ -225,31 +213,28 @@ def _first_digit(value: float) -> int:
 
 
 def significant(value: float, digits: int = 3) -> str:
-    """``value`` with so many significant digits: "0.0312", "12.3", "1 230"."""
+    """Return ``value`` with ``digits`` significant digits: "0.0312", "12.3", "1 230"."""
     if value == 0.0 or not isfinite(value):
         return number_text(value, 0)
     return number_text(value, max(digits - 1 - floor(log10(abs(value))), 0))
 
 
-# The wave through the samples of curves.
-
-#: Of so many samples that are seen at once, how far the wave reaches is found while they are drawn;
-#: of more, each takes but a part of a pixel, and they are joined on the screen as in pictures.
+#: Up to so many visible samples, the extremes of the wave between them are computed while drawing;
+#: of more, each takes only a part of a pixel, and straight lines do.
 MOST_WHILE_DRAWN = 2**16
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Wave:
-    """What is known of curves between their points, which are counted from 0.
+    """The course of curves between their points, which are counted from 0.
 
     Attributes
     ----------
     points
-        Gives ``x`` and ``y`` of the wave from one point to before another, those points among
-        them.
+        Returns ``x`` and ``y`` of the wave from point ``first`` to before ``end``, with the points.
     extremes
-        Gives how far it reaches from each point to the next, of those from one to before another;
-        None: of so many it is not known.
+        Returns the extremes between neighbouring points from ``first`` to before ``end``; None for
+        too many points.
     """
 
     points: Callable[[int, int], tuple[Floats, Floats]]
@@ -257,7 +242,7 @@ class Wave:
 
 
 def wave_of(time_s: Floats, signals: Floats) -> Wave:
-    """The wave of signals, (n_curves, n_times), as it is drawn."""
+    """Return the wave of signals, (n_curves, n_times), for drawing."""
     return Wave(points=partial(finer, time_s, signals), extremes=partial(_extremes, signals))
 
 
@@ -267,31 +252,29 @@ def _extremes(signals: Floats, first: int, end: int) -> Extremes | None:
     return extremes_between(signals, first, end)
 
 
-# What the axes of a plot say: units, titles, and which part is measured.
-
 _READING_DIGITS = 4
 # Room for a label on the x axis and the gap beside it.
 _TICK_PX = 60.0
-# The same where there would not be two labels otherwise.
+# The same where there would otherwise not be two labels.
 _CLOSE_TICK_PX = 36.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class XAxis:
-    """The axis all curves share.
+    """The axis that all curves share.
 
     Attributes
     ----------
     titles
-        What the axis says, longest first; the first that fits is written.
+        Versions of the title, longest first; the first that fits is written.
     unit, factor, decimals
-        Unit of ticks and readings; what values (SI) are multiplied with; decimals of readings.
+        Unit of ticks and readings; factor from SI to it; decimals of readings.
     extent
-        Whole range, in SI; ``None``: that of the data.
+        Whole range, in SI; None: that of the data.
     log
-        Logarithmic; needs an ``extent`` above zero.
+        Whether it is logarithmic; needs an ``extent`` above zero.
     band
-        What lies outside of it is shaded; ``None``: nothing is.
+        The rest of the axis is shaded; None: nothing is.
     column
         Name of its column in a table.
     """
@@ -306,21 +289,21 @@ class XAxis:
     column: str = "x"
 
     def position(self, value: float) -> float:
-        """Where ``value`` lies, in the units in which the axis is straight."""
+        """Return the position of ``value``: its logarithm on a logarithmic axis."""
         return log10(value) if self.log else value
 
     def value(self, position: float) -> float:
-        """Value at ``position``."""
+        """Return the value at ``position``."""
         return 10.0**position if self.log else position
 
     def positions(self, values: Floats) -> Floats:
-        """Where ``values`` lie; values that a logarithmic axis cannot show become NaN."""
+        """Return the positions of ``values``; NaN for what a logarithmic axis cannot show."""
         if not self.log:
             return values
         return np.log10(values, out=np.full(values.shape, np.nan), where=values > 0)
 
     def ticks(self, low: float, high: float, width_px: float) -> tuple[Tick, ...]:
-        """Ticks between two positions that are ``width_px`` apart; their values are positions."""
+        """Return the ticks between two positions ``width_px`` apart; their values are positions."""
         most = max(width_px / _TICK_PX, 2)
         if not self.log:
             return readable_ticks(low, high, most, width_px / _CLOSE_TICK_PX, self.factor)
@@ -330,7 +313,7 @@ class XAxis:
         )
 
     def reading(self, value: float) -> str:
-        """``value`` with its unit."""
+        """Return ``value`` with its unit."""
         return f"{number_text(value * self.factor, self.decimals)} {self.unit}"
 
 
@@ -343,12 +326,12 @@ class ValueUnit:
     decimals: int
 
     def reading(self, value: float) -> str:
-        """``value`` without its unit, always with the same number of decimals."""
+        """Return ``value`` without its unit, always with the same number of decimals."""
         return number_text(value * self.factor, self.decimals)
 
 
 def value_unit(kind: Kind, low: float, high: float) -> ValueUnit:
-    """Unit in which a range of m/s², of levels or of parts of a peak reads well."""
+    """Return a readable unit for a range of m/s², of levels or of parts of a peak."""
     if kind == "level":
         return ValueUnit(factor=1.0, symbol="dB", decimals=1)
     if kind == "relative":
@@ -373,49 +356,44 @@ def value_unit(kind: Kind, low: float, high: float) -> ValueUnit:
     )
 
 
-# Heights of values in a row of a plot.
-
 #: More rows than these would be too thin to read.
 MOST_ROWS = 12
-#: Room above and below the curve of a row that has neighbours, as a part of its height.
+#: Room above and below the curve where there are several rows, as a part of the height of a row.
 EDGE = 0.05
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ValueScale:
-    """Where values lie in a row: 0 at its bottom, 1 at its top.
+    """Maps values to heights in a row: 0 at its bottom, 1 at its top.
 
-    The rows' view boxes show just that, whatever the values: from 1e-300 to 1e300 m/s² nothing
-    overflows on the way to pixels, and new ranges change labels only.
+    The view boxes of rows show heights: values from 1e-300 to 1e300 m/s² do not overflow on the way
+    to pixels, and a new range changes labels only.
 
     Attributes
     ----------
     values
         Range of values of the row.
     edge
-        Room above and below them.
+        Room above and below them, as a part of the row.
     """
 
     values: Range
     edge: float = 0.0
 
     def heights(self, values: Floats) -> Floats:
-        """Heights of ``values``; what lies outside stays at the row's edge."""
+        """Return the heights of ``values``; those outside the range stay at its ends."""
         low, high = self.values
         part = np.clip((values - low) / (high - low), 0.0, 1.0)
         return self.edge + (1 - 2 * self.edge) * part
 
     def height(self, value: float) -> float:
-        """Height of one value."""
+        """Return the height of one value."""
         return float(self.heights(np.asarray(value)))
 
 
 def row_count(n_curves: int, *, stacked: bool) -> int:
-    """Rows that ``n_curves`` are drawn in."""
+    """Return the number of rows in which ``n_curves`` are drawn."""
     return min(n_curves, MOST_ROWS) if stacked else 1
-
-
-# Which part of the x axis is visible.
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -424,10 +402,8 @@ class XWindow:
 
     Attributes
     ----------
-    axis
-        The axis.
     extent, shown
-        All of it, and the visible part, as positions (see `XAxis.position`).
+        The whole axis, and the visible part, as positions (see `XAxis.position`).
     """
 
     axis: XAxis
@@ -436,7 +412,7 @@ class XWindow:
 
     @property
     def holds_data(self) -> bool:
-        """Whether some of it is visible."""
+        """Whether some of the data is visible."""
         return self.shown[0] < self.extent[1] and self.extent[0] < self.shown[1]
 
     @property
@@ -446,22 +422,22 @@ class XWindow:
         return None if band is None else (self.axis.position(band[0]), self.axis.position(band[1]))
 
     def part(self, position: float) -> float:
-        """Where ``position`` lies: 0 at the left edge of the visible part, 1 at the right."""
+        """Return where ``position`` lies: 0 at the left of the visible part, 1 at its right."""
         low, high = self.shown
         return (position - low) / (high - low)
 
     def position(self, part: float) -> float:
-        """Position at a part of the visible width."""
+        """Return the position at a part of the visible width."""
         low, high = self.shown
         return low + part * (high - low)
 
     def values(self, shown: Range) -> Range:
-        """A range of positions, in SI."""
+        """Return a range of positions in SI."""
         return (self.axis.value(shown[0]), self.axis.value(shown[1]))
 
 
 def x_window(axis: XAxis, data: Range, zoom: Range | None) -> XWindow:
-    """Window on data from ``data[0]`` to ``data[1]``; ``zoom`` in SI, ``None``: everything."""
+    """Return the window on ``data``, (first, last); ``zoom`` in SI, None: everything."""
     extent = _positions(axis, axis.extent if axis.extent is not None else data)
     if zoom is None or (axis.log and zoom[1] <= axis.value(extent[0])):
         return XWindow(axis=axis, extent=extent, shown=extent)
@@ -475,33 +451,31 @@ def _positions(axis: XAxis, values: Range) -> Range:
     return (low, high) if high > low else (low, low + 1.0)
 
 
-# Fewer points that draw the same picture.
-
 #: Up to so many samples in a column of pixels, each is drawn.
 MOST_IN_COLUMN = 4
 # Samples of an axis up to which it is compared with the one before.
 _MOST_COMPARED = 2**15
 # A stroke that is shorter than this part of what its neighbours cover is a gap, not a notch.
 _GAP = 0.1
-# Of extremes, as a part of the peak.
+# Rounding errors of extremes, as a part of the peak.
 _ROUNDING = 1e-6
-# Zero lies on the edge of a row of pixels, or in its middle; a little beside them rounding does
-# not matter.
+# Zero lies on the edge or in the middle of a row of pixels; with this shift rounding cannot move
+# it.
 _SHIFT = 0.02
-# From here, strokes and level lines are painted in the same row; from its middle they are not.
+# At this part of a row, strokes and level lines are painted in the same row.
 _INSIDE = 0.25
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Points:
-    """What is drawn of curves.
+    """Points that draw curves.
 
     Attributes
     ----------
     x : (n,)
     y : (n_curves, n)
     strokes
-        Whether points come in pairs, the ends of one upright stroke for each column of pixels.
+        Whether points come in pairs, the ends of one vertical stroke for each column of pixels.
     """
 
     x: Floats
@@ -511,16 +485,16 @@ class Points:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Columns:
-    """Where the samples of an axis fall among columns of pixels; the same for all curves over it.
+    """The samples of an axis in each column of pixels; the same for all curves over the axis.
 
     Attributes
     ----------
     part
-        Which samples are looked at.
+        The visible samples.
     places : (n,)
-        Where the points are, one for each sample, or two for each column that holds any.
+        x of the points: one for each sample, or two for each column that contains any.
     starts
-        The first sample of each such column, counted in the part; None where each is drawn.
+        First sample of each such column, counted in the part; None where each sample is drawn.
     """
 
     part: slice
@@ -528,7 +502,7 @@ class Columns:
     starts: NDArray[np.intp] | None = None
 
     def points(self, y: Floats) -> Points:
-        """What is drawn of curves, (n_curves, n_points), over the axis."""
+        """Return the points that draw curves, (n_curves, n_points), over the axis."""
         y = y[:, self.part]
         if self.starts is None:
             return Points(x=self.places, y=y)
@@ -537,14 +511,10 @@ class Columns:
         return Points(x=self.places, y=_strokes(low, high), strokes=True)
 
     def reached(self, y: Floats, extremes: Extremes) -> Points:
-        """What is drawn of the wave through curves, (n_curves, n_points), over the axis.
+        """Return the points that draw the wave through curves, (n_curves, n_points).
 
-        Where each sample is drawn, it is at most half a sample beside a crest that it takes over.
-
-        Parameters
-        ----------
-        extremes
-            Of the part.
+        Where each sample is drawn, a crest is drawn at the sample beside it, at most half a sample
+        away.  ``extremes`` are those of the part.
         """
         if self.starts is not None:
             return Points(
@@ -554,13 +524,13 @@ class Columns:
 
 
 def _with_crests(y: Floats, extremes: Extremes) -> Floats:
-    """Samples, of which those beside a crest between two of them are as high as it is."""
+    """Return samples, of which those beside a crest of the wave are as high as the crest."""
     low, high = extremes.low[:, :-1] * extremes.sizes, extremes.high[:, :-1] * extremes.sizes
     rounding = _ROUNDING * extremes.sizes
     left, right, values = y[:, :-1], y[:, 1:], y.copy()
     dips = low < np.minimum(left, right) - rounding
     crests = high > np.maximum(left, right) + rounding
-    # The one that is nearer in height takes it.
+    # The neighbour that is nearer in height takes the value of the crest.
     for beyond, reached, further, of_two in (
         (dips, low, right < left, np.minimum),
         (crests, high, right > left, np.maximum),
@@ -571,9 +541,9 @@ def _with_crests(y: Floats, extremes: Extremes) -> Floats:
 
 
 def _strokes(low: Floats, high: Floats) -> Floats:
-    """Strokes of columns, (n_curves, 2 n_columns): up one and down the next.
+    """Return strokes of columns, (n_curves, 2 n_columns): up in one and down in the next.
 
-    The way from stroke to stroke is short then, and so is painting.
+    This keeps the lines between strokes short, which are painted too.
     """
     ends = np.empty((*low.shape, 2))
     ends[:, ::2, 0], ends[:, ::2, 1] = low[:, ::2], high[:, ::2]
@@ -582,7 +552,7 @@ def _strokes(low: Floats, high: Floats) -> Floats:
 
 
 def columns_of(x: Floats, shown: Range, width_px: int) -> Columns:
-    """Columns of the visible part, and one sample more at each side so that lines run to the edge.
+    """Return the columns of the visible part, with one more sample at each side.
 
     Parameters
     ----------
@@ -603,9 +573,9 @@ def columns_of(x: Floats, shown: Range, width_px: int) -> Columns:
     starts = np.searchsorted(x, edges)
     starts = np.concatenate(([0], np.minimum(starts, x.size - 1)))
     starts = starts[np.diff(starts, prepend=-1) > 0]
-    # A stroke in the middle of its column is sharp; a sample that is alone stays where it is.
+    # A stroke in the middle of its column is sharp; a single sample keeps its place.
     alone = np.diff(starts, append=x.size) == 1
-    # (Where a sample lies on an edge, a division could round it into the column before.)
+    # (A division could round a sample on an edge into the column before.)
     columns = np.searchsorted(edges, x[starts], side="right") - 1
     middles = low + column * (columns + 0.5)
     places = np.repeat(np.where(alone, x[starts], middles), 2)
@@ -613,68 +583,68 @@ def columns_of(x: Floats, shown: Range, width_px: int) -> Columns:
 
 
 class CachedColumns:
-    """The columns that were asked for last: an edit that keeps the axis finds them as they were.
+    """Caches the last columns: most edits do not change the axis.
 
     Attributes
     ----------
     made
-        How often they were found anew.
+        How often columns were computed.
     """
 
     def __init__(self) -> None:
         self.made = 0
         self._axis: Floats = np.zeros(0)
-        self._seen: tuple[Range, int] | None = None
+        self._view: tuple[Range, int] | None = None
         self._columns: Columns | None = None
 
     def of(self, x: Floats, shown: Range, width_px: int) -> Columns:
-        """What `columns_of` finds."""
-        same = self._seen == (shown, width_px) and self._is_axis(x)
+        """Return `columns_of` these arguments."""
+        same = self._view == (shown, width_px) and self._is_axis(x)
         if self._columns is None or not same:
-            self._axis, self._seen = x, (shown, width_px)
+            self._axis, self._view = x, (shown, width_px)
             self._columns = columns_of(x, shown, width_px)
             self.made += 1
         return self._columns
 
     def _is_axis(self, x: Floats) -> bool:
-        # To compare many samples takes longer than to find their columns.
+        # Comparing many samples takes longer than computing their columns.
         return x is self._axis or (x.size <= _MOST_COMPARED and np.array_equal(x, self._axis))
 
 
 def visible_points(x: Floats, y: Floats, shown: Range, width_px: int) -> Points:
-    """The visible part of curves ``y``, (n_curves, n_points), over ``x``, as `columns_of` finds it.
+    """Return the points that draw the visible part of curves ``y``, (n_curves, n_points).
 
-    With more than `MOST_IN_COLUMN` samples for each column of pixels, it is the smallest and the
-    largest of each column.
+    With more than `MOST_IN_COLUMN` samples in each column of pixels, these are the smallest and the
+    largest sample of each column.
     """
     return columns_of(x, shown, width_px).points(y)
 
 
 def in_rows(y_px: Floats, ratio: float) -> Floats:
-    """Heights moved into rows of pixels, of which ``ratio`` make 1 px.
+    """Return heights moved into rows of pixels, of which ``ratio`` make 1 px.
 
-    Without smooth edges, a level line between two rows would change from one to the other.
+    Without antialiasing, a level line between two rows would jump from one to the other.
     """
     return (np.floor(y_px * ratio + _SHIFT) + _INSIDE) / ratio
 
 
 def without_notches(strokes: Floats) -> Floats:
-    """Strokes, with notches of one or two columns in its edges filled.
+    """Return strokes with notches of one or two columns in their edges filled.
 
-    Where a column holds less than a period of what oscillates it misses the crest, one column
-    more and another less: a comb that is not in the signal.  Crests that stand alone stay as
-    narrow as they are (a closing, not a widening), and so do gaps.
+    Where a column contains less than a period of an oscillation it misses the crest, one column by
+    more and another by less: a comb that is not in the signal.  Single crests and gaps keep their
+    width (a morphological closing).
 
     Parameters
     ----------
     strokes : (n_curves, 2 n_columns)
-        Both ends of the stroke of each column, in either order.
+        Both ends of the stroke of each column, in any order.
     """
     pairs = strokes.reshape(len(strokes), -1, 2)
     first, second = pairs[..., 0], pairs[..., 1]
     edges = np.concatenate((-np.minimum(first, second), np.maximum(first, second)))
     closed = _closed(edges)
-    # Heights of strokes, whose lower ends are upside down.
+    # Heights of strokes; their lower ends have the opposite sign.
     n_curves = len(strokes)
     closed_heights = closed[n_curves:] + closed[:n_curves]
     notch = edges[n_curves:] + edges[:n_curves] >= _GAP * closed_heights
@@ -687,7 +657,7 @@ def without_notches(strokes: Floats) -> Floats:
 
 
 def _closed(edges: Floats) -> Floats:
-    """Upper edges with valleys of up to two columns filled, (n_edges, n_columns)."""
+    """Return upper edges, (n_edges, n_columns), with valleys of up to two columns filled."""
     wide = np.empty((len(edges), edges.shape[-1] + 4))
     wide[:, 2:-2], wide[:, :2], wide[:, -2:] = edges, edges[:, :1], edges[:, -1:]
     raised = np.maximum(np.maximum(wide[:, :-2], wide[:, 1:-1]), wide[:, 2:])

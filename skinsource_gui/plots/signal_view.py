@@ -1,7 +1,11 @@
-"""Pictures of a plot, for papers and slides: whole, with a legend, without a crosshair."""
+"""A plot with toolbar, legend and menu, and what it exports: pictures and tables.
+
+Pictures are drawn from a copy of the plot on paper, with a heading and a legend, without crosshair.
+"""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
+from copy import copy
 from dataclasses import replace
 from functools import partial
 from math import ceil
@@ -47,17 +51,17 @@ _SWATCH_PX, _GAP_PX = 16, 4
 
 
 def usual_size(plot: Plot) -> QSize:
-    """Of a picture of what ``plot`` shows, px: twice as large as on the screen, with its legend."""
-    copy = copy_of(plot, plot.size())
-    size = QSize(copy.width(), copy.height() + _head_px(copy)) * _SCALE
-    copy.deleteLater()
+    """Return the usual size of a picture of ``plot``, px: twice that on the screen, with legend."""
+    paper_plot = copy_of(plot, plot.size())
+    size = QSize(paper_plot.width(), paper_plot.height() + _head_px(paper_plot)) * _SCALE
+    paper_plot.deleteLater()
     return size
 
 
 def draw_signals(
     painter: QPainter, width: int, height: int, *, plot: Plot, theme: Theme = LIGHT
 ) -> None:
-    """Draw what ``plot`` shows, ``width`` by ``height`` px; words grow with the picture."""
+    """Draw what ``plot`` shows, ``width`` by ``height`` px; letters grow with the picture."""
     with drawn_in(theme):
         _draw(painter, width, height, plot)
 
@@ -66,39 +70,41 @@ def _draw(painter: QPainter, width: int, height: int, plot: Plot) -> None:
     usual = usual_size(plot).toSizeF() * (1.0 / _SCALE)
     scale = min(width / usual.width(), height / usual.height())
     room = QSize(round(width / scale), round(height / scale))
-    # As wide as it will be, so that the head takes as many lines as it needs there.
+    # A copy of the final width tells how many lines the head needs.
     measured = copy_of(plot, room)
     head_px = _head_px(measured)
     measured.deleteLater()
-    # A plot that is not shown is laid out for the size in which it was made.
+    # A plot that is not shown is laid out for its first size.
     left_px = max(room.height() - head_px, measured.minimumHeight())
-    copy = copy_of(plot, QSize(room.width(), left_px))
+    paper_plot = copy_of(plot, QSize(room.width(), left_px))
     painter.save()
     painter.fillRect(QRectF(0, 0, width, height), QColor(current_theme().base))
     painter.scale(scale, scale)
-    _paint_head(painter, copy)
+    _paint_head(painter, paper_plot)
     painter.translate(0, head_px)
-    whole = QRectF(copy.rect())
+    area = QRectF(paper_plot.rect())
     with on_paper():
-        copy.scene().render(painter, whole, whole)
+        paper_plot.scene().render(painter, area, area)
     painter.restore()
-    copy.deleteLater()
+    paper_plot.deleteLater()
 
 
 def copy_of(plot: Plot, size: QSize) -> Plot:
-    """What ``plot`` shows, in the colours in use, in another size and on paper."""
-    # A plot of its own: the one on the screen keeps its colours, its crosshair and its picture.
-    copy = Plot(on_paper=True)
-    copy.resize(size)
-    copy.set_view(plot.x_window.axis, plot.zoom, stacked=plot.stacked, fitted=plot.fitted)
-    copy.set_words(replace(plot.words, stale=False))
-    copy.held = plot.held.copied()
+    """Return a plot on paper that shows the same as ``plot``, in another size, without crosshair.
+
+    The plot on the screen does not change.
+    """
+    paper_plot = Plot(on_paper=True)
+    paper_plot.resize(size)
+    paper_plot.set_view(plot.x_window.axis, plot.zoom, stacked=plot.stacked, fitted=plot.fitted)
+    paper_plot.set_texts(replace(plot.texts, stale=False))
+    paper_plot.steady_range = copy(plot.steady_range)
     if plot.curves is not None:
-        copy.show_curves(plot.curves)
-    for item in copy.scene().items():
+        paper_plot.show_curves(plot.curves)
+    for item in paper_plot.scene().items():
         # As lines and letters, not as pictures of them.
         item.setCacheMode(item.CacheMode.NoCache)
-    return copy
+    return paper_plot
 
 
 def _head_px(plot: Plot) -> int:
@@ -108,7 +114,7 @@ def _head_px(plot: Plot) -> int:
 
 def _paint_head(painter: QPainter, plot: Plot) -> None:
     line_px = _line_px(plot)
-    painter.setFont(plot.words_font)
+    painter.setFont(plot.text_font)
     painter.setPen(QColor(current_theme().text))
     heading = _heading_lines(plot)
     for row, words in enumerate(heading):
@@ -127,12 +133,12 @@ def _paint_head(painter: QPainter, plot: Plot) -> None:
 
 
 def _line_px(plot: Plot) -> float:
-    return QFontMetricsF(plot.words_font).height() + 2
+    return QFontMetricsF(plot.text_font).height() + 2
 
 
 def _heading_lines(plot: Plot) -> list[str]:
-    """The heading in as many lines as its parts need; one that is too long is broken."""
-    metrics, room_px = QFontMetricsF(plot.words_font), plot.width() - 2 * UNIT_PX
+    """Return the heading in as many lines as its parts need; a part that is too long is broken."""
+    metrics, room_px = QFontMetricsF(plot.text_font), plot.width() - 2 * UNIT_PX
     lines: list[str] = []
     for part in () if plot.curves is None else plot.curves.heading:
         between = " · "
@@ -147,8 +153,8 @@ def _heading_lines(plot: Plot) -> list[str]:
 
 
 def _legend_lines(plot: Plot) -> list[list[tuple[int, QPen | None, str]]]:
-    """Left edge, pen and text of each entry, line by line."""
-    metrics = QFontMetricsF(plot.words_font)
+    """Return left edge, pen and text of each entry of the legend, line by line."""
+    metrics = QFontMetricsF(plot.text_font)
     lines: list[list[tuple[int, QPen | None, str]]] = [[]]
     left = UNIT_PX
     for pen, text in _entries(plot):
@@ -163,7 +169,7 @@ def _legend_lines(plot: Plot) -> list[list[tuple[int, QPen | None, str]]]:
 
 
 def _entries(plot: Plot) -> Iterator[tuple[QPen | None, str]]:
-    """Pens and texts: where axes have the pens, outputs are told by the numbers of their rows."""
+    """Return pens and texts; where axes have the pens, outputs are named by the numbers of rows."""
     curves = plot.curves
     if curves is None:
         return
@@ -172,11 +178,9 @@ def _entries(plot: Plot) -> Iterator[tuple[QPen | None, str]]:
     for rank, name in enumerate(curves.names):
         text = f"{name.number}  {name.short}" if name.number else name.short
         if curves.peaks:
-            text += f", peak {curves.peak_words[rank]} {curves.peak_unit.symbol}"
+            text += f", peak {curves.peak_texts[rank]} {curves.peak_unit.symbol}"
         yield None if curves.axes else current_theme().output_pen(rank, 2.0), text
 
-
-# The numbers of a plot as a table.
 
 _UNITS: dict[Kind, str] = {
     "amplitude": "m_per_s2",
@@ -186,9 +190,9 @@ _UNITS: dict[Kind, str] = {
 
 
 def save_table(path: Path, plot: Plot, title: str, lines: Sequence[str] = ()) -> None:
-    """Write the curves of ``plot``: all samples, in SI, whatever is zoomed to.
+    """Write the curves of ``plot`` as a table: all samples, in SI, whatever part is visible.
 
-    ``lines`` are what else is to be known of them; nothing is said twice.
+    ``lines`` are further lines for its head, without those that are there already.
 
     Raises
     ------
@@ -205,44 +209,42 @@ def save_table(path: Path, plot: Plot, title: str, lines: Sequence[str] = ()) ->
     if curves.peaks:
         pairs = zip(curves.names, curves.peaks, strict=True)
         about.append(
-            f"peaks in m/s²: {', '.join(f'{one.number}: {peak!r}' for one, peak in pairs)}"
+            f"peaks in m/s²: {', '.join(f'{name.number}: {peak!r}' for name, peak in pairs)}"
         )
     about.extend(line for line in lines if line not in about)
-    if plot.words.synthetic:
+    if plot.texts.synthetic:
         about.insert(1, "SYNTHETIC LIMB: computed responses, not measured ones")
-    own = curves.columns or tuple(
+    columns = curves.columns or tuple(
         f"output_{name.number}{axis and f'_{axis}'}_{unit}"
         for name in curves.names
         for axis in curves.axes or ("",)
     )
-    header = [axis.column, *own]
+    header = [axis.column, *columns]
     y = in_tables(curves.y) if curves.kind == "level" else curves.y
     with output_file(path, never) as file:
         CsvTable(file, about, header, never).add(np.vstack((curves.x, y)).T)
 
-
-# What a plot shows, taken elsewhere: a picture, or its numbers.
 
 _PICTURES = "PNG picture (*.png);;SVG drawing (*.svg);;PDF page (*.pdf)"
 _TABLES = "CSV (*.csv)"
 
 
 class SignalExports(QObject):
-    """Copies and saves what ``plot`` shows when it is asked to; ``title`` names it.
+    """Copies and saves what ``plot`` shows; ``title`` names it.
 
     Attributes
     ----------
     folder
-        Where files are suggested.
+        Folder that file dialogs suggest.
     caption, lines
-        Give what stands below a picture, and what else stands in the head of a table.
+        Return the caption of a picture, and further lines for the head of a table.
     as_stored
-        While this lasts the plot shows no matched levels.
+        Returns a context in which the plot shows no matched levels.
     """
 
-    #: A file was written there, `Path`.
+    #: Path of a file that was written.
     written = Signal(object)
-    #: A sentence that says why a file was not written.
+    #: Sentence that says why a file was not written.
     failed = Signal(str)
 
     def __init__(self, plot: Plot, title: str, parent: QWidget) -> None:
@@ -257,27 +259,27 @@ class SignalExports(QObject):
     def copy_picture(self) -> None:
         """Put a picture on the clipboard."""
         size, draw = usual_size(self._plot), partial(draw_signals, plot=self._plot)
-        words = self.caption()
-        height = size.height() + caption_px(words, size.width(), size.height())
+        caption = self.caption()
+        height = size.height() + caption_px(caption, size.width(), size.height())
         with self.as_stored():
-            picture = drawn_image(with_caption(draw, words), size.width(), height)
+            picture = drawn_image(with_caption(draw, caption), size.width(), height)
         QApplication.clipboard().setImage(picture)
 
     def save_picture(self) -> None:
         """Ask for size, colours and a file, and write a picture to it."""
         size = usual_size(self._plot)
         usual = PictureOptions(width_px=size.width(), height_px=size.height())
-        words = self.caption()
-        page = {"shape": (size.width(), size.height()), "below": partial(caption_px, words)}
+        caption = self.caption()
+        page = {"shape": (size.width(), size.height()), "below": partial(caption_px, caption)}
         options = ask_picture_options(self._parent, self._options or usual, **page)
         if options is None:
             return
         path = self._ask("Save picture", f"{self._plot.objectName()}.png", _PICTURES)
         if path is None:
             return
-        # Who left the size as it was gets the plot as it will be then.
+        # Unless the user changed the size, the next picture follows the plot.
         self._options = None if replace(options, colours=usual.colours) == usual else options
-        draw = with_caption(partial(draw_signals, plot=self._plot), words)
+        draw = with_caption(partial(draw_signals, plot=self._plot), caption)
         draw = partial(draw, theme=options.theme)
         width, height = options.width_px, options.height_px
         self._write(path, partial(save_drawing, path, draw, width, height, title=self._title))
@@ -311,74 +313,22 @@ class SignalExports(QObject):
             self.written.emit(path)
 
 
-# The menu of a plot.
-
-
-def open_menu(
-    parent: QWidget,
-    at: QPoint,
-    show_everything: Callable[[], None],
-    exports: SignalExports,
-    switches: Sequence[QToolButton] = (),
-    *,
-    fresh: bool = True,
-) -> QMenu:
-    """Open the menu at a place on the screen; it is deleted when it closes.
-
-    ``switches`` are those of the plot that stand here by their names.
-
-    Unless curves are ``fresh``, those of the present design, nothing can be taken elsewhere.
-    """
-    menu = QMenu(parent)
-    menu.setObjectName("plot-menu")
-    menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-    # Keys are the plot's; here they are only read.
-    menu.addAction(f"View all\t{key_text('plot', 'whole')}").triggered.connect(show_everything)
-    for switch in switches:
-        chosen = menu.addAction(switch.accessibleName())
-        chosen.setCheckable(True)
-        chosen.setChecked(switch.isChecked())
-        chosen.setToolTip(switch.toolTip())
-        chosen.triggered.connect(switch.click)
-    menu.setToolTipsVisible(True)
-    menu.addSeparator()
-    for words, take in (
-        ("Copy picture", exports.copy_picture),
-        ("Save picture as…", exports.save_picture),
-        ("Export data…", exports.save_data),
-    ):
-        action = menu.addAction(words)
-        action.setEnabled(fresh)
-        action.triggered.connect(take)
-    menu.popup(at)
-    return menu
-
-
-# Signals of the selected outputs: their plot, legend, switches and menu.
-
 _COMPUTING = "Computing…"
-#: So many lines of text high, a view has room for two rows of switches, or of a legend.
+#: A view of so many lines of text has room for two rows of switches, or of a legend.
 _LINES_OF_TWO_ROWS = 12
 
 
 class SignalView(QWidget):
-    """Switches over a legend with readings over a plot with zoom, crosshair and menu.
+    """A toolbar, a legend with readings, and a plot with zoom, crosshair and menu.
 
-    It shows what it is told, and says what the user wants; panels decide.
+    It shows what panels tell it, and its signals tell what the user wants.
 
     Parameters
     ----------
     name, accessible_name
-        `objectName` of the plot; what it shows, for those who do not see it.
+        `objectName` of the plot; what it shows, for screen readers.
     lateness
-        Whether what it shows is out of date, where somebody else knows.
-
-    Attributes
-    ----------
-    toolbar, legend, plot
-        Its parts.
-    exports
-        Takes what is shown to the clipboard and to files.
+        Staleness that is shared with others; unless given, the view has its own.
     """
 
     #: Part of the x axis the user wants to see, SI; None: everything.
@@ -407,10 +357,9 @@ class SignalView(QWidget):
         column.addWidget(self.legend)
         column.addWidget(self.plot, 1)
         self.exports = SignalExports(self.plot, accessible_name, self)
-        self._words = PlotTexts()
         self._in_menu: list[QToolButton] = []
-        self._lateness = lateness or Staleness(self)
-        self._lateness.changed.connect(self._mark_stale)
+        self._staleness = lateness or Staleness(self)
+        self._staleness.changed.connect(self._mark_stale)
         self.plot.navigation.zoom_requested.connect(self.zoom_requested)
         self.toolbar.everything_wanted.connect(self._show_everything)
         self.plot.reading_changed.connect(self._read)
@@ -421,7 +370,7 @@ class SignalView(QWidget):
     def add_switch_in_menu(
         self, name: str, text: str, hint: str, toggled: Callable[[bool], None]
     ) -> QToolButton:
-        """Return a new switch of the menu, which stands in the toolbar too while it is on."""
+        """Return a new switch of the menu, which the toolbar shows too while it is on."""
         button = self.toolbar.add_switch(name, text, hint, toggled)
         self.toolbar.show_passing(button, False)
         self._in_menu.append(button)
@@ -430,29 +379,29 @@ class SignalView(QWidget):
     def set_view(
         self, axis: XAxis, zoom: Range | None, *, stacked: bool, fitted: bool = False
     ) -> None:
-        """X axis, its visible part in SI (``None``: all), and rows, as `Plot.set_view` has it."""
+        """Set the x axis, its visible part in SI (None: all), and rows; see `Plot.set_view`."""
         self.plot.set_view(axis, zoom, stacked=stacked, fitted=fitted)
 
     def show_curves(self, curves: Curves, *, synthetic: bool, notes: tuple[str, ...] = ()) -> None:
         """Draw ``curves``, and the longest of ``notes`` that fits.
 
-        They count as up to date until `set_stale` says otherwise.
+        The curves are up to date until `set_stale` says otherwise.
         """
-        self._lateness.set_stale(False)
-        self._say(PlotTexts(synthetic=synthetic, notes=notes))
+        self._staleness.set_stale(False)
+        self.plot.set_texts(PlotTexts(synthetic=synthetic, notes=notes))
         self.plot.show_curves(curves)
 
     def show_message(self, message: str) -> None:
-        """Empty the picture and say ``message`` in its middle."""
+        """Remove the curves and show ``message`` in the middle."""
         self.plot.show_message(message)
 
     def wait_for_curves(self) -> None:
-        """Empty the picture until there are curves; why it is empty is said after a while."""
-        self.plot.show_message(_COMPUTING if self._lateness.late else "")
+        """Remove the curves until there are new ones; a message appears after a while."""
+        self.plot.show_message(_COMPUTING if self._staleness.late else "")
 
     def set_stale(self, stale: bool) -> None:
-        """Say whether curves belong to an older design; told to the eye only after a while."""
-        self._lateness.set_stale(stale)
+        """Say whether curves belong to an older design; this becomes visible after a while."""
+        self._staleness.set_stale(stale)
 
     def _share_height(self) -> None:
         line_px = self.fontMetrics().lineSpacing()
@@ -460,29 +409,49 @@ class SignalView(QWidget):
         for part in (self.toolbar, self.legend):
             part.let_fold(has_room)
 
-    def _mark_stale(self, late: bool) -> None:
+    def _mark_stale(self, stale: bool) -> None:
         if self.plot.curves is None and not self.plot.message:
             self.plot.show_message(_COMPUTING)
-        self._say(replace(self._words, stale=late))
-
-    def _say(self, words: PlotTexts) -> None:
-        self._words = words
-        self.plot.set_words(words)
+        self.plot.set_texts(replace(self.plot.texts, stale=stale))
 
     def _show_everything(self) -> None:
         self.zoom_requested.emit(None)
 
     def _open_menu(self, at: QPoint) -> None:
-        if self.plot.curves is not None:
-            fresh = not self._lateness.late
-            open_menu(self, at, self._show_everything, self.exports, self._in_menu, fresh=fresh)
+        """Open the menu at a place on the screen; it is deleted when it closes."""
+        if self.plot.curves is None:
+            return
+        menu = QMenu(self)
+        menu.setObjectName("plot-menu")
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        # The plot handles the keys; the menu only shows them.
+        view_all = menu.addAction(f"View all\t{key_text('plot', 'whole')}")
+        view_all.triggered.connect(self._show_everything)
+        for switch in self._in_menu:
+            chosen = menu.addAction(switch.accessibleName())
+            chosen.setCheckable(True)
+            chosen.setChecked(switch.isChecked())
+            chosen.setToolTip(switch.toolTip())
+            chosen.triggered.connect(switch.click)
+        menu.setToolTipsVisible(True)
+        menu.addSeparator()
+        for text, export in (
+            ("Copy picture", self.exports.copy_picture),
+            ("Save picture as…", self.exports.save_picture),
+            ("Export data…", self.exports.save_data),
+        ):
+            action = menu.addAction(text)
+            # Curves of an older design cannot be exported.
+            action.setEnabled(not self._staleness.late)
+            action.triggered.connect(export)
+        menu.popup(at)
 
     def _read(self) -> None:
         self.legend.say(reading(self.plot))
 
 
 def reading(plot: Plot) -> LegendText:
-    """Names of the curves of ``plot``, and what the crosshair reads there."""
+    """Return the names of the curves of ``plot``, and what the crosshair reads."""
     curves, unit, axis = plot.curves, plot.unit, plot.x_window.axis
     if curves is None:
         return LegendText()
@@ -507,23 +476,21 @@ def reading(plot: Plot) -> LegendText:
 
 
 def _with_peaks(text: LegendText, curves: Curves) -> LegendText:
-    """Where nothing is read: the peaks to which the curves are relative."""
-    return replace(text, unit=curves.peak_unit.symbol, where=PEAK, readings=curves.peak_words)
+    """Return the legend without a crosshair: the peaks to which the curves are relative."""
+    return replace(text, unit=curves.peak_unit.symbol, where=PEAK, readings=curves.peak_texts)
 
 
 def _with_room_for_peaks(text: LegendText, curves: Curves) -> LegendText:
-    """Where peaks give way to readings, and come back: places stay."""
+    """Return the legend with room for readings and for peaks, so that nothing moves."""
     return replace(
         text,
         relative=True,
-        reading_room=max((text.reading_room, *curves.peak_words), key=len),
+        reading_room=max((text.reading_room, *curves.peak_texts), key=len),
         unit_room=max((text.unit, curves.peak_unit.symbol), key=len),
     )
 
 
-# What curves say of themselves in files and pictures: whose they are, and how they were made.
-
-#: What a panel has to ask for to be able to say it.
+#: Quantities that describe curves in files and pictures.
 NEEDS = frozenset(
     {
         "actuation",
@@ -537,16 +504,14 @@ NEEDS = frozenset(
         "span",
     }
 )
-
-
-#: What is said where curves are along each axis by itself.
+#: Text for curves along each axis by itself.
 EACH_AXIS = "each axis of the sensors"
 
 
 def lines_later(
     results: Mapping[str, Any], *first: str, each_axis: bool = False
 ) -> Callable[[], tuple[str, ...]]:
-    """What gives lines for the head of a table: written when there is one, not at each edit."""
+    """Return a function that writes lines for the head of a table, only when they are needed."""
     return partial(_lines, {name: results[name] for name in NEEDS}, first, each_axis)
 
 
@@ -563,7 +528,7 @@ def _lines(results: Mapping[str, Any], first: tuple[str, ...], each_axis: bool) 
 
 
 def heading_of(results: Mapping[str, Any], *, each_axis: bool = False) -> tuple[str, ...]:
-    """Parts of the heading of a picture: the caption below says what is played, and how."""
-    along = f"along {EACH_AXIS}"
-    words = along if each_axis else signal_label(results["axes"], results["method"])
-    return limb_word(results["limb"]).title, words
+    """Return the parts of the heading of a picture; its caption describes the stimulus."""
+    label = signal_label(results["axes"], results["method"])
+    projection = f"along {EACH_AXIS}" if each_axis else label
+    return limb_word(results["limb"]).title, projection

@@ -1,4 +1,4 @@
-"""Strokes over what is mostly noise."""
+"""Small maps of a limb in the colours of levels, with rings, numbers and scales."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -28,7 +28,6 @@ from skinsource.limbs.own_limbs import facts_of
 from skinsource.limbs.surface.operator import SurfaceOperator
 from skinsource.signals.map_range import MAP_RANGE_DB, map_range_db
 from skinsource.specs import fields
-from skinsource.specs.numbers import Range as FieldsRange
 from skinsource.specs.numbers import RangeSpec
 from skinsource.specs.spec import ChoiceSpec
 from skinsource_gui.fields.units import minus
@@ -37,13 +36,15 @@ from skinsource_gui.plots.outputs import is_placed
 from skinsource_gui.qt.frames import Frame, fitted
 from skinsource_gui.qt.theme import Theme, is_on_paper, scaled
 
+Range = tuple[float, float]
+
 _DARK, _LIGHT = QColor(0, 0, 0, 150), QColor(255, 255, 255, 150)
 
 
 def paint_strokes(
     painter: QPainter, places: Sequence[QPointF], reach_px: float, outline: QPainterPath
 ) -> None:
-    """Hatch the surroundings of places inside an outline, so that it shows on any colour."""
+    """Hatch the surroundings of places inside an outline, visibly on any colour."""
     area = around(places, reach_px)
     painter.save()
     painter.setClipPath(outline, Qt.ClipOperation.IntersectClip)
@@ -59,7 +60,7 @@ def paint_dark_strokes(painter: QPainter, places: Sequence[QPointF], reach_px: f
 
 
 def around(places: Sequence[QPointF], reach_px: float) -> QPainterPath:
-    """All that is no farther from one of the places; where discs overlap they are one."""
+    """Return the union of discs around places."""
     area = QPainterPath()
     area.setFillRule(Qt.FillRule.WindingFill)
     for place in places:
@@ -67,17 +68,15 @@ def around(places: Sequence[QPointF], reach_px: float) -> QPainterPath:
     return area
 
 
-# The interpolated map as a picture that a vector outline can clip.
-
-# The picture goes on this many pixels outside the mask, in the colours of the rim, so that
-# smooth scaling never meets an empty pixel inside the outline.
+# The image continues this many pixels outside the mask, in the colours of the rim, so that smooth
+# scaling never meets an empty pixel inside the outline.
 _COLLAR = 2
 # Neighbours that share an edge come before those that share a corner.
 _NEIGHBOURS = ((0, 1), (0, -1), (1, 0), (-1, 0), (1, 1), (1, -1), (-1, 1), (-1, -1))
 
 
 class FieldImage:
-    """Pixels of one surface operator, coloured anew for each set of levels.
+    """Image of one surface operator for a vector outline to clip, coloured for each set of levels.
 
     Parameters
     ----------
@@ -86,12 +85,12 @@ class FieldImage:
     x_mm, y_mm : (columns,) and (rows,)
         Centres of the pixels.
     px_per_mm
-        Outline pixels in a millimetre.
+        Outline pixels per millimetre.
 
     Attributes
     ----------
     rect
-        What the picture covers, in outline pixels; its top is the lowest y.
+        Area of the image, in outline pixels; its top is the lowest y.
     """
 
     def __init__(
@@ -119,9 +118,9 @@ class FieldImage:
     def image(
         self, levels_db: Floats, range_db: tuple[float, float], table: NDArray[np.uint32]
     ) -> QImage:
-        """Picture of levels, (rows, columns); its first line is the highest y.
+        """Return the image of levels, (rows, columns); its first line is the highest y.
 
-        Its pixels are this object's own and change with the next call.
+        The next call changes its pixels.
         """
         drawn = self._drawn
         if (
@@ -137,13 +136,13 @@ class FieldImage:
         return self._image
 
     def _of_pixels(self) -> QImage:
-        """A picture with a key of its own: a PDF holds those of one key for the same picture."""
+        """Return a new image of the pixels: a PDF takes images with one key for the same."""
         rows, columns = self._size
         depth = QImage.Format.Format_ARGB32_Premultiplied
         return QImage(self._pixels.data, columns, rows, 4 * columns, depth)
 
     def level_at(self, levels_db: Floats, x_px: float, y_px: float) -> float | None:
-        """Level of the pixel at a place of the outline, dB; None outside."""
+        """Return the level of the pixel at a place of the outline, dB; None outside."""
         column = round((x_px / self._px_per_mm - self._origin_mm[0]) / self._step_mm[0])
         row = round((y_px / self._px_per_mm - self._origin_mm[1]) / self._step_mm[1])
         rows, columns = self._shape
@@ -154,46 +153,40 @@ class FieldImage:
 
 
 def field_image(surface: SurfaceOperator, limb: Limb) -> FieldImage:
-    """Pixels of the surface of ``limb``."""
+    """Return the image of the surface of ``limb``."""
     px_per_mm = limb.map.hand_length_px / limb.hand_length_mm
     return FieldImage(surface.mask, surface.x_mm, surface.y_mm, px_per_mm)
 
 
 def _inside_pixels(mask: NDArray[np.bool_]) -> NDArray[np.intp]:
-    """Index of the inside pixel whose colour each pixel takes, -1 for none, with the collar."""
-    own = np.where(mask, np.arange(mask.size).reshape(mask.shape), -1)
-    source = np.pad(own, _COLLAR, constant_values=-1)
+    """Return, for each pixel with the collar, the index of the pixel that colours it; -1: none."""
+    own_pixels = np.where(mask, np.arange(mask.size).reshape(mask.shape), -1)
+    source = np.pad(own_pixels, _COLLAR, constant_values=-1)
     for _ in range(_COLLAR):
         grown = source.copy()
         for step in _NEIGHBOURS:
             neighbour = np.roll(source, step, axis=(0, 1))
-            taken = (grown < 0) & (neighbour >= 0)
-            grown[taken] = neighbour[taken]
+            reached = (grown < 0) & (neighbour >= 0)
+            grown[reached] = neighbour[reached]
         source = grown
     return source
 
 
-# Maps so small that they have no words: in lists, on cards.
-
 _RING_PX, _DISC_PX = 3.0, 2.5
-# As far around an output as on the large map, in the smallest spacings of outputs.
+# Radius of the noise around an output, in the smallest spacing of outputs, as on the large map.
 _NOISE_SPACINGS = 1.38
-
-Range = tuple[float, float]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class SmallMap:
-    """What a small map shows.
+    """Content of a small map.
 
     Attributes
     ----------
-    limb_map
-        Outline and places.
     levels_db : (n_outputs,) or None
         Level of each output; None: no colours.
     field, field_levels_db
-        Interpolated map and its levels, (rows, columns); None: outputs carry the colours.
+        Interpolated map and its levels, (rows, columns); None: outputs have the colours.
     noisy
         Outputs that are mostly noise: their surroundings are hatched.
     """
@@ -206,7 +199,7 @@ class SmallMap:
 
     @property
     def range_db(self) -> Range:
-        """Levels of the lowest and the highest colour, if nothing else is said."""
+        """Levels of the lowest and the highest colour, unless others are chosen."""
         return map_range_db(() if self.levels_db is None else self.levels_db)
 
 
@@ -218,7 +211,7 @@ class SmallMaps:
         self._field: FieldImage | None = None
 
     def map_of(self, results: Mapping[str, Any]) -> SmallMap:
-        """The map of ``results``, which hold ``limb_map``; the more they hold, the more it shows.
+        """Return the map of ``results``; only ``limb_map`` is required.
 
         Parameters
         ----------
@@ -228,16 +221,12 @@ class SmallMaps:
         """
         surface = results.get("surface")
         levels = results.get("surface_levels_db")
+        plain = SmallMap(limb_map=results["limb_map"], levels_db=results.get("output_levels_db"))
         if surface is None or levels is None or "limb_data" not in results:
-            return SmallMap(limb_map=results["limb_map"], levels_db=results.get("output_levels_db"))
+            return plain
         if surface is not self._surface:
             self._surface, self._field = surface, field_image(surface, results["limb_data"])
-        return SmallMap(
-            limb_map=results["limb_map"],
-            levels_db=results.get("output_levels_db"),
-            field=self._field,
-            field_levels_db=levels,
-        )
+        return replace(plain, field=self._field, field_levels_db=levels)
 
 
 def paint_small_map(
@@ -254,7 +243,7 @@ def paint_small_map(
     Parameters
     ----------
     painter, area
-        Where; nothing is drawn outside.
+        Nothing is drawn outside of the area.
     shown
         The map.
     design
@@ -262,7 +251,7 @@ def paint_small_map(
     theme
         Colours of skin and inputs.
     range_db, table
-        Levels of the lowest and highest colour, and the colours; as usual unless given.
+        Levels of the lowest and highest colour, and the colours; the usual ones unless given.
     """
     limb_map = shown.limb_map
     frame = small_frame(limb_map, area)
@@ -286,7 +275,7 @@ def paint_small_map(
 
 
 def small_frame(limb_map: LimbMap, area: QRectF) -> Frame:
-    """Where `paint_small_map` draws a map."""
+    """Return the frame in which `paint_small_map` draws a map."""
     return fitted(_bounds(limb_map.outline), area, up=True)
 
 
@@ -302,7 +291,7 @@ def _paint_levels(
     if shown.field is not None and shown.field_levels_db is not None:
         painter.save()
         painter.setClipPath(outline)
-        # The picture's first line is the highest y: it is drawn downwards from there.
+        # The first line of the image is the highest y: it is drawn downwards from there.
         place = frame.transform().mapRect(shown.field.rect)
         painter.drawImage(place, shown.field.image(shown.field_levels_db, range_db, colours))
         painter.restore()
@@ -317,17 +306,16 @@ def _paint_levels(
 
 
 def spacing_px(limb_map: LimbMap, frame: Frame) -> float:
-    """Smallest distance between two outputs on a small map; 0: there are no two."""
+    """Return the smallest distance between two outputs on a small map, px; 0: there are no two."""
     places = frame.to_screen(limb_map.output_positions)
     places = places[np.isfinite(places).all(axis=1)]
-    apart = np.linalg.norm(places[:, None] - places[None], axis=-1)
-    return float(apart[apart > 0].min(initial=np.inf)) if apart.any() else 0.0
+    distances = np.linalg.norm(places[:, None] - places[None], axis=-1)
+    return float(distances[distances > 0].min(initial=np.inf)) if distances.any() else 0.0
 
 
 def _paint_noise(painter: QPainter, frame: Frame, outline: QPainterPath, shown: SmallMap) -> None:
     places = frame.to_screen(shown.limb_map.output_positions)
-    noisy = [QPointF(*places[number - 1]) for number in shown.noisy if number <= len(places)]
-    placed = [one for one in noisy if np.isfinite((one.x(), one.y())).all()]
+    placed = [QPointF(*places[number - 1]) for number in shown.noisy if is_placed(places, number)]
     reach = max(_NOISE_SPACINGS * spacing_px(shown.limb_map, frame), _DISC_PX)
     paint_strokes(painter, placed, reach, outline)
 
@@ -335,17 +323,21 @@ def _paint_noise(painter: QPainter, frame: Frame, outline: QPainterPath, shown: 
 def _paint_inputs(
     painter: QPainter, frame: Frame, limb_map: LimbMap, design: Design, theme: Theme
 ) -> None:
-    heard = set(audible_indices(design.inputs))
+    audible = set(audible_indices(design.inputs))
     places = frame.to_screen(limb_map.input_positions)
-    for index, one in enumerate(design.inputs):
-        if index in heard and one.location <= len(places):
-            centre = QPointF(*places[one.location - 1])
-            if not np.isfinite((centre.x(), centre.y())).all():
-                continue  # it has no place on the map
-            painter.setPen(QPen(QColor(theme.base), 3.0))
-            painter.drawEllipse(centre, _RING_PX, _RING_PX)
-            painter.setPen(QPen(theme.input_colour(one.colour), 1.5))
-            painter.drawEllipse(centre, _RING_PX, _RING_PX)
+    for index, track in enumerate(design.inputs):
+        if index in audible and is_placed(places, track.location):
+            centre = QPointF(*places[track.location - 1])
+            pen = QPen(theme.input_colour(track.colour), 1.5)
+            _paint_ring(painter, centre, _RING_PX, pen, theme)
+
+
+def _paint_ring(painter: QPainter, centre: QPointF, radius: float, pen: QPen, theme: Theme) -> None:
+    """Draw a ring on a wider one in the colour of the background, to be visible on any colour."""
+    painter.setPen(QPen(QColor(theme.base), 2.0 * pen.widthF()))
+    painter.drawEllipse(centre, radius, radius)
+    painter.setPen(pen)
+    painter.drawEllipse(centre, radius, radius)
 
 
 def _bounds(outline: Floats) -> QRectF:
@@ -353,9 +345,7 @@ def _bounds(outline: Floats) -> QRectF:
     return QRectF(float(x0), float(y0), float(x1 - x0), float(y1 - y0))
 
 
-# Colours and range that were chosen on the skin map, for all maps of levels beside it.
-
-#: Said where the colours span what was chosen, and do not follow the design.
+#: Shown where the user has fixed the range of colours.
 FIXED_MARK = "range fixed"
 MAP_RANGE = RangeSpec(label="Range", unit="dB")
 COLOURS = ChoiceSpec(
@@ -371,7 +361,7 @@ COLOURS = ChoiceSpec(
     "colour vision",
 )
 
-# Where they are chosen, and whose settings hold them in files.
+# The panel whose settings hold the colours and the range.
 _PANEL = "skin"
 
 
@@ -382,52 +372,50 @@ class LevelLook:
     Attributes
     ----------
     map_range_db
-        Levels of the ends of the colour bar, dB re 1 m/s²; ``None``: each map follows what it
-        shows (`skinsource.signals.map_range.map_range_db`).
+        Levels of the ends of the colour bar, dB re 1 m/s²; None: each map follows its content
+        (`skinsource.signals.map_range.map_range_db`).
     colours
         Colour map of levels.
     """
 
-    map_range_db: FieldsRange | None = fields.interval(None, MAP_RANGE)
+    map_range_db: Range | None = fields.interval(None, MAP_RANGE)
     colours: str = fields.choice(VIRIDIS, COLOURS)
 
     def __post_init__(self) -> None:
         fields.check(self)
 
 
-#: Where nothing was chosen.
+#: The look unless the user chooses another one.
 USUAL_LOOK = LevelLook()
 
 
 def level_look(view: View) -> LevelLook:
-    """What was chosen for all maps of levels."""
+    """Return the look of all maps of levels."""
     return settings_of(view, _PANEL, LevelLook)
 
 
 def coloured_like(view: View, other: View) -> View:
-    """Return ``view`` with the colours of ``other``, unless it has chosen some itself."""
+    """Return ``view`` with the colours of ``other``, unless it has colours of its own."""
     return in_colours(view, level_look(other).colours)
 
 
 def in_colours(view: View, colours: str) -> View:
-    """Return ``view`` in these colours, unless it has chosen some itself."""
+    """Return ``view`` in these colours, unless it has colours of its own."""
     look = level_look(view)
     if look.colours != USUAL_LOOK.colours or look.colours == colours:
         return view
     return with_settings(view, _PANEL, replace(look, colours=colours))
 
 
-# A bar on a map that says how long some millimetres are.
-
 _LENGTHS_MM = (100, 50, 20, 10, 5, 2, 1)
-# It takes at most this part of the width.
+# A scale bar takes at most this part of the width.
 _MOST = 0.25
-# Its words on small maps, in usual sizes.
-_WORDS = 0.8
+# Size of its text on small maps, in usual sizes.
+_BAR_TEXT = 0.8
 
 
 def bar_length_mm(px_per_mm: float, width_px: float) -> int:
-    """The longest round length that fits, mm."""
+    """Return the longest round length that fits, mm."""
     fitting = (length for length in _LENGTHS_MM if length * px_per_mm <= _MOST * width_px)
     return next(fitting, _LENGTHS_MM[-1])
 
@@ -435,10 +423,9 @@ def bar_length_mm(px_per_mm: float, width_px: float) -> int:
 def paint_small_bar(
     painter: QPainter, area: QRectF, shown: SmallMap, limb: str, theme: Theme
 ) -> None:
-    """Draw the bar of a small map, on paper alone, into the lower right corner of its ``area``.
+    """Draw the scale bar of a small map, only on paper, into the lower right corner of ``area``.
 
-    On the screen small maps are looked at, not measured.  Nothing is drawn where it is not known
-    how long the hand of the ``limb`` is.
+    Nothing is drawn where the length of the hand of ``limb`` is not known.
     """
     length_mm = facts_of(limb).hand_length_mm
     if not is_on_paper() or length_mm <= 0.0:
@@ -446,15 +433,15 @@ def paint_small_bar(
     limb_map = shown.limb_map
     px_per_mm = small_frame(limb_map, area).scale * limb_map.hand_length_px / length_mm
     bar_mm = bar_length_mm(px_per_mm, area.width())
-    words, plain = f"{bar_mm} mm", painter.font()
-    painter.setFont(scaled(plain, _WORDS))
+    text, plain = f"{bar_mm} mm", painter.font()
+    painter.setFont(scaled(plain, _BAR_TEXT))
     metrics = QFontMetricsF(painter.font())
-    width, wide = bar_mm * px_per_mm, metrics.horizontalAdvance(words)
-    middle = area.right() - max(width, wide) / 2 - 2.0
+    width, text_width = bar_mm * px_per_mm, metrics.horizontalAdvance(text)
+    middle = area.right() - max(width, text_width) / 2 - 2.0
     bottom = area.bottom() - 2.0
-    above = QRectF(middle - wide / 2 - 1.0, 0.0, wide + 2.0, metrics.height())
+    above = QRectF(middle - text_width / 2 - 1.0, 0.0, text_width + 2.0, metrics.height())
     above.moveBottom(bottom - 1.0)
-    # Where it lies on the arm it is read all the same.
+    # The text has to be readable on the arm, too.
     ground = QColor(theme.base)
     ground.setAlphaF(0.88)
     painter.fillRect(above, ground)
@@ -462,24 +449,23 @@ def paint_small_bar(
     pen.setCapStyle(Qt.PenCapStyle.FlatCap)
     painter.setPen(pen)
     painter.drawLine(QLineF(middle - width / 2, bottom, middle + width / 2, bottom))
-    painter.drawText(above, Qt.AlignmentFlag.AlignCenter, words)
+    painter.drawText(above, Qt.AlignmentFlag.AlignCenter, text)
     painter.setFont(plain)
 
 
-# Rings around outputs of a small map, and their numbers where these have room.
-
-_OUTPUT_RINGS_RING_PX, _WIDE_PX = 4.0, 7.0
+# Radius of the ring of a selected output, and of the output under the pointer.
+_OUTPUT_RING_PX, _WIDE_PX = 4.0, 7.0
 _FEW_RINGS = 12
 _EDGE_PX, _GROUND = 2.0, 0.85
-# How far from its ring a number may stand, in rings.
+# A number stands less than so many rings from its own.
 _FARTHEST = 6
 
 
 def ring_size(n: int, spacing_px: float) -> tuple[float, float]:
-    """Radius and width of ``n`` rings, px: of many of them so small that the map is seen."""
+    """Return radius and width of ``n`` rings, px; many rings are small."""
     if n <= _FEW_RINGS:
-        return _OUTPUT_RINGS_RING_PX, 2.0
-    return min(max(0.3 * spacing_px, 1.5), _OUTPUT_RINGS_RING_PX), 1.0
+        return _OUTPUT_RING_PX, 2.0
+    return min(max(0.3 * spacing_px, 1.5), _OUTPUT_RING_PX), 1.0
 
 
 def paint_rings(
@@ -490,7 +476,7 @@ def paint_rings(
     theme: Theme,
     pointed_at: int | None = None,
 ) -> None:
-    """Selected outputs in the colours of their curves, and the one that is pointed at."""
+    """Draw rings around selected outputs, in the colours of their curves, and ``pointed_at``."""
     limb_map = small.limb_map
     frame = small_frame(limb_map, area)
     points = frame.to_screen(limb_map.output_positions)
@@ -500,49 +486,44 @@ def paint_rings(
     if pointed_at is not None:
         rings.append((pointed_at, QPen(QColor(theme.text), 1.5), _WIDE_PX))
     for number, pen, radius in rings:
-        if not is_placed(points, number):
-            continue  # not on this map
-        centre = QPointF(*points[number - 1])
-        painter.setPen(QPen(QColor(theme.base), 2.0 * pen.widthF()))
-        painter.drawEllipse(centre, radius, radius)
-        painter.setPen(pen)
-        painter.drawEllipse(centre, radius, radius)
+        if is_placed(points, number):
+            _paint_ring(painter, QPointF(*points[number - 1]), radius, pen, theme)
 
 
-def number_places(
+def number_areas(
     small: SmallMap, area: QRectF, outputs: tuple[int, ...], metrics: QFontMetricsF
 ) -> list[tuple[int, QRectF]]:
-    """Where numbers stand beside the rings of few outputs: on no other number and on no ring.
+    """Return the areas of the numbers of few outputs, beside their rings, without overlaps.
 
-    Where rings are close some stand farther off.
+    Where rings are close together, some numbers stand farther away or are left out.
     """
     points = small_frame(small.limb_map, area).to_screen(small.limb_map.output_positions)
-    placed = [one for one in outputs if is_placed(points, one)]
+    placed = [number for number in outputs if is_placed(points, number)]
     if len(outputs) > _FEW_RINGS:
         return []
-    side = 2.0 * _OUTPUT_RINGS_RING_PX + _EDGE_PX
-    taken = [
+    side = 2.0 * _OUTPUT_RING_PX + _EDGE_PX
+    occupied = [
         QRectF(x - side / 2, y - side / 2, side, side)
         for x, y in (points[number - 1] for number in placed)
     ]
-    found: list[tuple[int, QRectF]] = []
+    areas: list[tuple[int, QRectF]] = []
     for number in placed:
-        x, y = (float(one) for one in points[number - 1])
-        wide = metrics.horizontalAdvance(str(number)) + 2.0 * _EDGE_PX
-        high = metrics.height()
+        x, y = (float(value) for value in points[number - 1])
+        width = metrics.horizontalAdvance(str(number)) + 2.0 * _EDGE_PX
+        height = metrics.height()
         corners = [
-            (left, y - high / 2 + down * high / 2)
+            (left, y - height / 2 + down * height / 2)
             for away in (side / 2, *(rank * side for rank in range(1, _FARTHEST)))
             for down in (0, -1, 1, -2, 2, -3, 3)
-            for left in (x + away, x - away - wide)
+            for left in (x + away, x - away - width)
         ]
         for left, top in corners:
-            place = QRectF(left, top, wide, high)
-            if area.contains(place) and not any(place.intersects(one) for one in taken):
-                taken.append(place)
-                found.append((number, place))
+            place = QRectF(left, top, width, height)
+            if area.contains(place) and not any(place.intersects(other) for other in occupied):
+                occupied.append(place)
+                areas.append((number, place))
                 break
-    return found
+    return areas
 
 
 def paint_numbers(
@@ -552,63 +533,56 @@ def paint_numbers(
     ground = QColor(theme.base)
     ground.setAlphaF(_GROUND)
     points = small_frame(small.limb_map, area).to_screen(small.limb_map.output_positions)
-    for number, place in number_places(small, area, outputs, QFontMetricsF(painter.font())):
-        x, y = (float(one) for one in points[number - 1])
+    for number, place in number_areas(small, area, outputs, QFontMetricsF(painter.font())):
+        x, y = (float(value) for value in points[number - 1])
         right = place.left() > x
         edge = QPointF(place.left() if right else place.right(), place.center().y())
         painter.setPen(theme.output_pen(outputs.index(number), 1.0))
-        painter.drawLine(
-            QPointF(x + (_OUTPUT_RINGS_RING_PX if right else -_OUTPUT_RINGS_RING_PX), y), edge
-        )
+        painter.drawLine(QPointF(x + (_OUTPUT_RING_PX if right else -_OUTPUT_RING_PX), y), edge)
         painter.fillRect(place, ground)
         painter.setPen(QColor(theme.text))
         painter.drawText(place, Qt.AlignmentFlag.AlignCenter, str(number))
 
 
-# What stands at the numbers of a scale of colours that may not reach to all values.
-
-
 def tick_text(
     value: float, range_db: Range, reached_db: Range | None, *, signed: bool = False
 ) -> str:
-    """A number of a scale; "≤ −20" or "≥ +20" at an end whose colour values beyond it have too.
+    """Return the text of a tick; "≤ −20" or "≥ +20" where values beyond have the same colour.
 
     Parameters
     ----------
     value
-        The number.
+        Value at the tick.
     range_db
         Values of the lowest and the highest colour.
     reached_db
-        The smallest and the largest value there is; None: all lie within the range.
+        The smallest and the largest value of the map; None: all lie within the range.
     signed
-        Whether numbers have their sign.
+        Whether positive numbers have a sign.
     """
-    words = minus(f"{value:+g}" if signed and value != 0.0 else f"{value:g}")
+    text = minus(f"{value:+g}" if signed and value != 0.0 else f"{value:g}")
     if reached_db is None:
-        return words
+        return text
     if value <= range_db[0] and reached_db[0] < range_db[0]:
-        return f"≤ {words}"
+        return f"≤ {text}"
     if value >= range_db[1] and reached_db[1] > range_db[1]:
-        return f"≥ {words}"
-    return words
+        return f"≥ {text}"
+    return text
 
 
-# What the colours of small maps mean, in a row below them.
-
-#: What stands in the place of a level that there is not.
+#: Text for the level of silence.
 SILENT = "silent"
 _LEVELS = "dB re 1 m/s²"
 _OF_OWN = (-MAP_RANGE_DB, 0.0)
 _RAMP_PX, _ABOVE_PX = 9.0, 2.0
 _CENTRE = Qt.AlignmentFlag.AlignCenter
-# Of the levels that a map spans, of differences with zero in their middle, and of narrow scales.
+# Numbers of ticks: of levels, of differences with zero in the middle, and of narrow scales.
 _TICKS, _SIGNED_TICKS, _FEW_TICKS = 6, 5, 3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Scale:
-    """Colours, and what they mean.
+    """A scale of colours.
 
     Attributes
     ----------
@@ -619,7 +593,7 @@ class Scale:
     colours
         Name of the colour map.
     signed
-        Whether values are told with their sign.
+        Whether positive values have a sign.
     reached_db
         The smallest and the largest value; those beyond the range have the colour of its end.
         None: all lie within.
@@ -632,14 +606,14 @@ class Scale:
     reached_db: Range | None = None
 
     def text(self, value_db: float) -> str:
-        """``"−12.3 dB"``; with a sign where it is one of a difference, which silence has not."""
+        """Return ``"−12.3 dB"``; differences have a sign."""
         if not self.signed and value_db <= FLOOR_DB:
             return SILENT
         return minus(f"{value_db:+z.1f} dB" if self.signed else f"{value_db:z.1f} dB")
 
 
 def scale_of_levels(levels_db: Floats, look: LevelLook) -> Scale:
-    """The scale of RMS levels as they shall look; it says so where its range was fixed by hand."""
+    """Return the scale of RMS levels; its text tells where the user has fixed the range."""
     fixed = look.map_range_db is not None
     return Scale(
         range_db=look.map_range_db or map_range_db(levels_db),
@@ -649,22 +623,22 @@ def scale_of_levels(levels_db: Floats, look: LevelLook) -> Scale:
 
 
 def scale_of_own(look: LevelLook) -> Scale:
-    """The scale of RMS levels that are each relative to the loudest output of their map."""
+    """Return the scale of RMS levels relative to the loudest output of each map."""
     return Scale(range_db=_OF_OWN, words="dB re each map's maximum", colours=look.colours)
 
 
 def with_matched(scale: Scale, matched: str) -> Scale:
-    """The same scale, which says by how much values are louder or softer than stored, if at all."""
+    """Return the scale with a text that tells how much louder or softer than stored values are."""
     return replace(scale, words=f"{scale.words}, {matched}") if matched else scale
 
 
 def scale_row_px(line_px: float) -> float:
-    """Height of `paint_scale_row`, whose words have lines of this height."""
+    """Return the height of `paint_scale_row` for lines of text of this height."""
     return _ABOVE_PX + _RAMP_PX + 2.0 * line_px
 
 
 def paint_scale_row(painter: QPainter, area: QRectF, scale: Scale, theme: Theme) -> None:
-    """Draw the colours in the middle of ``area``, with numbers and words below them."""
+    """Draw the colours in the middle of ``area``, with numbers and a text below them."""
     line = painter.fontMetrics().height()
     width = max(min(area.width() - 4.0 * line, 20.0 * line), 4.0 * line)
     ramp = QRectF(area.center().x() - width / 2.0, area.top() + _ABOVE_PX, width, _RAMP_PX)
@@ -681,9 +655,9 @@ def paint_scale_row(painter: QPainter, area: QRectF, scale: Scale, theme: Theme)
         n_ticks = _FEW_TICKS
     for value in np.linspace(low, high, n_ticks):
         x = ramp.left() + (value - low) / (high - low) * ramp.width()
-        words = QRectF(x - 3.0 * line, ramp.bottom(), 6.0 * line, line)
+        text_area = QRectF(x - 3.0 * line, ramp.bottom(), 6.0 * line, line)
         number = tick_text(value, scale.range_db, scale.reached_db, signed=scale.signed)
-        painter.drawText(words, _CENTRE, number)
+        painter.drawText(text_area, _CENTRE, number)
     painter.setPen(QColor(theme.dim))
     below = QRectF(area.left(), ramp.bottom() + line, area.width(), line)
     painter.drawText(below, _CENTRE, scale.words)

@@ -1,31 +1,32 @@
-"""Where a moved edge comes to rest."""
+"""The visible part of a time axis: pixels and times, zoom and pan, and snapping of moved edges."""
 
 from bisect import bisect_left
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from math import floor, log10
+from math import inf
+from operator import itemgetter
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QWheelEvent
 
+from skinsource_gui.plots.ranges import round_step
 from skinsource_gui.qt.wheel import NOTCH, PAN_PER_NOTCH, ZOOM_PER_NOTCH
 
-#: From how far away an edge snaps, px.
+#: An edge snaps from this far away, px.
 REACH_PX = 7.0
 _GRID_PX = 12.0
-_STEPS = (1.0, 2.0, 5.0, 10.0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rest:
-    """Where something comes to rest.
+    """Where a moved edge comes to rest.
 
     Attributes
     ----------
     by_s
         How far it is moved.
     guide_s
-        The time that it snapped to, which is shown; None where it lies free.
+        The time to which it snapped, which is shown; None where it did not.
     """
 
     by_s: float
@@ -33,10 +34,8 @@ class Rest:
 
 
 def grid_step_s(px_per_s: float) -> float:
-    """Finest round step of time whose lines are still told apart: 1, 2, 5, 10 … ms."""
-    least = _GRID_PX / px_per_s
-    decade = 10.0 ** floor(log10(least))
-    return next(step * decade for step in _STEPS if step * decade >= least * (1 - 1e-9))
+    """Return the finest round step of time with lines far enough apart: 1, 2, 5, 10 … ms."""
+    return round_step(_GRID_PX / px_per_s)
 
 
 def rest_of(
@@ -47,7 +46,7 @@ def rest_of(
     grid_s: float | None,
     reach_s: float,
 ) -> Rest:
-    """Move edges by about ``by_s``, so that one of them comes to rest on something near.
+    """Move edges by about ``by_s``, so that one of them snaps to something near.
 
     Parameters
     ----------
@@ -56,23 +55,24 @@ def rest_of(
     by_s
         How far the pointer moved.
     neighbours_s
-        Rising times to rest on: ends of other clips, playhead, markers.  They go before the grid.
+        Rising times to snap to: ends of other clips, playhead, markers.  They go before the grid.
     grid_s
-        Step of the grid, on which the first edge rests wherever it is; None: there is none.
+        Step of the grid, to which the first edge snaps from any distance; None: there is none.
     reach_s
-        From how far away an edge snaps to a time.
+        An edge snaps to a time from this far away.
     """
     edges = tuple(edges_s)
-    found: tuple[float, float, float] | None = None
-    for edge in edges:
-        target = _nearest(neighbours_s, edge + by_s)
-        if target is not None:
-            found = _nearer(found, edge, target, by_s)
-    if found is not None and found[0] <= reach_s:
-        return Rest(by_s=found[1], guide_s=found[2])
+    snaps = [
+        (abs(target - edge - by_s), target - edge, target)
+        for edge in edges
+        if (target := _nearest(neighbours_s, edge + by_s)) is not None
+    ]
+    distance_s, snapped_by_s, guide_s = min(snaps, key=itemgetter(0), default=(inf, 0.0, 0.0))
+    if distance_s <= reach_s:
+        return Rest(by_s=snapped_by_s, guide_s=guide_s)
     if grid_s is None or not edges:
         return Rest(by_s=by_s)
-    # The first edge alone follows the grid: it is where something starts.
+    # Only the first edge follows the grid: it is the start of something.
     target = round((edges[0] + by_s) / grid_s) * grid_s
     return Rest(by_s=target - edges[0])
 
@@ -81,35 +81,26 @@ def _nearest(rising: Sequence[float], time_s: float) -> float | None:
     if not rising:
         return None
     right = bisect_left(rising, time_s)
-    around = rising[max(right - 1, 0) : right + 1]
-    return min(around, key=lambda one: abs(one - time_s))
+    neighbours = rising[max(right - 1, 0) : right + 1]
+    return min(neighbours, key=lambda time: abs(time - time_s))
 
-
-def _nearer(
-    found: tuple[float, float, float] | None, edge: float, target: float, by_s: float
-) -> tuple[float, float, float]:
-    away = abs(target - edge - by_s)
-    return found if found is not None and found[0] <= away else (away, target - edge, target)
-
-
-# From times to pixels and back.
 
 Range = tuple[float, float]
 
-#: No closer than so much of the design across the whole width.
+#: The shortest time that the whole width can show, s.
 SHORTEST_S = 0.005
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TimeScale:
-    """Which part of the time is shown, and where.
+    """Maps the visible part of the time to pixels.
 
     Attributes
     ----------
     shown_s
-        First and last time that can be seen.
+        First and last visible time.
     left_px, width_px
-        Where the first one lies, and how far away the last one.
+        Position of the first one, and the distance from there to the last one.
     """
 
     shown_s: Range
@@ -118,25 +109,25 @@ class TimeScale:
 
     @property
     def px_per_s(self) -> float:
-        """Pixels of a second."""
+        """Pixels per second."""
         return self.width_px / (self.shown_s[1] - self.shown_s[0])
 
     @property
     def right_px(self) -> float:
-        """Where the last time lies."""
+        """Position of the last visible time, px."""
         return self.left_px + self.width_px
 
     def x(self, time_s: float) -> float:
-        """Where a time lies, px."""
+        """Return the position of a time, px."""
         return self.left_px + (time_s - self.shown_s[0]) * self.px_per_s
 
     def time(self, x_px: float) -> float:
-        """Time at a position."""
+        """Return the time at a position."""
         return self.shown_s[0] + (x_px - self.left_px) / self.px_per_s
 
 
 def zoomed(shown_s: Range, anchor_s: float, factor: float, whole_s: Range) -> Range | None:
-    """The range ``factor`` times narrower around ``anchor_s``; None where it is the whole."""
+    """Return the range ``factor`` times narrower around ``anchor_s``; None for the whole."""
     low, high = shown_s
     length = max((high - low) / factor, SHORTEST_S)
     share = (anchor_s - low) / (high - low)
@@ -144,12 +135,12 @@ def zoomed(shown_s: Range, anchor_s: float, factor: float, whole_s: Range) -> Ra
 
 
 def panned(shown_s: Range, by_s: float, whole_s: Range) -> Range | None:
-    """The range ``by_s`` later, as far as there is any; None where it is the whole."""
+    """Return the range ``by_s`` later, as far as possible; None where it is the whole."""
     return within((shown_s[0] + by_s, shown_s[1] + by_s), whole_s)
 
 
 def within(wanted_s: Range, whole_s: Range) -> Range | None:
-    """The range of this length that lies in the whole; None where it is the whole."""
+    """Return a range of this length moved into the whole; None where it is the whole."""
     length = wanted_s[1] - wanted_s[0]
     if length >= (whole_s[1] - whole_s[0]) * (1 - 1e-9):
         return None
@@ -157,18 +148,14 @@ def within(wanted_s: Range, whole_s: Range) -> Range | None:
     return (low, low + length)
 
 
-# What the wheel does to the part of the time that is seen.
-
-
 def range_by_wheel(event: QWheelEvent, scale: TimeScale, whole_s: Range) -> Range | None:
-    """The range that a turn leads to; None where it is the whole.
+    """Return the visible range after a turn of the wheel; None where it is the whole.
 
-    With Shift, or sideways, it goes along the time; otherwise, and with Ctrl, it zooms around the
-    pointer.
+    With Shift, or sideways, the wheel pans; otherwise, and with Ctrl, it zooms at the pointer.
     """
-    turns, held = event.angleDelta(), event.modifiers()
-    along = held & Qt.KeyboardModifier.ShiftModifier or turns.x()
-    if along and not held & Qt.KeyboardModifier.ControlModifier:
+    turns, modifiers = event.angleDelta(), event.modifiers()
+    along = modifiers & Qt.KeyboardModifier.ShiftModifier or turns.x()
+    if along and not modifiers & Qt.KeyboardModifier.ControlModifier:
         low, high = scale.shown_s
         notches = (turns.x() or turns.y()) / NOTCH
         return panned(scale.shown_s, -notches * PAN_PER_NOTCH * (high - low), whole_s)

@@ -1,4 +1,4 @@
-"""The row of switches above a plot."""
+"""The toolbar of a plot: its layout, switches, and the button that leaves a zoom."""
 
 from collections.abc import Callable, Sequence
 
@@ -33,14 +33,14 @@ _LAYOUTS = (
 
 
 class PlotToolbar(QWidget):
-    """Overlaid or stacked, switches of one plot, and the way out of a zoom.
+    """Buttons for the layout, switches of one plot, and a button that leaves a zoom.
 
-    Buttons say what the user wants; what they show is set from outside.  Where there is too little
-    room they are written smaller, and before that is hard to read, switches go below, if they may;
-    before words are cut they do in any case.
+    Signals tell what the user wants; the owner sets what the buttons show.  In a narrow toolbar
+    letters shrink.  Switches go into a second row before letters are hard to read, if they may, and
+    in any case before texts are cut.
     """
 
-    #: ``"overlaid"``, ``"stacked"``, or one that was added.
+    #: ``"overlaid"``, ``"stacked"``, or a layout that was added.
     layout_chosen = Signal(str)
     everything_wanted = Signal()
 
@@ -72,13 +72,13 @@ class PlotToolbar(QWidget):
         RoomOrText(self).changed.connect(self._fit)
 
     def add_layout(self, name: str, text: str, hint: str) -> None:
-        """Add one beside those that each plot has, before there are switches."""
+        """Add a further layout, before any switch."""
         button = self._button(name, text, hint)
         self._layouts.addButton(button)
         self._segments.insertWidget(self._segments.count() - 1, button)
         others = list(self._layout_buttons.values())
         if others:
-            # Tab goes from left to right, also where the plot was made before this button.
+            # Tab goes from left to right, also if the plot is older than this button.
             QWidget.setTabOrder(others[-1], button)
         self._layout_buttons[name] = button
         self._last_before_switches = button
@@ -86,59 +86,59 @@ class PlotToolbar(QWidget):
     def add_switch(
         self, name: str, text: str, hint: str, toggled: Callable[[bool], None]
     ) -> QToolButton:
-        """Return a new switch; ``toggled`` is told what the user wants it to be."""
+        """Return a new switch; ``toggled`` is called with the state that the user wants."""
         button = self._button(name, text, hint)
         button.clicked.connect(toggled)
         self._row.insertWidget(self._row.count() - 2, button)
-        # Tab goes from left to right, whenever a switch was made.
+        # Tab goes from left to right, in any order of creation.
         QWidget.setTabOrder(self._last_before_switches, button)
         self._last_before_switches = button
         return button
 
     def show_passing(self, button: QToolButton, on: bool) -> None:
-        """Show a switch where it is on, to be switched off; elsewhere it takes no room."""
+        """Show a switch only while it is on."""
         button.setChecked(on)
         self._show(button, on)
 
     def let_fold(self, may_fold: bool) -> None:
-        """Whether there is room for a second row: a plot that is low needs it more."""
+        """Allow or forbid a second row: a low plot needs the room."""
         if may_fold != self._may_fold:
             self._may_fold = may_fold
             self._fit()
 
     def sizeHint(self) -> QSize:
-        # As high as its words need, where they are large or stand in two rows.
+        # Large letters and two rows need more height.
         return super().sizeHint().expandedTo(QSize(0, TOOLBAR_HEIGHT_PX))
 
     def minimumSizeHint(self) -> QSize:
         return super().minimumSizeHint().expandedTo(QSize(0, TOOLBAR_HEIGHT_PX))
 
     def show_state(self, *, layout: str, zoomed: bool) -> None:
-        """Show which layout there is, and whether a zoom can be left."""
+        """Show the present layout, and whether the plot is zoomed."""
         self._layout_buttons[layout].setChecked(True)
         self._show(self._everything, zoomed)
 
     def _show(self, button: QToolButton, shown: bool) -> None:
-        """Show or hide a button; the keyboard stays in the row."""
+        """Show or hide a button; the focus stays in the toolbar."""
         chosen = self._layouts.checkedButton()
         if not shown and button.hasFocus() and chosen is not None:
             chosen.setFocus(Qt.FocusReason.OtherFocusReason)
         button.setVisible(shown)
 
     def _fit(self) -> None:
-        """Write smaller where there is too little room: cut words say less than small ones.
+        """Choose fonts and rows that fit the present width.
 
-        The way out of a zoom comes and goes while somebody turns the wheel over the plot: it takes
-        the room that is left, and never makes a row fold.
+        The button that leaves a zoom comes and goes while the user turns the wheel: it takes the
+        room that is left, and never makes a row fold.
         """
         first = list(self._layout_buttons.values())
-        staying = [one for one in self._shown if one is not self._everything]
-        others = [one for one in staying if one not in first]
+        staying = [button for button in self._shown if button is not self._everything]
+        others = [button for button in staying if button not in first]
         smallest = smallest_of(self.font())
-        # What a scroll bar took: a row that folded for it would be higher, and keep it.
+        # Without the scroll bar: a row that folded for it would be higher, and keep it.
         unscrolled_px = self._room_px(others) + bars_px(self)
         tight = width_in(readable_of(self.font()), staying) > unscrolled_px
-        # Cut words say nothing, whatever a plot needs.
+        # Texts must not be cut, even if a plot needs the room.
         with_exit = [*others, self._everything]
         cut = width_in(smallest, [*first, *with_exit]) > self._room_px(with_exit)
         folds = bool(others) and (cut or (tight and self._may_fold))
@@ -148,25 +148,25 @@ class PlotToolbar(QWidget):
             self._rows.setDirection(direction)
             self._rows.activate()
             self.updateGeometry()
-        shown = [one for one in with_exit if one in self._shown]
+        shown = [button for button in with_exit if button in self._shown]
         least = max(width_in(smallest, row) for row in (first, shown))
-        around, gap = self._rows.contentsMargins(), self._rows.spacing()
-        around_px = around.left() + around.right() + gap * (len(first) + len(shown))
+        margins, gap = self._rows.contentsMargins(), self._rows.spacing()
+        around_px = margins.left() + margins.right() + gap * (len(first) + len(shown))
         self.setMinimumWidth(least + around_px)
 
     @property
     def _shown(self) -> list[QToolButton]:
-        return [one for one in self.findChildren(QToolButton) if one.isVisibleTo(self)]
+        return [button for button in self.findChildren(QToolButton) if button.isVisibleTo(self)]
 
     def _room_px(self, others: Sequence[QToolButton]) -> int:
-        """Width for words where layouts, which stand close together, have ``others`` beside."""
-        around, gap = self._rows.contentsMargins(), self._rows.spacing()
-        return self.width() - around.left() - around.right() - gap * len(others)
+        """Return the width for texts of the layouts, which have no gaps, and ``others`` beside."""
+        margins, gap = self._rows.contentsMargins(), self._rows.spacing()
+        return self.width() - margins.left() - margins.right() - gap * len(others)
 
     def _write(
         self, rows: tuple[Sequence[QToolButton], ...], others: Sequence[QToolButton]
     ) -> None:
-        """Write rows as large as they fit, and the way out of a zoom into what is left."""
+        """Set the largest fonts that fit; the button that leaves a zoom gets the room left."""
         room = self._room_px(others)
         font = fitting_font(rows, self.font(), room)
         everything = [self._everything]
@@ -180,7 +180,7 @@ class PlotToolbar(QWidget):
             left = min(left, width_in(font, everything))
             write_in(fitting_font((everything,), self.font(), left), everything)
         for row in rows:
-            write_in(font, [one for one in row if one is not self._everything])
+            write_in(font, [button for button in row if button is not self._everything])
 
     def _button(self, name: str, text: str, hint: str) -> QToolButton:
         button = tool_button(self, name, text, hint, checkable=True)

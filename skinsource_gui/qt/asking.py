@@ -1,4 +1,4 @@
-"""Questions before something is lost."""
+"""Questions before something is lost, the next action of the user, and copying of tables."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -12,41 +12,39 @@ from PySide6.QtWidgets import QApplication, QMessageBox, QToolButton, QWidget
 from skinsource.base.decibels import in_tables
 
 _Answer = QMessageBox.StandardButton
-#: Names that a question lists of many files.
+#: A question lists so many names of files.
 _NAMED = 3
 
 
 def agreed(
     parent: QWidget, title: str, question: str, *, otherwise: _Answer = _Answer.Cancel
 ) -> bool:
-    """Ask in front of ``parent``; whether the user says Yes, and not ``otherwise``, as is usual."""
+    """Ask in front of ``parent``; return whether the user says Yes instead of ``otherwise``."""
     answer = QMessageBox.question(parent, title, question, _Answer.Yes | otherwise, otherwise)
     return answer == _Answer.Yes
 
 
-def may_replace(parent: QWidget, there: Sequence[Path]) -> bool:
-    """Whether the user lets files go that are there already."""
-    if len(there) == 1:
-        question = f"{there[0].name} exists already. Replace it?"
+def may_replace(parent: QWidget, existing: Sequence[Path]) -> bool:
+    """Ask whether existing files may be replaced."""
+    if len(existing) == 1:
+        question = f"{existing[0].name} exists already. Replace it?"
         return agreed(parent, "Replace the file?", question)
-    names = ", ".join(one.name for one in there[:_NAMED])
-    more = f" and {len(there) - _NAMED} more" if len(there) > _NAMED else ""
-    question = f"{len(there)} files exist already: {names}{more}. Replace them?"
+    names = ", ".join(path.name for path in existing[:_NAMED])
+    more = f" and {len(existing) - _NAMED} more" if len(existing) > _NAMED else ""
+    question = f"{len(existing)} files exist already: {names}{more}. Replace them?"
     return agreed(parent, "Replace the files?", question)
 
 
 def saved_or_given_up(parent: QWidget, title: str, question: str, save: Callable[[], bool]) -> bool:
-    """Whether changes may go: ``save`` has saved them now, or the user gives them up."""
+    """Ask whether to save changes; return whether they are saved or discarded."""
     buttons = _Answer.Save | _Answer.Discard | _Answer.Cancel
     answer = QMessageBox.question(parent, title, question, buttons, _Answer.Save)
     return save() if answer == _Answer.Save else answer == _Answer.Discard
 
 
-# When a person goes on to something else.
-
 _KEY_EVENTS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress)
 _PRESSES = (QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonDblClick)
-_HELD = frozenset(
+_MODIFIER_KEYS = frozenset(
     {
         Qt.Key.Key_Shift,
         Qt.Key.Key_Control,
@@ -60,11 +58,11 @@ _COMMAND = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
 
 
 class NextAct(QObject):
-    """Tells once of the next click, wherever it is, or of the next key that types nothing.
+    """Signals once the next click anywhere, or the next key that types nothing.
 
-    What is said about something that is over stands until then: long enough to be read by who
-    types on in the next field, and no longer.  A click is over when it can no longer become a
-    double click, or a drag: what goes then may move what was clicked.
+    A message on a past action stays until then: a user who types on in the next field can read it.
+    A click counts when it can no longer become a double click or a drag, because a message that
+    disappears may move what was clicked.
     """
 
     came = Signal()
@@ -77,12 +75,12 @@ class NextAct(QObject):
         self._click.timeout.connect(self._end_click)
 
     def wait(self) -> None:
-        """Wait for what is done after what is being done now."""
+        """Wait for the next action after the present one."""
         self._click.stop()
         self._begin.start()
 
     def stop(self) -> None:
-        """Wait no longer."""
+        """Stop waiting."""
         self._begin.stop()
         self._click.stop()
         application = QApplication.instance()
@@ -113,45 +111,39 @@ class NextAct(QObject):
 
 
 def _goes_on(event: QEvent) -> bool:
-    """Whether a key does something else than to write on."""
-    if not isinstance(event, QKeyEvent) or event.key() in _HELD:
+    """Return whether a key does something else than typing."""
+    if not isinstance(event, QKeyEvent) or event.key() in _MODIFIER_KEYS:
         return False
     writes = event.text().isprintable() and event.text() != ""
     return not writes or bool(event.modifiers() & _COMMAND)
 
 
-# Numbers of tables that are copied, for a spreadsheet.
-
-
 def copied(value: float) -> str:
-    """Digits that read back as the same number; empty where there is none."""
+    """Return digits that read back as the same number; "" for no number."""
     return repr(float(value)) if math.isfinite(value) else ""
 
 
 def copied_level(level_db: float) -> str:
-    """The same of a level in dB; empty for silence, which has none."""
+    """Return the digits of a level in dB; "" for silence."""
     return copied(float(in_tables(level_db)))
 
 
-# The button that copies the numbers of a panel.
-
-
 class CopyButton(QToolButton):
-    """Copies a table as text, while there is one and it is that of the present design.
+    """Copies the numbers of a panel as text, while there are some of the present design.
 
     Parameters
     ----------
     panel
-        Name of the panel whose numbers they are.
+        Name of the panel.
     table
-        Gives them, with tabs between the columns.
+        Returns the numbers, with tabs between the columns.
 
     Attributes
     ----------
     lines
-        Gives what follows the numbers: what is to be known of them.
+        Returns remarks that follow the numbers.
     as_stored
-        While this lasts the numbers are those of no matched levels.
+        Returns a context in which the numbers have no matched levels.
     """
 
     def __init__(self, panel: str, table: Callable[[], str], parent: QWidget | None = None) -> None:
@@ -167,21 +159,21 @@ class CopyButton(QToolButton):
         )
         self.setAccessibleName("Copy numbers")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self._there, self._late = True, False
+        self._exists, self._stale = True, False
         self.clicked.connect(self._copy)
 
-    def offer(self, there: bool) -> None:
+    def offer(self, exists: bool) -> None:
         """Say whether there is a table."""
-        self._there = there
-        self.setEnabled(there and not self._late)
+        self._exists = exists
+        self.setEnabled(exists and not self._stale)
 
-    def show_late(self, late: bool) -> None:
-        """Say whether the table is that of an older design."""
-        self._late = late
-        self.setEnabled(self._there and not late)
+    def show_late(self, stale: bool) -> None:
+        """Say whether the table belongs to an older design."""
+        self._stale = stale
+        self.setEnabled(self._exists and not stale)
 
     def _copy(self) -> None:
-        # Who judges the present design lets its numbers be there first: they are taken then.
+        # The context may compute the present numbers: they are read inside.
         with self.as_stored():
             lines = self.lines()
             table = self._table()

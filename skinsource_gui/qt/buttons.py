@@ -1,4 +1,4 @@
-"""Buttons of pages."""
+"""Buttons of pages and panels, and the swatch of an input."""
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetrics, QKeyEvent, QPainter, QPaintEvent, QPen
@@ -8,39 +8,34 @@ from skinsource_gui.qt.keys import key_text
 from skinsource_gui.qt.theme import current_theme, letter_scale, tabular
 
 
-def page_button(name: str, words: str, hint: str = "") -> QPushButton:
-    """A button that Enter elsewhere on the page does not press."""
-    button = QPushButton(words)
+def page_button(name: str, text: str, hint: str = "") -> QPushButton:
+    """Return a button that Enter elsewhere on the page does not press."""
+    button = QPushButton(text)
     button.setObjectName(name)
     button.setToolTip(hint)
     button.setAutoDefault(False)
     return button
 
 
-# Buttons in panels that Tab reaches.
-
-
 def tool_button(
-    parent: QWidget | None, name: str, words: str, hint: str = "", *, checkable: bool = False
+    parent: QWidget | None, name: str, text: str, hint: str = "", *, checkable: bool = False
 ) -> QToolButton:
-    """A button as narrow as its words, which the keyboard reaches too."""
+    """Return a button as narrow as its text, which the Tab key reaches."""
     button = QToolButton(parent)
     button.setObjectName(name)
-    button.setText(words)
+    button.setText(text)
     button.setToolTip(hint)
     button.setCheckable(checkable)
     button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     return button
 
 
-# The colour of an input, with the number of its place.
-
 SWATCH_PX = 24
 _ROUNDING_PX = 5
 
 
 def text_colour_on(colour: QColor) -> QColor:
-    """Black or white, whichever is easier to read on ``colour`` (WCAG 2 contrast)."""
+    """Return black or white, whichever is easier to read on ``colour`` (WCAG 2 contrast)."""
     parts = (colour.redF(), colour.greenF(), colour.blueF())
     linear = [
         part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts
@@ -69,13 +64,13 @@ def paint_swatch(
 
 
 def _number_font(font: QFont) -> QFont:
-    found = tabular(font)
-    found.setWeight(QFont.Weight.DemiBold)
-    return found
+    bold = tabular(font)
+    bold.setWeight(QFont.Weight.DemiBold)
+    return bold
 
 
 class Swatch(QWidget):
-    """A swatch as a widget of its own."""
+    """The colour of an input with the number of its place."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -86,7 +81,7 @@ class Swatch(QWidget):
         self._silent = False
 
     def show_input(self, number: int, colour_number: int, *, silent: bool) -> None:
-        """Number of the place, number of the colour, and whether the input is silent."""
+        """Show the number of the place, the colour, and whether the input is silent."""
         if (number, colour_number, silent) != (self._number, self._colour_number, self._silent):
             self._number, self._colour_number, self._silent = number, colour_number, silent
             self.setAccessibleName(f"Place {number}")
@@ -94,10 +89,12 @@ class Swatch(QWidget):
             self.update()
 
     def sizeHint(self) -> QSize:
-        # The number is whole in letters of any size.
-        words = QFontMetrics(_number_font(self.font()))
-        height = max(SWATCH_PX, words.height() + _ROUNDING_PX)
-        return QSize(max(height, words.horizontalAdvance(str(self._number)) + _ROUNDING_PX), height)
+        # The number must fit in letters of any size.
+        metrics = QFontMetrics(_number_font(self.font()))
+        height = max(SWATCH_PX, metrics.height() + _ROUNDING_PX)
+        return QSize(
+            max(height, metrics.horizontalAdvance(str(self._number)) + _ROUNDING_PX), height
+        )
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -115,23 +112,21 @@ class Swatch(QWidget):
         )
 
 
-# A small button with one letter on it.
-
 BUTTON_PX = 22
-# Of one that cannot be pressed now.
+# Opacity of a disabled button.
 _FAINT = 0.35
 _ARROWS = frozenset({Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_Left, Qt.Key.Key_Right})
 
 
 class LetterButton(QAbstractButton):
-    """Mute, solo, remove: pressed in, it is filled with a colour that says what it does.
+    """A small button with one letter, such as mute or solo; a checked one is filled with a colour.
 
     Parameters
     ----------
     letter, name
-        What stands on it, and what it is called.
+        Its text, and its accessible name.
     colour_name
-        Field of the theme that fills it while it is checked; "" for a plain button.
+        Field of the theme with the colour of a checked button; "" for a plain button.
     """
 
     def __init__(
@@ -151,7 +146,7 @@ class LetterButton(QAbstractButton):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() in _ARROWS:
-            # In a list these choose another row.
+            # In a list the arrow keys choose another row.
             event.ignore()
         elif event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self.click()
@@ -188,7 +183,7 @@ class LetterButton(QAbstractButton):
 
 
 def mute_button(parent: QWidget | None = None) -> LetterButton:
-    """Button that silences an input."""
+    """Return the button that silences an input."""
     button = LetterButton("M", "Mute", "warning", parent)
     button.setObjectName("mute_button")
     button.setToolTip(f"Mute: silence this input ({key_text('inputs', 'mute')})")
@@ -196,7 +191,7 @@ def mute_button(parent: QWidget | None = None) -> LetterButton:
 
 
 def solo_button(parent: QWidget | None = None) -> LetterButton:
-    """Button that silences all others."""
+    """Return the button that silences all other inputs."""
     button = LetterButton("S", "Solo", "accent", parent)
     button.setObjectName("solo_button")
     button.setToolTip(f"Solo: only inputs with S are driven ({key_text('inputs', 'solo')})")
@@ -204,7 +199,7 @@ def solo_button(parent: QWidget | None = None) -> LetterButton:
 
 
 def remove_button(parent: QWidget | None = None) -> LetterButton:
-    """Button that removes an input."""
+    """Return the button that removes an input."""
     button = LetterButton("×", "Remove", parent=parent)
     button.setObjectName("remove_button")
     button.setToolTip(f"Remove this input ({key_text('inputs', 'remove')})")

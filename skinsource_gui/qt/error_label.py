@@ -1,4 +1,4 @@
-"""How wrong the numbers on screen are."""
+"""The label of the estimated error of the traces on the screen."""
 
 import math
 
@@ -9,12 +9,12 @@ from skinsource.engine.gains import N_SAMPLES, TraceError
 from skinsource_gui.qt.labels import FittingLabel
 from skinsource_gui.qt.theme import set_tone, tabular
 
-#: What the engine promises, and what would be wrong to the eye, relative to the largest sample.
+#: The error that the engine promises, and a visible one, relative to the largest sample.
 PROMISED, VISIBLE = 1e-14, 1e-3
 
 
 class ErrorLabel(FittingLabel):
-    """Says the estimated error of the traces; amber above the promise, red above 1e-3."""
+    """Shows the estimated error of the traces; amber above the promise, red above 1e-3."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -26,11 +26,11 @@ class ErrorLabel(FittingLabel):
 
     @property
     def error(self) -> TraceError | None:
-        """What is known of the error on screen."""
+        """The error that is shown."""
         return self._error
 
     def show_error(self, error: TraceError | None) -> None:
-        """Show what is known of the error; None: nothing yet."""
+        """Show an error; None: it is not known yet."""
         self._error, tone = error, "dim"
         if error is None:
             self.show_phrases(("",))
@@ -45,7 +45,7 @@ class ErrorLabel(FittingLabel):
 
 
 def error_text(error: TraceError) -> str:
-    """Return estimate and bound, as short as can be."""
+    """Return a short text of estimate and bound."""
     return f"error ≈ {rounded_up(error.estimate)}, at most {rounded_up(error.bound)}"
 
 
@@ -61,8 +61,8 @@ def _sentences(error: TraceError) -> str:
 
 
 def rounded_up(error: float) -> str:
-    """Round ``error`` up to one digit, so that it is never shown smaller than it is."""
-    # Less than one rounding is not an error that anything in float64 could have.
+    """Return ``error`` rounded up to one digit, so that it never looks smaller than it is."""
+    # No error in float64 is smaller than one rounding.
     error = max(error, float(np.finfo(np.float64).eps))
     exponent = math.floor(math.log10(error))
     digit = math.ceil(error / 10.0**exponent - 1e-9)

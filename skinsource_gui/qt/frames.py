@@ -1,4 +1,4 @@
-"""Where a drawing lies on the screen."""
+"""Frames of drawings on the screen, focus frames, cached pictures, and places of a drop."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -10,20 +10,20 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPolygonF, QTransform
 from skinsource.base.arrays import Floats
 from skinsource_gui.qt.theme import Theme, is_on_paper
 
-# So far from the middle of the room the nearest of an outline may be, in smaller sides of it.
+# The nearest point of an outline is at most so far from the middle, in smaller sides of the room.
 _REACH = 0.2
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Frame:
-    """From a drawing to screen pixels.
+    """Maps a drawing to screen pixels.
 
     Attributes
     ----------
     scale
-        Screen pixels in a unit of the drawing.
+        Screen pixels per unit of the drawing.
     left, top
-        Screen place of the drawing's origin.
+        Screen place of the origin of the drawing.
     up
         Whether y of the drawing points up; on the screen it points down.
     """
@@ -34,19 +34,19 @@ class Frame:
     up: bool = False
 
     def transform(self) -> QTransform:
-        """The same as a transformation."""
+        """Return the map as a transformation of Qt."""
         return QTransform(self.scale, 0, 0, self._y_scale, self.left, self.top)
 
     def to_screen(self, places: Floats) -> Floats:
-        """Screen places, (n, 2), of places of the drawing, (n, 2)."""
+        """Return the screen places, (n, 2), of places of the drawing, (n, 2)."""
         return places * (self.scale, self._y_scale) + (self.left, self.top)
 
     def to_drawing(self, point: QPointF) -> tuple[float, float]:
-        """Place of the drawing at a screen point."""
+        """Return the place of the drawing at a screen point."""
         return (point.x() - self.left) / self.scale, (point.y() - self.top) / self._y_scale
 
     def zoomed(self, factor: float, about: QPointF) -> "Frame":
-        """Frame magnified around a screen point that stays where it is."""
+        """Return the frame magnified around a screen point, which stays in place."""
         return replace(
             self,
             scale=self.scale * factor,
@@ -55,30 +55,30 @@ class Frame:
         )
 
     def moved(self, dx: float, dy: float) -> "Frame":
-        """Frame shifted by screen pixels."""
+        """Return the frame shifted by screen pixels."""
         return replace(self, left=self.left + dx, top=self.top + dy)
 
-    def kept_in_sight(self, outline: Floats, room: QRectF) -> "Frame":
-        """Frame shifted as little as it takes to see the outline, or its inside, in ``room``.
+    def shifted_into_sight(self, outline: Floats, room: QRectF) -> "Frame":
+        """Return the frame shifted as little as possible to show the outline or its inside.
 
         Parameters
         ----------
         outline : (n, 2)
-            Polygon, in the drawing's units.
+            Polygon, in units of the drawing.
         room
-            On the screen.
+            Area on the screen.
         """
         middle = QPointF(*self.to_drawing(room.center()))
         polygon = QPolygonF([QPointF(x, y) for x, y in outline])
         if polygon.containsPoint(middle, Qt.FillRule.OddEvenFill):
             return self
-        ways = self.to_screen(outline) - (room.center().x(), room.center().y())
-        distances = np.hypot(*ways.T)
+        offsets = self.to_screen(outline) - (room.center().x(), room.center().y())
+        distances = np.hypot(*offsets.T)
         nearest = int(np.argmin(distances))
         reach = _REACH * min(room.width(), room.height())
         if distances[nearest] <= reach:
             return self
-        back = ways[nearest] * (reach / distances[nearest] - 1.0)
+        back = offsets[nearest] * (reach / distances[nearest] - 1.0)
         return self.moved(float(back[0]), float(back[1]))
 
     @property
@@ -87,7 +87,7 @@ class Frame:
 
 
 def fitted(bounds: QRectF, room: QRectF, *, up: bool = False) -> Frame:
-    """The frame in which ``bounds`` fills ``room``, centred."""
+    """Return the frame in which ``bounds`` fills ``room``, centred."""
     scale = max(min(room.width() / bounds.width(), room.height() / bounds.height()), 1e-3)
     return Frame(
         scale=scale,
@@ -97,11 +97,8 @@ def fitted(bounds: QRectF, room: QRectF, *, up: bool = False) -> Frame:
     )
 
 
-# The frame around what has the keyboard.
-
-
 def paint_focus_frame(painter: QPainter, area: QRectF, theme: Theme) -> None:
-    """Draw the frame just inside ``area``; in a picture there is none."""
+    """Draw the focus frame just inside ``area``; on paper there is none."""
     if is_on_paper():
         return
     painter.setPen(QPen(QColor(theme.accent), 1))
@@ -109,29 +106,23 @@ def paint_focus_frame(painter: QPainter, area: QRectF, theme: Theme) -> None:
     painter.drawRect(area.adjusted(0.5, 0.5, -0.5, -0.5))
 
 
-# A picture of what is slow to paint and rarely different.
-
-
 class Same:
-    """Stands for a thing in what a picture depends on: equal only to itself, however it compares.
+    """Key of an object by its identity, for `CachedPicture`; it keeps the object alive."""
 
-    It keeps the thing, so that no other one takes its place in memory.
-    """
+    __slots__ = ("_value",)
 
-    __slots__ = ("_thing",)
-
-    def __init__(self, thing: object) -> None:
-        self._thing = thing
+    def __init__(self, value: object) -> None:
+        self._value = value
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Same) and self._thing is other._thing
+        return isinstance(other, Same) and self._value is other._value
 
     def __hash__(self) -> int:
-        return id(self._thing)
+        return id(self._value)
 
 
 class PaintedAnew:
-    """Paints each time; for pages and files, where lines stay lines."""
+    """Paints without a cache; for pages and files, where lines stay lines."""
 
     def paint(
         self,
@@ -140,22 +131,22 @@ class PaintedAnew:
         depends_on: tuple[object, ...],
         paint_anew: Callable[[QPainter], None],
     ) -> None:
-        """Paint what ``paint_anew`` paints, as `CachedPicture.paint` does."""
+        """Call ``paint_anew``; arguments are those of `CachedPicture.paint`."""
         painter.save()
         paint_anew(painter)
         painter.restore()
 
 
 class CachedPicture:
-    """Remembers how something was painted, and paints it so again until it looks different."""
+    """Caches a picture of what is slow to paint, until it depends on something else."""
 
     def __init__(self) -> None:
         self._key: tuple[object, ...] = ()
         self._image, self._at = QImage(), QPointF()
 
     @property
-    def kept_px(self) -> int:
-        """How many pixels are painted each time."""
+    def cached_px(self) -> int:
+        """Number of pixels that are painted each time."""
         return self._image.width() * self._image.height()
 
     def paint(
@@ -173,13 +164,13 @@ class CachedPicture:
         painter
             Its font and hints are those of the picture.
         room
-            What the picture covers.
+            Area of the picture.
         depends_on
-            Whatever it shows, besides room, font and resolution.
+            Everything that the picture shows, besides room, font and resolution.
         paint_anew
-            Called only when there is no such picture yet.
+            Called only when the cached picture is out of date.
         ground
-            Colour under it; ``None``: what was painted before stays visible.
+            Background colour; None: the picture is transparent.
         """
         if is_on_paper():
             if ground is not None:
@@ -191,8 +182,7 @@ class CachedPicture:
         if key != self._key:
             self._key, self._at, self._image = key, QPointF(), QImage()
             size = (room.size() * ratio).toSize()
-            # Of what is scrolled out of sight but for a line, nothing may be left; Qt cannot paint
-            # on that.
+            # A room that is nearly scrolled out of sight may have no pixels; Qt cannot paint then.
             if not size.isEmpty():
                 self._image = _blank(size, ground)
                 self._image.setDevicePixelRatio(ratio)
@@ -208,14 +198,14 @@ class CachedPicture:
             painter.drawImage(room.topLeft() + self._at, self._image)
 
     def _crop(self, ratio: float) -> None:
-        """Keep no more than what is painted: what is transparent costs as much as what is not."""
+        """Remove transparent margins: they would cost as much as the rest."""
         painted = _painted(self._image)
         self._at = QPointF(painted.x() / ratio, painted.y() / ratio)
         self._image = self._image.copy(painted) if painted.isValid() else QImage()
 
 
 def _painted(image: QImage) -> QRect:
-    """The smallest part that holds all that is not transparent; not valid where there is none."""
+    """Return the smallest area with all opaque pixels; not valid where there is none."""
     pixels = np.frombuffer(image.constBits(), np.uint32).reshape(image.height(), -1)
     rows, columns = np.flatnonzero(pixels.any(axis=1)), np.flatnonzero(pixels.any(axis=0))
     if not rows.size:
@@ -232,21 +222,18 @@ def _blank(size: QSize, ground: QColor | None) -> QImage:
     return image
 
 
-# Where something goes that is dropped on a panel.
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DropPlace:
-    """An input place, or a track that there is already, and a time on it.
+    """Where something is dropped: on a location of inputs, or on a track and its time.
 
     Attributes
     ----------
     location
-        Place of a new input.
+        Location of a new input.
     input_id
-        Of the track that takes a clip; it goes before ``location``.
+        Id of the track that gets a clip; it has priority over ``location``.
     onset_s
-        When that starts.
+        Onset of the clip.
     """
 
     location: int | None = None

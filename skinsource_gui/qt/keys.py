@@ -1,7 +1,7 @@
-"""Keys and gestures: what they do at a place of the window, and how a text names them.
+"""Keys and mouse gestures: their meaning at a place of the window, and their names in texts.
 
-A widget asks `meaning_of` what a press means at its place, and does it.  Texts that name a key ask
-`key_text`, or for the shortcut of an action `shortcut_text`.
+A widget asks `meaning_of` for the meaning of a key at its place.  Texts get the name of a key from
+`key_text`, or that of the shortcut of an action from `shortcut_text`.
 """
 
 import tomllib
@@ -18,16 +18,16 @@ from skinsource_gui.qt.resources import read_text
 
 @dataclass(frozen=True, slots=True)
 class Gesture:
-    """What is done with keys that mean nearly the same, or with the mouse.
+    """Keys with nearly the same meaning, or a gesture of the mouse.
 
     Attributes
     ----------
     shown
-        The keys, or what a hand does, as a reader calls it.
+        Text for the keys or the gesture.
     effect
-        What comes of it, in a few words that can begin a sentence.
+        Text for its effect, which can begin a sentence.
     keys
-        All keys, as Qt writes them; the first is shown where there is room for one.
+        All keys, as Qt writes them; the first one is shown where there is room for one.
     """
 
     shown: str
@@ -37,13 +37,13 @@ class Gesture:
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where gestures work: heading on the page of keys and mouse, and the gestures by name."""
+    """A part of the window: its heading on the page of keys, and its gestures by name."""
 
     heading: str
     gestures: dict[str, Gesture]
 
     def sentences(self, *names: str) -> list[str]:
-        """What some gestures do: ``"Arrow keys: move the ring to another place"``."""
+        """Return sentences on gestures: ``"Arrow keys: move the ring to another place"``."""
         return [f"{self.gestures[name].shown}: {self.gestures[name].effect}" for name in names]
 
 
@@ -62,38 +62,38 @@ def _places(table: Mapping[str, Any]) -> dict[str, Place]:
 
 
 _TABLE = tomllib.loads(read_text("keys.toml"))
-#: By place: the keys of widgets, and what the mouse does.
+#: Keys of widgets, and gestures of the mouse, by place.
 KEYS, MOUSE = _places(_TABLE["keys"]), _places(_TABLE["mouse"])
 #: Shortcuts of actions by their names; the table of actions fills it.
 SHORTCUTS: dict[str, tuple[str, ...]] = {}
 
 
 def meaning_of(place: str, event: QKeyEvent) -> str:
-    """Name of what a press means at a place; "" where it means nothing there."""
-    held = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
-    return _meanings(place).get(QKeyCombination(held, Qt.Key(event.key())).toCombined(), "")
+    """Return the name of the meaning of a key at a place; "" where it has none."""
+    modifiers = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+    return _meanings(place).get(QKeyCombination(modifiers, Qt.Key(event.key())).toCombined(), "")
 
 
 def key_text(place: str, name: str) -> str:
-    """The first key that does something at a place, as the desktop writes it: ``"Ctrl+D"``."""
+    """Return the first key with a meaning at a place, as the desktop writes it: ``"Ctrl+D"``."""
     return _native(KEYS[place].gestures[name].keys[0])
 
 
 def shortcut_text(action: str) -> str:
-    """The first shortcut of an action, as the desktop writes it."""
+    """Return the first shortcut of an action, as the desktop writes it."""
     return _native(SHORTCUTS[action][0])
 
 
 def native_text(keys: tuple[str, ...]) -> str:
-    """All of some keys, as the desktop writes them: ``"Ctrl+Shift+Z, Ctrl+Y"``."""
+    """Return keys as the desktop writes them: ``"Ctrl+Shift+Z, Ctrl+Y"``."""
     return ", ".join(_native(key) for key in keys)
 
 
 def claims_shortcut(event: QEvent, wanted: Callable[[QKeyEvent], object]) -> bool:
-    """Whether an event asks for a key that is ``wanted`` here: then no shortcut gets it.
+    """Accept a ShortcutOverride event for a key that is ``wanted``; return whether it is one.
 
-    Before it looks for a shortcut, Qt asks the widget that has the keyboard, by an event of its
-    own; what is accepted there is pressed here.
+    Qt sends this event to the widget with the focus before it looks for a shortcut; if the widget
+    accepts it, the widget gets the key press.
     """
     is_asked = event.type() == QEvent.Type.ShortcutOverride
     if not is_asked or not isinstance(event, QKeyEvent) or not wanted(event):

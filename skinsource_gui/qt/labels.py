@@ -1,4 +1,7 @@
-"""What an empty panel says can be done: always something that works with the panels in sight."""
+"""Labels, names in tables, a line for names, a level meter, and the hints of empty panels.
+
+A hint of an empty panel always names something that works with the visible panels.
+"""
 
 from collections.abc import Sequence
 
@@ -20,24 +23,24 @@ from shiboken6 import isValid
 from skinsource_gui.qt.keys import shortcut_text
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, tabular
 
-#: Names of the panels that the words are about.
+#: Names of panels that hints mention.
 HAND, TIMELINE, SKIN = "hand", "timeline", "skin"
-#: What is taken to be in sight until somebody says.
+#: Panels that are assumed to be visible at first.
 USUALLY_IN_SIGHT = frozenset({HAND, TIMELINE, SKIN})
 
 
 def how_to_add(in_sight: frozenset[str], what: str = "an input") -> str:
-    """How to add ``what``: an input, or a track, as the timeline calls it."""
+    """Return the hint how to add ``what``: an input, or a track, as the timeline calls it."""
     if HAND in in_sight:
         return f"Click a place on the hand to add {what}"
     return f"Press {shortcut_text('add_input')} to add {what}"
 
 
 def how_to_select_input(in_sight: frozenset[str]) -> str:
-    """How to select an input, where there are some."""
+    """Return the hint how to select an input, where there are some."""
     ways = [
-        words
-        for name, words in ((HAND, "on the hand"), (TIMELINE, "in the timeline"))
+        phrase
+        for name, phrase in ((HAND, "on the hand"), (TIMELINE, "in the timeline"))
         if name in in_sight
     ]
     if not ways:
@@ -46,7 +49,7 @@ def how_to_select_input(in_sight: frozenset[str]) -> str:
 
 
 def how_to_select_clip(in_sight: frozenset[str], *, inputs: bool) -> str:
-    """How to get at a clip; ``inputs``: whether there are some."""
+    """Return the hint how to select a clip; ``inputs``: whether there are inputs."""
     if not inputs:
         return how_to_add(in_sight)
     if TIMELINE in in_sight:
@@ -57,27 +60,24 @@ def how_to_select_clip(in_sight: frozenset[str], *, inputs: bool) -> str:
 
 
 def how_to_select_output(in_sight: frozenset[str]) -> str:
-    """How to select outputs."""
+    """Return the hint how to select outputs."""
     if SKIN in in_sight:
         return "Select outputs on the skin map"
     return "Show the skin map (View > Panels) to select outputs"
 
 
-# A line of text that says less where there is less room.
-
-
 class FittingLabel(QLabel):
-    """Shows the first of some phrasings that fits; where none does, dots end the last one."""
+    """Shows the first of several phrases that fits, or the last one with dots at its end."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._phrases: tuple[str, ...] = ("",)
-        # Shorter words leave their room at the left: what stands at the right belongs to them.
+        # A shorter phrase stays beside what is on its right.
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
 
     def show_phrases(self, phrases: Sequence[str]) -> None:
-        """Take over phrasings, longest first."""
+        """Set the phrases, longest first."""
         if tuple(phrases) != self._phrases:
             self._phrases = tuple(phrases) or ("",)
             self._choose()
@@ -99,30 +99,28 @@ class FittingLabel(QLabel):
             self._choose()
 
     def _choose(self) -> None:
-        fitting = (one for one in self._phrases if self._width_of(one) <= self.width())
-        words = next(fitting, None) or self.fontMetrics().elidedText(
+        fitting = (phrase for phrase in self._phrases if self._width_of(phrase) <= self.width())
+        text = next(fitting, None) or self.fontMetrics().elidedText(
             self._phrases[-1], Qt.TextElideMode.ElideRight, self.contentsRect().width()
         )
-        if words != self.text():
-            self.setText(words)
+        if text != self.text():
+            self.setText(text)
 
-    def _width_of(self, words: str) -> int:
+    def _width_of(self, text: str) -> int:
         margins = self.contentsMargins()
-        return self.fontMetrics().horizontalAdvance(words) + margins.left() + margins.right() + 2
+        return self.fontMetrics().horizontalAdvance(text) + margins.left() + margins.right() + 2
 
 
-# The first column of a table: names that are written shorter where there is little room.
-
-#: Under this role a name has its short form; one without stays as it is.
+#: Role of the short form of a name in a table; a name without one stays as it is.
 SHORT_NAME = Qt.ItemDataRole.UserRole
 _LEAST_PX = 3 * UNIT_PX
 _REFITTED = (QEvent.Type.Resize, QEvent.Type.FontChange, QEvent.Type.StyleChange)
-# With fewer letters of a name its short form says as much.
+# Where fewer letters of a name fit, its short form is better.
 _LETTERS = 7
 
 
 class NameDelegate(QStyledItemDelegate):
-    """Paints as much of a name as has room; its short form where next to nothing of it has."""
+    """Paints as much of a name as fits, or its short form where almost nothing fits."""
 
     def initStyleOption(
         self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
@@ -142,10 +140,10 @@ class NameDelegate(QStyledItemDelegate):
 
 
 def dress_table(table: QTableView) -> None:
-    """Give a table of numbers its looks: dense rows, a name column that yields, no grid.
+    """Set the look of a table of numbers: dense rows, a name column that shrinks, no grid.
 
-    The first column takes the room that the numbers leave, so that nothing has to scroll sideways
-    before even short names have too little.
+    The first column gets the room that the numbers leave, so that the table scrolls sideways only
+    where even short names do not fit.
     """
     table.setFont(tabular(table.font()))
     table.setShowGrid(False)
@@ -163,16 +161,16 @@ def dress_table(table: QTableView) -> None:
 
 
 def give_names_the_rest(table: QTableView) -> None:
-    """Have the first column take what the others leave, and no more than its names need.
+    """Give the first column the room that the others leave, but no more than its names need.
 
-    There must be one.  Were it wider, nobody could tell which name numbers at the far edge are of.
+    There must be such a column.  In a wider one, numbers would be too far from their names.
     """
-    known = table.findChild(_NameWidth)
-    (_NameWidth(table) if known is None else known).begin()
+    name_width = table.findChild(_NameWidth)
+    (_NameWidth(table) if name_width is None else name_width).begin()
 
 
 class _NameWidth(QObject):
-    """Keeps the first column of a table, which owns it, as wide as it shall be."""
+    """Sets the width of the first column of a table, which owns this object."""
 
     def __init__(self, table: QTableView) -> None:
         super().__init__(table)
@@ -183,7 +181,7 @@ class _NameWidth(QObject):
         table.viewport().installEventFilter(self)
 
     def begin(self) -> None:
-        """Take over the first column, which may be a new one."""
+        """Set the width of the first column, which may be a new one."""
         self._table.horizontalHeader().setSectionResizeMode(0, QHeaderView.ResizeMode.Fixed)
         self._fit()
 
@@ -198,29 +196,26 @@ class _NameWidth(QObject):
 
     def _fit(self) -> None:
         if not isValid(self._table):
-            return  # what is changed as a table goes
+            return  # a change while the table is deleted
         header = self._table.horizontalHeader()
         room = self._table.viewport().width() - (header.length() - header.sectionSize(0))
         width = min(room, self._names_px())
         header.resizeSection(0, max(width, header.minimumSectionSize()))
 
     def _names_px(self) -> int:
-        """Width of the longest name, or of what stands above them."""
+        """Return the width of the longest name or of the header."""
         table, model = self._table, self._table.model()
         margin = table.style().pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, None, table) + 1
         names = (str(model.index(row, 0).data() or "") for row in range(model.rowCount()))
         metrics = table.fontMetrics()
-        longest = max((metrics.horizontalAdvance(one) for one in names), default=0)
+        longest = max((metrics.horizontalAdvance(name) for name in names), default=0)
         return max(longest + 2 * margin + UNIT_PX, table.horizontalHeader().sectionSizeHint(0))
 
 
-# A line for a name that is there already, and is mostly typed anew.
-
-
 class NameLine(QLineEdit):
-    """Selects all it holds when it is entered with the mouse, as Qt does with the Tab key.
+    """A line for a name, which a first click selects, as the Tab key does in Qt.
 
-    What is typed then takes the place of what was there; a further click sets the cursor.
+    Typing then replaces the name; a further click sets the cursor.
     """
 
     def __init__(self) -> None:
@@ -233,23 +228,21 @@ class NameLine(QLineEdit):
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         super().mouseReleaseEvent(event)
-        # Not before: the press sets the cursor.
+        # Only now, because the press sets the cursor.
         if self._entered and not self.hasSelectedText():
             self.selectAll()
         self._entered = False
 
 
-# How loud an output is, as a bar.
-
 #: The left end of the bar, dB of full scale; the right end is full scale.
 LEAST_DB = -60.0
-# From here on the limit is near.
+# Peaks above this level are near the limit.
 _NEAR_DB = -3.0
 _TICK_PX = 2.0
 
 
 class LevelMeter(QWidget):
-    """RMS as a bar, the peak as a tick; both in dB of full scale."""
+    """Shows how loud an output is: RMS as a bar, the peak as a tick, in dB of full scale."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -261,10 +254,10 @@ class LevelMeter(QWidget):
         return QSize(80, 8)
 
     def show_level(self, rms_db: float, peak_db: float) -> None:
-        """Show another level; paints only where it can be seen that it is one."""
+        """Show another level; it is painted only if the change is visible."""
         width = max(self.width(), 1)
-        before = [_share(one) * width for one in (self.rms_db, self.peak_db)]
-        after = [_share(one) * width for one in (rms_db, peak_db)]
+        before = [_bar_part(level_db) * width for level_db in (self.rms_db, self.peak_db)]
+        after = [_bar_part(level_db) * width for level_db in (rms_db, peak_db)]
         self.rms_db, self.peak_db = rms_db, peak_db
         if any(abs(a - b) >= 0.5 for a, b in zip(after, before, strict=True)):
             self.update()
@@ -275,14 +268,14 @@ class LevelMeter(QWidget):
         painter.fillRect(room, QColor(current_theme().grid))
         colour = current_theme().warning if self.peak_db > _NEAR_DB else current_theme().accent
         bar = QRectF(room)
-        bar.setWidth(_share(self.rms_db) * room.width())
+        bar.setWidth(_bar_part(self.rms_db) * room.width())
         painter.fillRect(bar, QColor(colour))
-        peak = _share(self.peak_db)
+        peak = _bar_part(self.peak_db)
         if peak > 0.0:
             x = max(peak * room.width() - _TICK_PX, 0.0)
             painter.fillRect(QRectF(x, 0.0, _TICK_PX, room.height()), QColor(colour))
 
 
-def _share(level_db: float) -> float:
-    """How far along the bar a level lies."""
+def _bar_part(level_db: float) -> float:
+    """Return how far along the bar a level lies, 0 to 1."""
     return min(max(1.0 - level_db / LEAST_DB, 0.0), 1.0)

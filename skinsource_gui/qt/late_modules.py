@@ -1,7 +1,11 @@
-"""Modules of other packages that are imported when somebody uses them, and not before.
+"""Faster imports: modules that load only when they are used, and no reading of sources by PySide6.
 
-``import scipy.fft`` runs ``from numpy import *`` on its way, which brings all of numpy: also its
-Fortran compiler and its helpers for tests, a third of that import, which the studio never calls.
+``import scipy.fft`` runs ``from numpy import *``, which also imports the Fortran compiler of numpy
+and its helpers for tests, a third of the time, which the studio never calls.
+
+PySide6 searches the source of each module for its own name, because code may use other spellings
+(``from __feature__ import snake_case``).  The studio does not, and this takes a tenth of its start.
+There is no setting for it: the function that searches is replaced, in the pinned versions.
 """
 
 import importlib.util
@@ -13,9 +17,9 @@ UNCALLED = ("numpy.f2py", "numpy.testing")
 
 
 def leave_for_use(names: Sequence[str] = UNCALLED) -> None:
-    """Have each of ``names`` run when something of it is first asked for; none of them runs now.
+    """Make each module of ``names`` lazy: it runs when an attribute of it is first used.
 
-    What was imported already stays as it is, and what does not exist is left to who imports it.
+    Modules that are imported already stay as they are; those that do not exist are ignored.
     """
     for name in names:
         spec = None if name in sys.modules else importlib.util.find_spec(name)
@@ -29,28 +33,21 @@ def leave_for_use(names: Sequence[str] = UNCALLED) -> None:
         setattr(sys.modules[package], own_name, module)
 
 
-# Keeps PySide6 from reading the source of all that is imported after it.
-#
-# PySide6 looks into the source of each module for its own name, because code that uses it may have
-# asked for other spellings (``from __feature__ import snake_case``).  The studio asks for none, and
-# has no use for a tenth of its start being spent on that.  There is no setting for it: what looks
-# is replaced, in the versions that the project is pinned to.
-
-_LOOKS, _WHERE = "_mod_uses_pyside", "shibokensupport.feature"
+_SEARCHES, _FEATURE = "_mod_uses_pyside", "shibokensupport.feature"
 
 
 def leave_sources_unread() -> bool:
-    """Have each module taken for one that uses PySide6 as it is; whether PySide6 lets us.
+    """Keep PySide6 from reading sources; return whether its version allows that.
 
-    To be called once PySide6 is imported; another version than the pinned ones may go on reading.
+    PySide6 has to be imported before.
     """
-    feature = sys.modules.get(_WHERE)
-    if not hasattr(feature, _LOOKS):
+    feature = sys.modules.get(_FEATURE)
+    if not hasattr(feature, _SEARCHES):
         return False
-    setattr(feature, _LOOKS, _uses_it_as_it_is)
+    setattr(feature, _SEARCHES, _uses_default_spelling)
     return True
 
 
-def _uses_it_as_it_is(module: ModuleType) -> bool:
+def _uses_default_spelling(module: ModuleType) -> bool:
     del module
     return True

@@ -1,4 +1,4 @@
-"""Telling the eye that something is out of date, but not at once."""
+"""Overlays of widgets that are out of date or covered, and the delay before they appear."""
 
 from PySide6.QtCore import QEvent, QObject, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPalette
@@ -6,12 +6,12 @@ from PySide6.QtWidgets import QWidget
 
 from skinsource_gui.qt.theme import UNIT_PX
 
-# Results come many times a second while something is dragged; only lateness is worth a word.
-_LATE_MS = 150
+# Results come many times a second during a drag; only a longer delay is shown.
+_STALE_MS = 150
 
 
 class Staleness(QObject):
-    """Whether what is drawn has been out of date for a while.
+    """Tells whether a picture has been out of date for a while.
 
     Attributes
     ----------
@@ -19,19 +19,20 @@ class Staleness(QObject):
         Whether that is so.
     """
 
-    #: `late` is something else now.
+    #: `late` has changed.
     changed = Signal(bool)
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self.late = False
-        self._timer = QTimer(self, interval=_LATE_MS, singleShot=True)
-        self._timer.timeout.connect(self._be_late)
+        self._timer = QTimer(self, interval=_STALE_MS, singleShot=True)
+        self._timer.timeout.connect(self._set_late)
 
     def set_stale(self, stale: bool, *, at_once: bool = False) -> None:
-        """Say whether what is drawn is out of date; being up to date is told at once.
+        """Say whether the picture is out of date.
 
-        ``at_once``: so is being out of date.
+        A picture that is up to date is signalled at once; one that is out of date after a while, or
+        ``at_once``.
         """
         if not stale:
             self._timer.stop()
@@ -42,31 +43,22 @@ class Staleness(QObject):
             return
         elif at_once:
             self._timer.stop()
-            self._be_late()
+            self._set_late()
         elif not self._timer.isActive():
             self._timer.start()
 
     def count_anew(self) -> None:
-        """Something newer is drawn: what was not late yet is not for a while from now."""
+        """Restart the delay: a newer picture is drawn, which is not up to date either."""
         if self._timer.isActive():
             self._timer.start()
 
-    def _be_late(self) -> None:
+    def _set_late(self) -> None:
         self.late = True
         self.changed.emit(True)
 
 
-# What lies over all of another widget, however large that becomes.
-
-
 class OverAll(QWidget):
-    """Lies over all of another widget until it is taken away.
-
-    Parameters
-    ----------
-    part
-        What lies below; also its parent.
-    """
+    """Base of overlays, which cover all of the widget ``part``, their parent."""
 
     def __init__(self, part: QWidget) -> None:
         super().__init__(part)
@@ -77,7 +69,7 @@ class OverAll(QWidget):
         self.raise_()
 
     def take_away(self) -> None:
-        """Show what is below as it is."""
+        """Remove the overlay."""
         self._part.removeEventFilter(self)
         self.hide()
         self.deleteLater()
@@ -88,21 +80,13 @@ class OverAll(QWidget):
         return super().eventFilter(watched, event)
 
 
-# What hides a picture from an audience that shall guess first.
-
-#: What stands on what is covered.
+#: Text on a cover.
 COVERED = "Covered"
 _LEAST_LINES = 2
 
 
 class Cover(OverAll):
-    """Lies over all of another widget, and lets neither eyes nor the mouse through.
-
-    Parameters
-    ----------
-    part
-        What it hides; also its parent.
-    """
+    """Hides a picture from an audience that shall guess first; it blocks the mouse, too."""
 
     def __init__(self, part: QWidget) -> None:
         super().__init__(part)
@@ -112,37 +96,29 @@ class Cover(OverAll):
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ToolTip:
-            return True  # that of what is below would tell
+            return True  # the tooltip of the picture would reveal it
         return super().event(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, palette = QPainter(self), self.palette()
         painter.fillRect(self.rect(), palette.color(QPalette.ColorRole.Window))
-        # Beside something larger that says it, a line of words says nothing.
+        # A widget that is too low for a text stands beside one that has it.
         if self.height() >= _LEAST_LINES * self.fontMetrics().height():
             painter.setPen(palette.color(QPalette.ColorRole.WindowText))
             painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, COVERED)
         painter.end()
 
 
-# What lies over results of an older design until newer ones are there.
-
-#: What stands on them.
+#: Text on results of an older design.
 UPDATING = "Updating…"
-#: How much of them is still seen.
+#: Opacity of results of an older design.
 PALE = 0.45
 
 _RADIUS_PX = 4.0
 
 
 class StaleOverlay(OverAll):
-    """Lies over all of another widget, which stays readable and can be used.
-
-    Parameters
-    ----------
-    part
-        What belongs to an older design; also its parent.
-    """
+    """Marks results of an older design, which stay readable and can be used."""
 
     def __init__(self, part: QWidget) -> None:
         super().__init__(part)
@@ -156,19 +132,19 @@ class StaleOverlay(OverAll):
         thin = QColor(ground)
         thin.setAlphaF(1.0 - PALE)
         painter.fillRect(self.rect(), thin)
-        # Beside something larger that says it, a line of words says nothing.
+        # A widget that is too low for a text stands beside one that has it.
         if self.height() >= _LEAST_LINES * self.fontMetrics().height():
-            words = palette.color(QPalette.ColorRole.Text)
-            paint_updating(painter, QRectF(self.rect()), ground, words)
+            text_colour = palette.color(QPalette.ColorRole.Text)
+            paint_updating(painter, QRectF(self.rect()), ground, text_colour)
         painter.end()
 
 
-def paint_updating(painter: QPainter, room: QRectF, ground: QColor, words: QColor) -> None:
-    """Write in the middle of ``room``, on a ground of its own, that its content is not new."""
+def paint_updating(painter: QPainter, room: QRectF, ground: QColor, text_colour: QColor) -> None:
+    """Write in the middle of ``room``, on a card, that its content is being updated."""
     metrics = painter.fontMetrics()
     card = QRectF(0, 0, metrics.horizontalAdvance(UPDATING) + 2 * UNIT_PX, 1.6 * metrics.height())
     card.moveCenter(room.center())
-    painter.setPen(words)
+    painter.setPen(text_colour)
     painter.setBrush(ground)
     painter.drawRoundedRect(card, _RADIUS_PX, _RADIUS_PX)
     painter.drawText(card, Qt.AlignmentFlag.AlignCenter, UPDATING)

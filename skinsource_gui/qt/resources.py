@@ -1,4 +1,4 @@
-"""The one place that knows where the window's resources lie."""
+"""The folder of icons, themes and tables of the window."""
 
 from pathlib import Path
 
@@ -6,11 +6,11 @@ _PACKAGE = Path(__file__).resolve().parents[1]
 
 
 def resource_folder() -> Path:
-    """Folder of icons and themes: in the wheel ``skinsource_gui/_resources``, else the checkout."""
+    """Return the folder of resources: ``skinsource_gui/_resources`` in a wheel, else a checkout."""
     installed = _PACKAGE / "_resources"
     return installed if installed.is_dir() else _PACKAGE.parent / "resources"
 
 
 def read_text(name: str) -> str:
-    """Content of a text resource."""
+    """Return the content of a text resource."""
     return (resource_folder() / name).read_text(encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Widths that grow with letters."""
+"""Widgets that adapt to the room they have: widths, fonts, rows that fold, steady scroll bars."""
 
 from collections.abc import Sequence
 
@@ -20,14 +20,14 @@ from skinsource_gui.qt.wheel import areas_around, bars_px
 
 
 class LetterWidth(QObject):
-    """Keeps a widget, in letters of any size, as wide as it is in usual ones.
+    """Scales the width of a widget with the size of its letters.
 
     Parameters
     ----------
     widget
-        What is kept; also the parent.
+        The widget; also the parent.
     usual_px
-        Its width in letters of the usual size, or the most of it.
+        Its width in letters of the usual size.
     at_most
         Whether it may be narrower.
     """
@@ -50,21 +50,19 @@ class LetterWidth(QObject):
             self._widget.setMinimumWidth(width_px)
 
 
-# Tells when a widget has another room, or when words in it are others.
-
-_OTHERS = (QEvent.Type.Resize, QEvent.Type.LayoutRequest, QEvent.Type.FontChange)
+_ROOM_EVENTS = (QEvent.Type.Resize, QEvent.Type.LayoutRequest, QEvent.Type.FontChange)
 
 
 class RoomOrText(QObject):
-    """Tells when a widget has another room, or when words in it are others, or of another size.
+    """Signals when the size of a widget, or the text or font in it, may have changed.
 
-    Who follows may tell the widget's layout so: that is told again.  It ends where the same room
-    and the same words lead to the same answer, however the widget is laid out when it is asked.
+    A slot that changes the layout of the widget causes a further signal.  That ends if the same
+    room and texts always lead to the same layout.
 
     Parameters
     ----------
     widget
-        Who is looked at; also the parent.
+        The widget; also the parent.
     """
 
     changed = Signal()
@@ -74,17 +72,15 @@ class RoomOrText(QObject):
         widget.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        # Qt tells a layout before who filters, and a resized widget knows its size already.
-        if event.type() in _OTHERS:
+        # A resized widget already has its new size.
+        if event.type() in _ROOM_EVENTS:
             self.changed.emit()
         return False
 
 
-# What scrolls, with a bar that comes and goes, but not without end.
-
-# So often it may come in a row: while something is laid out anew it comes once and goes once.
+# The bar may appear so often within this time: a new layout shows and hides it once.
 _MOST_TIMES, _IN_A_ROW_MS = 2, 2000
-# One size of what is inside may lead to another one at once: so often, or until the stack runs out.
+# One size of the content may lead at once to another one, but not deeper than this.
 _MOST_DEPTH = 5
 _AS_NEEDED, _ALWAYS = (
     Qt.ScrollBarPolicy.ScrollBarAsNeeded,
@@ -93,10 +89,10 @@ _AS_NEEDED, _ALWAYS = (
 
 
 class SteadyArea(QScrollArea):
-    """Has its upright bar stay where that would come and go, until there is another room.
+    """A scroll area that keeps its vertical bar where the bar would come and go without end.
 
-    What is lower in less width, as words are that are written smaller there, has room beside the
-    bar and none without: Qt would put it there and take it away for as long as anybody looks.
+    A content that is lower in less width, because letters shrink there, fits beside the bar but not
+    without it: Qt would show and hide the bar for ever.  The bar stays until the area is resized.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -117,35 +113,35 @@ class SteadyArea(QScrollArea):
         self._in_sight = False
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        # The bar takes its room from the viewport, whose events these are, not from the area.
+        # These are also events of the viewport, which the bar resizes; the area keeps its size.
         if self.size() != self._room:
             self._room = self.size()
-            self._begin_anew()
+            self._restart()
         super().resizeEvent(event)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
-            self._begin_anew()
+            self._restart()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        # With the area itself it comes into sight before that knows.
+        # The bar is shown before the area itself knows that it is visible.
         if event.type() == QEvent.Type.Show and self._in_sight:
             self._times += 1
             self._row.start()
         self._depth += 1
         if self._times > _MOST_TIMES or self._depth > _MOST_DEPTH:
-            self._put(_ALWAYS)
+            self._set_policy(_ALWAYS)
         handled = super().eventFilter(watched, event)
         self._depth -= 1
         return handled
 
-    def _begin_anew(self) -> None:
+    def _restart(self) -> None:
         self._forget()
-        self._put(_AS_NEEDED)
+        self._set_policy(_AS_NEEDED)
 
-    def _put(self, policy: Qt.ScrollBarPolicy) -> None:
-        # Even the same one has it laid out anew, and the bar come.
+    def _set_policy(self, policy: Qt.ScrollBarPolicy) -> None:
+        # Setting the same policy would cause a new layout, too.
         if self.verticalScrollBarPolicy() != policy:
             self.setVerticalScrollBarPolicy(policy)
 
@@ -153,92 +149,81 @@ class SteadyArea(QScrollArea):
         self._times = 0
 
 
-# Buttons whose words are written smaller where there is too little room for them.
-
-# How much smaller words may be; and large ones, while they are no smaller than so many px.
+# Scales to which letters may shrink; and large letters, if they keep at least so many px.
 _SCALES = (1.0, 0.9, 0.8, 0.7, 0.6)
 _SCALES_OF_LARGE, _LEAST_PX = (0.55, 0.5, 0.45, 0.4), 12
-# Words that can be cut instead are no smaller than this.
+# Letters of texts that may be cut shrink no further than this.
 _WORTH_READING = 0.7
-# Below this they are hard to read: where they can, some go into a row below instead.
+# Smaller letters are hard to read: a second row is better, if it is possible.
 _READABLE = 0.8
 
 
 def fitting_font(rows: Sequence[Sequence[QAbstractButton]], font: QFont, room_px: int) -> QFont:
-    """The largest font, of about the size of ``font``, in which each row has room for its words."""
+    """Return the largest font, up to ``font``, in which the texts of each row fit."""
     fonts = fonts_of(font)
-    fit = (one for one in fonts if max(width_in(one, row) for row in rows) <= room_px)
+    fit = (smaller for smaller in fonts if max(width_in(smaller, row) for row in rows) <= room_px)
     return next(fit, fonts[-1])
 
 
 def width_in(font: QFont, buttons: Sequence[QAbstractButton]) -> int:
-    """Width of buttons that are written in ``font``, px, whatever they are written in now.
+    """Return the width of buttons in ``font``, px, whatever their present font is.
 
-    Did it depend on that, words would change to and fro without end.
+    If it depended on the present font, fonts would change back and forth without end.
     """
     metrics = QFontMetrics(font)
-    # What the style leaves around words does not depend on them.
+    # The space that the style leaves around a text does not depend on the text.
     return sum(
-        _words_px(one, metrics) + one.sizeHint().width() - _words_px(one, one.fontMetrics())
-        for one in buttons
+        _text_px(button, metrics)
+        + button.sizeHint().width()
+        - _text_px(button, button.fontMetrics())
+        for button in buttons
     )
 
 
-def _words_px(button: QAbstractButton, metrics: QFontMetrics) -> int:
-    """What Qt counts as words: around those of a tool button there are blanks as well."""
-    words_px = metrics.size(int(Qt.TextFlag.TextShowMnemonic), button.text()).width()
+def _text_px(button: QAbstractButton, metrics: QFontMetrics) -> int:
+    """Return the width that Qt gives to the text: that of a tool button has blanks around it."""
+    text_px = metrics.size(int(Qt.TextFlag.TextShowMnemonic), button.text()).width()
     if isinstance(button, QToolButton):
-        words_px += 2 * metrics.horizontalAdvance(" ")
-    return words_px
+        text_px += 2 * metrics.horizontalAdvance(" ")
+    return text_px
 
 
-def readable_in(words: str, font: QFont, room_px: float) -> QFont:
-    """The largest font in which words have room of those that are not too small to be read.
+def readable_in(text: str, font: QFont, room_px: float) -> QFont:
+    """Return the largest readable font in which a text fits, or the smallest readable one.
 
-    For words that may be cut, if they have to be: in the smallest of these.
+    For texts that may be cut.
     """
     fonts = [scaled(font, scale) for scale in _SCALES if scale >= _WORTH_READING]
-    fit = (one for one in fonts if QFontMetrics(one).horizontalAdvance(words) <= room_px)
+    fit = (smaller for smaller in fonts if QFontMetrics(smaller).horizontalAdvance(text) <= room_px)
     return next(fit, fonts[-1])
 
 
 def smallest_of(font: QFont) -> QFont:
-    """The smallest font in which words of ``font`` are written."""
+    """Return the smallest font to which ``font`` may shrink."""
     return fonts_of(font)[-1]
 
 
 def readable_of(font: QFont) -> QFont:
-    """The smallest font in which all words of a row shall stand, while there may be another row."""
+    """Return the smallest font for a single row, as long as a second row is possible."""
     return scaled(font, _READABLE)
 
 
 def write_in(font: QFont, buttons: Sequence[QAbstractButton]) -> None:
-    """Have the words of buttons in that font."""
-    for one in buttons:
-        if one.font() != font:
-            one.setFont(font)
+    """Set the font of buttons."""
+    for button in buttons:
+        if button.font() != font:
+            button.setFont(font)
 
 
 def fonts_of(font: QFont) -> list[QFont]:
-    """Those in which words of ``font`` may be written, from large to small."""
+    """Return the fonts to which ``font`` may shrink, from large to small."""
     large = (scaled(font, scale) for scale in _SCALES_OF_LARGE)
-    readable = [one for one in large if QFontInfo(one).pixelSize() >= _LEAST_PX]
+    readable = [smaller for smaller in large if QFontInfo(smaller).pixelSize() >= _LEAST_PX]
     return [*(scaled(font, scale) for scale in _SCALES), *readable]
 
 
-# Buttons beside each other, whose words are whole in a narrow room too.
-
-
 class ButtonRow(QWidget):
-    """Keeps buttons to the left, and writes them smaller where there is too little room.
-
-    Parameters
-    ----------
-    buttons
-        From left to right.
-    parent
-        As in Qt.
-    """
+    """A row of buttons, aligned left, whose letters shrink where there is little room."""
 
     def __init__(self, buttons: Sequence[QAbstractButton], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -247,31 +232,28 @@ class ButtonRow(QWidget):
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(UNIT_PX // 2)
-        for one in self._buttons:
-            row.addWidget(one)
+        for button in self._buttons:
+            row.addWidget(button)
         row.addStretch(1)
         self._gap_px = row.spacing()
         RoomOrText(self).changed.connect(self._fit)
 
     def _fit(self) -> None:
-        shown = [one for one in self._buttons if not one.isHidden()]
+        shown = [button for button in self._buttons if not button.isHidden()]
         gaps_px = self._gap_px * len(shown)
         write_in(fitting_font((shown,), self.font(), self.width() - gaps_px), self._buttons)
         self.setMinimumWidth(width_in(smallest_of(self.font()), shown) + gaps_px)
 
 
-# Tells how much of the height of a widget can be seen at once.
-
-
 class HeightInSight(RoomOrText):
-    """Tells when there may be another height in sight, and how much that is.
+    """Signals when the visible height of a widget may have changed, and returns it.
 
-    What scrolls is as high as it wants to be: its own height does not say whether it has room.
+    A widget in a scroll area can be higher than the visible part.
 
     Parameters
     ----------
     widget
-        Who is looked at; also the parent.
+        The widget; also the parent.
     """
 
     def __init__(self, widget: QWidget) -> None:
@@ -280,33 +262,31 @@ class HeightInSight(RoomOrText):
 
     @property
     def px(self) -> int:
-        """The height of the widget, or of what it scrolls in."""
-        around = (area.viewport().height() for area in areas_around(self._widget))
-        return min((self._widget.height(), *around))
+        """The height of the widget, or of the scroll area around it if that is lower."""
+        heights = (area.viewport().height() for area in areas_around(self._widget))
+        return min((self._widget.height(), *heights))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Show:
-            # What scrolls it is known by now.
+            # Only now the scroll areas around it are known.
             for area in areas_around(self._widget):
                 area.viewport().installEventFilter(self)
             self.changed.emit()
         return super().eventFilter(watched, event)
 
 
-# Groups of widgets that go below each other where they do not fit beside each other.
-
 _BESIDE, _BELOW = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
 
 
 class BesideOrBelow(QWidget):
-    """Puts groups beside each other, or, where it is narrow, each into a row of its own.
+    """Puts groups of widgets beside each other, or in a narrow room below each other.
 
     Parameters
     ----------
     groups
-        Widgets that stay beside each other; None is room between them.
+        Widgets that stay beside each other; None is a stretch between them.
     spacing_px
-        Between widgets, groups and rows.
+        Space between widgets, groups and rows.
     """
 
     def __init__(self, *groups: Sequence[QWidget | None], spacing_px: int) -> None:
@@ -324,14 +304,9 @@ class BesideOrBelow(QWidget):
                 else:
                     row.addWidget(part)
             self._rows.append(row)
-            # What is left over belongs to the last group.
+            # The last group gets the room that is left.
             self._box.addLayout(row, int(len(self._rows) == len(groups)))
         RoomOrText(self).changed.connect(self._fold)
-
-    @property
-    def folded(self) -> bool:
-        """Whether groups are below each other."""
-        return self._box.direction() == _BELOW
 
     def minimumSizeHint(self) -> QSize:
         widest = max(row.minimumSize().width() for row in self._rows)
@@ -349,25 +324,19 @@ class BesideOrBelow(QWidget):
             self.updateGeometry()
 
 
-# A row of widgets that folds into several where it is narrow.
-
-
 class FoldingRow(QWidget):
-    """Puts widgets beside each other; those that do not fit go below.
+    """Puts widgets beside each other, in several rows where it is narrow.
 
-    A scroll bar beside it takes a little of each: if the row folded for that, it would become
-    higher, and keep the scroll bar that made it fold.
+    The row does not fold for the width of a scroll bar: it would become higher, and keep the bar.
 
     Parameters
     ----------
     widgets
-        In their order; hidden ones take no room.
+        Widgets in their order; hidden ones take no room.
     spacing_px
-        Between them.
+        Space between them.
     left
-        Whether they keep to the left; else they share the width.
-    parent
-        As in Qt.
+        Whether they are aligned left; else they share the width.
     """
 
     def __init__(
@@ -384,9 +353,9 @@ class FoldingRow(QWidget):
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setSpacing(spacing_px)
-        for one in self._widgets:
-            # One that is hidden now would be a window of its own once it is shown.
-            one.setParent(self)
+        for widget in self._widgets:
+            # A hidden widget without a parent would become a window when it is shown.
+            widget.setParent(self)
         self.fold()
 
     def minimumSizeHint(self) -> QSize:
@@ -397,8 +366,8 @@ class FoldingRow(QWidget):
         self.fold()
 
     def fold(self) -> None:
-        """Place them anew: the width is another one, or others are shown."""
-        shown = tuple(one for one in self._widgets if not one.isHidden())
+        """Arrange the widgets for the present width and visibility."""
+        shown = tuple(widget for widget in self._widgets if not widget.isHidden())
         room = self.width() + bars_px(self) + self._spacing_px
         fit = max(room // max(self._widest_px + self._spacing_px, 1), 1)
         rows = -(-len(shown) // fit) or 1
@@ -406,20 +375,20 @@ class FoldingRow(QWidget):
         if (shown, columns) == self._placed:
             return
         self._placed = shown, columns
-        for one in self._widgets:
-            self._grid.removeWidget(one)
-        for k, one in enumerate(shown):
-            self._grid.addWidget(one, k // columns, k % columns)
+        for widget in self._widgets:
+            self._grid.removeWidget(widget)
+        for k, widget in enumerate(shown):
+            self._grid.addWidget(widget, k // columns, k % columns)
         for column in range(len(self._widgets) + 1):
             self._grid.setColumnStretch(column, int(self._left and column == columns))
         self.setMinimumHeight(self._grid.minimumSize().height())
         self.updateGeometry()
 
     def px_of(self, columns: int) -> int:
-        """How wide it has to be for so many widgets in a row, or for all if they are fewer."""
-        count = min(sum(not one.isHidden() for one in self._widgets), columns)
+        """Return the width for ``columns`` widgets in a row, or for all if there are fewer."""
+        count = min(sum(not widget.isHidden() for widget in self._widgets), columns)
         return count * (self._widest_px + self._spacing_px) - self._spacing_px
 
     @property
     def _widest_px(self) -> int:
-        return max((one.minimumSizeHint().width() for one in self._widgets), default=0)
+        return max((widget.minimumSizeHint().width() for widget in self._widgets), default=0)

@@ -1,18 +1,18 @@
-"""Keeps windows, frame and all, on the screen."""
+"""Keeps windows with their frames on the screen."""
 
 from PySide6.QtCore import QEvent, QMargins, QObject, QRect, QSize
 from PySide6.QtWidgets import QStyle, QWidget
 
 
 def fitted(inside: QRect, available: QRect, frame: QMargins) -> QRect:
-    """Return ``inside`` moved, and where it must be cut, so that its frame is on the screen.
+    """Return ``inside`` moved, and cut if necessary, so that its frame is on the screen.
 
     Parameters
     ----------
     inside
-        Of the window, without its frame.
+        Area of the window, without its frame.
     available
-        Room on the screen.
+        Area of the screen.
     frame
         Widths of the window's frame.
     """
@@ -24,7 +24,7 @@ def fitted(inside: QRect, available: QRect, frame: QMargins) -> QRect:
 
 
 def fit_by_guess(window: QWidget) -> None:
-    """Fit a window onto its screen before it is shown, with a frame as most desktops have it."""
+    """Fit a window onto its screen before it is shown, with a usual frame."""
     bar = window.style().pixelMetric(QStyle.PixelMetric.PM_TitleBarHeight)
     edge = window.style().pixelMetric(QStyle.PixelMetric.PM_DefaultFrameWidth)
     _fit(window, QMargins(edge, bar + edge, edge, 2 * edge))
@@ -40,8 +40,7 @@ def _fit(window: QWidget, frame: QMargins) -> None:
 class ScreenFit(QObject):
     """Fits ``window`` onto its screen when it is first shown.
 
-    The window manager gives it a frame some time after that; as long as there is none, one is
-    guessed.
+    The window manager adds a frame some time later; until then a usual frame is assumed.
     """
 
     def __init__(self, window: QWidget) -> None:
@@ -50,7 +49,7 @@ class ScreenFit(QObject):
         window.installEventFilter(self)
 
     def guess(self) -> None:
-        """Fit it with a frame as most desktops have it."""
+        """Fit the window with a usual frame."""
         if not self._window.windowState():
             fit_by_guess(self._window)
 

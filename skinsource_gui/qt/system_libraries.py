@@ -1,13 +1,13 @@
-"""Finds out whether Qt can start here, before Qt is asked, and says what to install if not.
+"""Finds out whether Qt can start, before it is imported, and what to install if not.
 
-``python -m skinsource_gui.qt.system_libraries`` prints the line to run.
+``python -m skinsource_gui.qt.system_libraries`` prints the command to run.
 """
 
 import ctypes
 import os
 import sys
 
-#: Libraries that Qt opens on Linux, and the Debian package of each.
+#: Libraries that Qt loads on Linux, and the Debian package of each.
 _ALWAYS = {
     "libGL.so.1": "libgl1",
     "libEGL.so.1": "libegl1",
@@ -31,7 +31,7 @@ _ON_A_SCREEN = {
 
 
 def has_display() -> bool:
-    """Whether there is a screen to open a window on."""
+    """Return whether there is a screen for windows."""
     if os.environ.get("QT_QPA_PLATFORM") in {"offscreen", "minimal"}:
         return False
     if not sys.platform.startswith("linux"):
@@ -40,7 +40,7 @@ def has_display() -> bool:
 
 
 def missing_packages(*, on_a_screen: bool) -> list[str]:
-    """Debian packages that Qt needs and that are not there; empty elsewhere than on Linux."""
+    """Return the missing Debian packages that Qt needs; none on other systems than Linux."""
     if not sys.platform.startswith("linux"):
         return []
     needed = _ALWAYS | (_ON_A_SCREEN if on_a_screen else {})
@@ -48,7 +48,7 @@ def missing_packages(*, on_a_screen: bool) -> list[str]:
 
 
 def install_line(packages: list[str]) -> str:
-    """The command that installs ``packages`` on Debian and Ubuntu."""
+    """Return the command that installs ``packages`` on Debian and Ubuntu."""
     rights = "" if os.geteuid() == 0 else "sudo "
     return f"{rights}apt-get install -y {' '.join(packages)}"
 
@@ -62,7 +62,7 @@ def _opens(library: str) -> bool:
 
 
 def main() -> int:
-    """Say what is missing for running without a screen, as tests do; 1 if anything is."""
+    """Print what is missing to run without a screen, as tests do; return 1 if anything is."""
     missing = missing_packages(on_a_screen=False)
     if missing:
         sys.stderr.write(

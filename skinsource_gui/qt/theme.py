@@ -1,7 +1,7 @@
-"""Colours, fonts and spacings: the only place where they are decided.
+"""Colours, fonts, spacings and icons of the window, and whether it is drawn on paper.
 
-Who paints asks `current_theme` each time; labels get their colour from the style sheet by
-`set_tone`.  What keeps a colour otherwise, such as an icon, is made anew on a change of palette.
+Painting code asks `current_theme` each time; labels get their colour from the style sheet by
+`set_tone`.  Icons and other copies of a colour are made again on a change of the palette.
 """
 
 from collections.abc import Iterator
@@ -28,12 +28,12 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from skinsource_gui.qt.resources import read_text
 
-#: The rhythm of all distances, px.
+#: The unit of all distances, px.
 UNIT_PX = 8
 # Height of a line of letters of the usual size, px.
 _USUAL_LINE_PX = 14
 
-# Strokes and gaps of lines, px: whole ones, then those of outputs whose colour is taken already.
+# Dashes and gaps of lines, px: solid lines, then those of outputs with a repeated colour.
 _STROKES = ((), (5.0, 3.0), (2.0, 2.0), (7.0, 2.0, 2.0, 2.0))
 
 
@@ -46,11 +46,11 @@ class Theme:
     name
         ``"light"`` or ``"dark"``.
     window, base, raised, border, grid
-        Behind everything; behind plots and lists; buttons; lines between; plot grids.
+        Background; background of plots and lists; buttons; borders; plot grids.
     text, dim, disabled
-        Words; words of less weight (still 4.5 : 1 against ``window``); what can do nothing now.
+        Text; text of less weight (still 4.5 : 1 against ``window``); disabled text.
     accent, on_accent
-        Focus and selection, and words on it.
+        Focus and selection, and text on it.
     warning, error
         Amber and red.
     skin, skin_line
@@ -78,35 +78,35 @@ class Theme:
     outputs: tuple[str, ...]
 
     def input_colour(self, number: int) -> QColor:
-        """Colour of an input, by `Input.colour`."""
+        """Return the colour of an input, by `Input.colour`."""
         return QColor(self.inputs[number % len(self.inputs)])
 
     def output_colour(self, rank: int) -> QColor:
-        """Colour of a selected output, by its place in the selection."""
+        """Return the colour of a selected output, by its rank in the selection."""
         return QColor(self.outputs[rank % len(self.outputs)])
 
     def output_pen(self, rank: int, width_px: float, unit_px: float = 1.0) -> QPen:
-        """Pen of a selected output: where colours begin again, its line is broken otherwise.
+        """Return the pen of a selected output; where colours repeat, dashes differ.
 
         Parameters
         ----------
         rank
-            Its place in the selection; 32 of them differ.
+            Its rank in the selection; 32 pens differ.
         width_px
-            Of the line; 0 is one pixel of the screen.
+            Width of the line; 0 is one pixel of the screen.
         unit_px
-            What the lengths of the strokes are multiplied with.
+            Factor of the lengths of dashes.
         """
         pen = QPen(self.output_colour(rank), width_px)
         strokes = _STROKES[rank // len(self.outputs) % len(_STROKES)]
         if strokes:
-            # Qt counts in widths of the pen.
+            # Qt measures dashes in widths of the pen.
             pen.setDashPattern([stroke * unit_px / (width_px or 1.0) for stroke in strokes])
             pen.setCapStyle(Qt.PenCapStyle.FlatCap)
         return pen
 
     def axis_colour(self, rank: int) -> QColor:
-        """Colour of an axis of the sensors, by its place among theirs: not that of an output."""
+        """Return the colour of an axis of the sensors, which differs from those of outputs."""
         return QColor((*self.inputs[:2], self.text)[rank % 3])
 
 
@@ -166,8 +166,7 @@ DARK = Theme(
         "#c8ccd2",
     ),
 )
-#: For poor projectors and tired eyes: every word at least 12 : 1 against its ground, except those
-#: of what can do nothing now.
+#: For poor projectors and tired eyes: a contrast of at least 12 : 1, except for disabled text.
 CONTRAST = replace(
     DARK,
     name="contrast",
@@ -191,13 +190,13 @@ _in_use = LIGHT
 
 
 def current_theme() -> Theme:
-    """The colours in use."""
+    """Return the theme in use."""
     return _in_use
 
 
 @contextmanager
 def drawn_in(theme: Theme) -> Iterator[None]:
-    """Let what is painted in this block have other colours, as on a page."""
+    """Use another theme for painting in this block, as on a page."""
     global _in_use
     before, _in_use = _in_use, theme
     try:
@@ -216,15 +215,15 @@ def set_tone(widget: QWidget, tone: str) -> None:
 
 
 def theme_label(name: str) -> str:
-    """What a theme, or the choice of the system's, is called in menus and lists."""
+    """Return the name of a theme, or of the choice of the system's, in menus and lists."""
     return "High contrast" if name == CONTRAST.name else name.capitalize()
 
 
 def apply_theme(app: QApplication, theme: Theme, text_scale: float = 1.0) -> None:
-    """Give every widget of ``app`` the colours of ``theme``, and words of that size.
+    """Give every widget of ``app`` the colours of ``theme`` and the size of letters.
 
-    ``text_scale`` is 1 for words as large as the desktop has them.  Where all of that is so
-    already, nothing is done: Qt would go through all widgets.
+    ``text_scale`` is 1 for the size of the desktop.  Without a change nothing is done, because Qt
+    would go through all widgets.
     """
     global _in_use
     _in_use = theme
@@ -242,7 +241,7 @@ def apply_theme(app: QApplication, theme: Theme, text_scale: float = 1.0) -> Non
 
 
 def scaled(font: QFont, scale: float) -> QFont:
-    """Copy of ``font`` that is ``scale`` times as large."""
+    """Return a copy of ``font`` that is ``scale`` times as large."""
     copy = QFont(font)
     if copy.pointSizeF() > 0:
         copy.setPointSizeF(copy.pointSizeF() * scale)
@@ -252,22 +251,19 @@ def scaled(font: QFont, scale: float) -> QFont:
 
 
 def letter_scale(font: QFont) -> float:
-    """How much larger than usual letters of ``font`` are; 1 where they are smaller."""
+    """Return how much larger than usual the letters of ``font`` are; at least 1."""
     return max(QFontMetrics(font).height() / _USUAL_LINE_PX, 1.0)
 
 
 def letter_by_letter(font: QFont) -> QFont:
-    """Copy of ``font`` in which each letter is one.
-
-    "fi" drawn as one is found by nobody who searches a page for "file".
-    """
+    """Return a copy of ``font`` without ligatures, which a search on a PDF page does not find."""
     copy = QFont(font)
     copy.setFeature(QFont.Tag("liga"), 0)
     return copy
 
 
 def tabular(font: QFont) -> QFont:
-    """Copy of ``font`` in which all digits have the same width."""
+    """Return a copy of ``font`` in which all digits have the same width."""
     copy = letter_by_letter(font)
     copy.setFeature(QFont.Tag("tnum"), 1)
     return copy
@@ -275,8 +271,8 @@ def tabular(font: QFont) -> QFont:
 
 def _sheet(theme: Theme) -> str:
     colours = {name: getattr(theme, name) for name in Theme.__slots__}
-    words = {name: value for name, value in colours.items() if isinstance(value, str)}
-    return Template(read_text("theme.qss")).substitute(words)
+    values = {name: value for name, value in colours.items() if isinstance(value, str)}
+    return Template(read_text("theme.qss")).substitute(values)
 
 
 def _palette(theme: Theme) -> QPalette:
@@ -305,10 +301,9 @@ def _palette(theme: Theme) -> QPalette:
     return palette
 
 
-# Icons made of a path, drawn in the colours of the theme.
-
+# Size of an icon.
 _SIZE = 16
-# Larger than shown, so that it stays sharp on fine screens.
+# Pixels per unit of an icon, so that it is sharp on screens of high resolution.
 _OVERSAMPLED = 3
 
 
@@ -347,11 +342,8 @@ def drawn_icon(
     return icon
 
 
-# Icons of playing, drawn in the colours of the theme.
-
-
 def play_icon() -> QIcon:
-    """A triangle."""
+    """Return a triangle."""
     path = QPainterPath()
     path.addPolygon(QPolygonF((QPointF(4, 2.5), QPointF(13.5, 8), QPointF(4, 13.5))))
     path.closeSubpath()
@@ -359,14 +351,14 @@ def play_icon() -> QIcon:
 
 
 def stop_icon() -> QIcon:
-    """A square."""
+    """Return a square."""
     path = QPainterPath()
     path.addRoundedRect(QRectF(3.5, 3.5, 9, 9), 1, 1)
     return drawn_icon(path, current_theme(), filled=True)
 
 
 def repeat_icon() -> QIcon:
-    """Two arrows that follow each other."""
+    """Return two arrows that follow each other."""
     path = QPainterPath()
     for sign in (1, -1):
         at = QPointF(8, 8)
@@ -379,9 +371,7 @@ def repeat_icon() -> QIcon:
     return drawn_icon(path, current_theme(), line_px=1.4)
 
 
-# Whether a page is drawn now, not the screen: there dots are finer than pixels.
-
-#: In a px: so many that the wave between samples is drawn.
+#: Dots per px on paper: so many that the wave between samples is drawn.
 PAPER_DOTS = 16.0
 _LINE_PX = 1.0
 
@@ -390,7 +380,7 @@ _paper: ContextVar[bool] = ContextVar("paper", default=False)
 
 @contextmanager
 def on_paper() -> Iterator[None]:
-    """Draw for a page in this block: nothing has the keyboard, and lines stay lines."""
+    """Draw for a page in this block: without focus, and without cached pictures."""
     token = _paper.set(True)
     try:
         yield
@@ -399,18 +389,18 @@ def on_paper() -> Iterator[None]:
 
 
 def is_on_paper() -> bool:
-    """Whether a picture is drawn now, not the screen."""
+    """Return whether a page is drawn now, not the screen."""
     return _paper.get()
 
 
 def dots_in_px(painter: QPainter) -> float:
-    """How many dots across a px has: pixels of the screen, or dots of a printer."""
+    """Return the dots per px: pixels of the screen, or dots of a printer."""
     return PAPER_DOTS if is_on_paper() else painter.device().devicePixelRatioF()
 
 
 def thin_pen(colour: QColor) -> QPen:
-    """One pixel of the screen: any wider line takes a hundred times as long.
+    """Return a pen of one pixel of the screen; any wider line takes a hundred times as long.
 
-    On paper nobody would see it: there it is as wide as other lines.
+    On paper it would be invisible: there it is as wide as other lines.
     """
     return QPen(colour, _LINE_PX if is_on_paper() else 0.0)

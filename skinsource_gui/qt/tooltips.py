@@ -1,4 +1,4 @@
-"""Words of a tooltip, in lines that the eye can follow."""
+"""Tooltips in lines of readable length, and the guard against a second click."""
 
 from functools import lru_cache
 from textwrap import fill
@@ -12,41 +12,39 @@ _LINE = 64
 
 
 def tooltip(*sentences: str) -> str:
-    """Sentences below each other, each in lines of readable length; empty ones are left out."""
+    """Return sentences below each other, in lines of readable length, without empty ones."""
     return "\n".join(_in_lines(sentence) for sentence in sentences if sentence)
 
 
-def show_tooltip(widget: QWidget, words: str) -> None:
-    """Give a widget a tooltip; one that it has already is told to nobody."""
-    if widget.toolTip() != words:
-        widget.setToolTip(words)
+def show_tooltip(widget: QWidget, text: str) -> None:
+    """Set the tooltip of a widget, unless it is the same, which would cause an event."""
+    if widget.toolTip() != text:
+        widget.setToolTip(text)
 
 
-def show_tip_below(widget: QWidget, words: str) -> None:
-    """Show words below a widget at once, as a tooltip, while the widget is in sight."""
+def show_tip_below(widget: QWidget, text: str) -> None:
+    """Show a tooltip below a widget at once, if the widget is visible."""
     if widget.isVisible():
-        QToolTip.showText(widget.mapToGlobal(QPoint(0, widget.height())), words, widget)
+        QToolTip.showText(widget.mapToGlobal(QPoint(0, widget.height())), text, widget)
 
 
 @lru_cache(maxsize=512)
 def _in_lines(sentence: str) -> str:
-    # Many fields say the same of keys and mouse.
+    # Many fields have the same sentences on keys and mouse.
     return fill(sentence, _LINE)
 
 
-# What stands for a moment where a button has just been.
-
-# After so many intervals of a double click even a pointer that rests means what lies there.
+# After so many intervals of a double click even a pointer at rest may click what is there.
 _MOST_INTERVALS = 6
 
 
 class ClickGuard(QWidget):
-    """Takes the second click of who clicks twice, so that it reaches nothing else.
+    """Takes the second click of a double click where a button has just disappeared.
 
     Attributes
     ----------
     interval
-        After it, the guard stays only where the pointer rests.
+        After this time the guard stays only while the pointer rests.
     """
 
     def __init__(self, parent: QWidget) -> None:
@@ -58,12 +56,12 @@ class ClickGuard(QWidget):
         self.hide()
 
     def cover(self, place: QRect) -> None:
-        """Stand there."""
+        """Cover a place."""
         self.setGeometry(place)
         self.show()
         self.raise_()
         self._begin()
-        # Room that goes away is laid out anew later, and that may take most of the time.
+        # The layout changes later, and that may take most of the time.
         QTimer.singleShot(0, self, self._begin)
 
     def _begin(self) -> None:
@@ -71,7 +69,7 @@ class ClickGuard(QWidget):
         self.interval.start(QApplication.doubleClickInterval())
 
     def _hide_unless_at_rest(self) -> None:
-        """Who has not moved the pointer since does not mean what lies there now."""
+        """Hide, unless the pointer still rests here."""
         self._intervals += 1
         at = QCursor.pos()
         rests = at == self._at and self.rect().contains(self.mapFromGlobal(at))

@@ -1,4 +1,4 @@
-"""Parts of what scrolls are brought where they can be seen."""
+"""The mouse wheel: scroll areas around a widget, and zooming and panning of a drawing."""
 
 from collections.abc import Callable, Iterator, Mapping
 from time import monotonic
@@ -13,16 +13,16 @@ from skinsource_gui.qt.frames import Frame
 
 
 def areas_around(widget: QWidget) -> Iterator[QScrollArea]:
-    """Areas that scroll a widget, the innermost first."""
-    around = widget.parentWidget()
-    while around is not None:
-        if isinstance(around, QScrollArea):
-            yield around
-        around = around.parentWidget()
+    """Yield the scroll areas around a widget, the innermost first."""
+    parent = widget.parentWidget()
+    while parent is not None:
+        if isinstance(parent, QScrollArea):
+            yield parent
+        parent = parent.parentWidget()
 
 
 def bars_px(widget: QWidget) -> int:
-    """Width that scroll bars around a widget have taken."""
+    """Return the width of the scroll bars around a widget."""
     return sum(
         max(area.maximumViewportSize().width() - area.viewport().width(), 0)
         for area in areas_around(widget)
@@ -30,37 +30,35 @@ def bars_px(widget: QWidget) -> int:
 
 
 def bring_into_sight(widget: QWidget) -> None:
-    """Scroll what is around a widget until it is seen."""
+    """Scroll the areas around a widget until it is visible."""
     for area in areas_around(widget):
         area.ensureWidgetVisible(widget)
 
 
-# What a notch of the mouse wheel does, the same in plots, maps and numbers.
-
-#: How far Qt says the wheel has turned at each notch: eighths of a degree.
+#: Turn of the wheel at each notch, in Qt's eighths of a degree.
 NOTCH = 120.0
-#: How many times larger a plot or a map becomes with each notch.
+#: Factor of the zoom of a plot or a map for each notch.
 ZOOM_PER_NOTCH = 1.2
-#: How far each notch goes along an axis, as a part of what is shown.
+#: Pan along an axis for each notch, as a part of the visible range.
 PAN_PER_NOTCH = 0.1
-#: After a pause so long the wheel begins anew, s.
+#: A pause of this length ends a turn of the wheel, s.
 PAUSE_S = 0.5
 # A hand that turns the wheel moves the pointer a little.
 _STILL_PX = 4
 
 
 class ScrollingOn(QObject):
-    """Tells that the wheel goes on scrolling what is around a widget.
+    """Tells when the wheel goes on scrolling the areas around a widget.
 
-    What scrolls under a pointer at rest brings widgets there that take the wheel for themselves:
-    they let it pass until the pointer moves, or the wheel rests.
+    Scrolling moves widgets that use the wheel themselves under a pointer at rest: they ignore the
+    wheel until the pointer moves or the wheel rests.
 
     Parameters
     ----------
     widget
-        It may stand in areas that scroll; also the parent.
+        Widget inside of scroll areas; also the parent.
     clock
-        Seconds, from any start.
+        Returns seconds.
     """
 
     def __init__(self, widget: QWidget, clock: Callable[[], float] = monotonic) -> None:
@@ -68,10 +66,10 @@ class ScrollingOn(QObject):
         self._widget, self._clock = widget, clock
         self._bars: list[QScrollBar] = []
         self._last_s, self._pointer = -PAUSE_S, QPoint()
-        self._taken_s = -PAUSE_S
+        self._used_s = -PAUSE_S
 
     def watch(self) -> None:
-        """Notice when the areas scroll that are around it now."""
+        """Watch the present scroll areas around the widget."""
         for area in areas_around(self._widget):
             for bar in (area.verticalScrollBar(), area.horizontalScrollBar()):
                 if not any(bar is other for other in self._bars):
@@ -79,68 +77,63 @@ class ScrollingOn(QObject):
                     bar.valueChanged.connect(self._note)
 
     def passes(self, event: QWheelEvent) -> bool:
-        """Whether this turn of the wheel is for what is around the widget."""
-        # With a key held it is meant otherwise than the turns before.
+        """Return whether this turn of the wheel is for the areas around the widget."""
+        # With a modifier it is a new gesture.
         moved = (QCursor.pos() - self._pointer).manhattanLength() > _STILL_PX
         rested = self._clock() - self._last_s >= PAUSE_S
         if moved or rested or event.modifiers().value:
             return False
-        # At the end of what scrolls, too, one turn is one movement.
+        # The gesture goes on at the end of the scroll range, too.
         self._note()
         return True
 
     def take(self) -> None:
-        """Note that the widget took this turn of the wheel for itself."""
-        self._taken_s = self._clock()
+        """Note that the widget has used this turn of the wheel."""
+        self._used_s = self._clock()
 
-    def was_taken(self) -> bool:
-        """Whether the turn that goes on was the widget's own, and still is."""
-        taken = self._clock() - self._taken_s < PAUSE_S
-        if taken:
+    def was_used(self) -> bool:
+        """Return whether the widget has used the present turn of the wheel so far."""
+        recent = self._clock() - self._used_s < PAUSE_S
+        if recent:
             self.take()
-        return taken
+        return recent
 
     def _note(self, _value: int = 0) -> None:
         self._last_s, self._pointer = self._clock(), QCursor.pos()
 
 
-# Zooming and panning of a drawing that is fitted into its widget.
-
-#: The fit that shows all, and what stands for none of the fits.
+#: The fit that shows everything, and the name for a free zoom.
 WHOLE, FREE = "whole", "free"
 
 _LARGEST_ZOOM = 25.0
 _ZOOM_PER_KEY = 1.25
 _PAN_PER_NOTCH_PX = 48.0
-# Something brought into sight stays this far from the edge, px.
+# A revealed point is at least this far from the edge, px.
 _EDGE_PX = 20.0
 _KEY_FACTORS = {"zoom_in": _ZOOM_PER_KEY, "zoom_out": 1 / _ZOOM_PER_KEY}
 
 
 class PanZoom(QObject):
-    """Keeps what part of a drawing is seen; used by whatever draws one.
+    """Zoom and pan of a drawing that is fitted into its widget.
 
-    The wheel zooms at the pointer, with Shift it pans, and so does a drag with the middle button;
-    one that began to scroll what is around the widget goes on with that, and one that turns out of
-    the whole drawing begins it.
-    The drawing is never smaller than its whole fit, nor out of sight.
+    The wheel zooms at the pointer; Shift and wheel, or a drag with the middle button, pan.  A turn
+    of the wheel that began to scroll the areas around the widget goes on with that; zooming out of
+    the whole drawing begins it.  The drawing is never smaller than its whole fit, nor out of sight.
 
     Parameters
     ----------
     widget
-        Where it is drawn; its cursor changes during a drag.
+        Widget of the drawing; its cursor changes during a drag.
 
     Attributes
     ----------
     frame
-        Where the drawing lies; ``None`` before there is one.
+        Place of the drawing; None without one.
     fit
-        Name of the fit that is shown, or `FREE` after zooming or panning.
-    scrolling_on
-        Knows when the wheel is for what is around it.
+        Name of the present fit, or `FREE` after zooming or panning.
     """
 
-    #: Another frame.
+    #: There is another frame.
     changed = Signal()
 
     def __init__(self, widget: QWidget) -> None:
@@ -155,18 +148,18 @@ class PanZoom(QObject):
         self.scrolling_on = ScrollingOn(widget)
 
     def arrange(self, fits: Mapping[str, Frame], outline: Floats, room: QRectF) -> None:
-        """Fit a drawing into a room; what is magnified keeps its middle.
+        """Fit a drawing into a room; a magnified drawing keeps its middle.
 
         Parameters
         ----------
         fits
-            Frames by name, `WHOLE` among them; none at all where there is nothing to draw.
+            Frames by name, `WHOLE` among them; none without a drawing.
         outline : (n, 2)
-            Of the drawing, in its own units; some of its inside stays in sight.
+            Outline of the drawing, in its own units; some of its inside stays visible.
         room
-            Of the widget, px.
+            Area in the widget, px.
         """
-        # It has a size, and so a place in what scrolls.
+        # The widget has a size now, and a place in its scroll areas.
         self.scrolling_on.watch()
         before, was, self._room = self.frame, self._room, room
         self._fits, self._outline = fits, outline
@@ -177,9 +170,9 @@ class PanZoom(QObject):
             frame = before.moved(moved.x(), moved.y())
             if room != was:
                 frame = frame.moved(*self._into_new_room(before, frame, was))
-            self.frame = self._kept(frame)
+            self.frame = self._in_sight(frame)
         elif self.fit == FREE:
-            # In the new room it would be smaller than all of it.
+            # In the new room it would be smaller than the whole fit.
             self.fit, self.frame = WHOLE, fits[WHOLE]
         else:
             self.frame = fits[self.fit if self.fit in fits else WHOLE]
@@ -196,20 +189,20 @@ class PanZoom(QObject):
         """Magnify around a point, no further out than the whole drawing."""
         if self.frame is None:
             return
-        whole = self._fits[WHOLE].scale
-        scale = min(self.frame.scale * factor, _LARGEST_ZOOM * whole)
-        if scale <= whole:
+        whole_scale = self._fits[WHOLE].scale
+        scale = min(self.frame.scale * factor, _LARGEST_ZOOM * whole_scale)
+        if scale <= whole_scale:
             self.show(WHOLE)
         else:
             self._go_to(self.frame.zoomed(scale / self.frame.scale, about))
 
     def pan(self, dx: float, dy: float) -> None:
-        """Shift the drawing by screen pixels, as far as it stays in sight."""
+        """Shift the drawing by screen pixels, as far as it stays visible."""
         if self.frame is not None and self.fit != WHOLE:
             self._go_to(self.frame.moved(dx, dy))
 
     def reveal(self, at: QPointF) -> None:
-        """Bring a screen point of the drawing into sight."""
+        """Pan until a screen point of the drawing is visible."""
         room = self._room.adjusted(_EDGE_PX, _EDGE_PX, -_EDGE_PX, -_EDGE_PX)
         dx = min(max(at.x(), room.left()), room.right()) - at.x()
         dy = min(max(at.y(), room.top()), room.bottom()) - at.y()
@@ -217,7 +210,7 @@ class PanZoom(QObject):
             self.pan(dx, dy)
 
     def wheel(self, event: QWheelEvent) -> None:
-        """The wheel turns over the drawing."""
+        """Handle a turn of the wheel."""
         if self.scrolling_on.passes(event) or self._leaves(event):
             event.ignore()
             return
@@ -233,49 +226,50 @@ class PanZoom(QObject):
         event.accept()
 
     def press(self, event: QMouseEvent) -> None:
-        """A button goes down; the middle one grips the drawing."""
+        """Handle a button that goes down: the middle one grips the drawing."""
         if event.button() == Qt.MouseButton.MiddleButton:
             self._grip = event.position()
             self._widget.setCursor(Qt.CursorShape.ClosedHandCursor)
 
     def move(self, event: QMouseEvent) -> None:
-        """The mouse moves, whether or not the drawing is gripped."""
+        """Handle a move of the mouse, with or without a button."""
         if self._grip is not None:
             by = event.position() - self._grip
             self._grip = event.position()
             self.pan(by.x(), by.y())
 
     def release(self, event: QMouseEvent) -> None:
-        """A button goes up."""
+        """Handle a button that goes up."""
         if event.button() == Qt.MouseButton.MiddleButton and self._grip is not None:
             self._grip = None
             self._widget.unsetCursor()
 
-    def step(self, wanted: str) -> bool:
-        """Zoom by a key, as the table of keys calls it; return whether it was one for this."""
-        factor = _KEY_FACTORS.get(wanted)
+    def step(self, name: str) -> bool:
+        """Zoom by a key of the table of keys; return whether it is a key for zooming."""
+        factor = _KEY_FACTORS.get(name)
         if factor is not None:
             self.zoom(factor, self._room.center())
         return factor is not None
 
     def _leaves(self, event: QWheelEvent) -> bool:
-        """Whether the wheel turns out of what is seen as a whole, and did not begin by zooming."""
-        turned, held = event.angleDelta(), event.modifiers().value
-        out = turned.y() < 0 and not turned.x() and not held
-        return out and self.fit == WHOLE and not self.scrolling_on.was_taken()
+        """Return whether the wheel zooms out of the whole drawing, and did not begin by zooming."""
+        turned, modifiers = event.angleDelta(), event.modifiers().value
+        out = turned.y() < 0 and not turned.x() and not modifiers
+        return out and self.fit == WHOLE and not self.scrolling_on.was_used()
 
     def _go_to(self, frame: Frame) -> None:
         self.fit = FREE
-        self.frame = self._kept(frame)
+        self.frame = self._in_sight(frame)
         self.changed.emit()
 
     def _into_new_room(self, before: Frame, frame: Frame, was: QRectF) -> tuple[float, float]:
-        """How far to shift it, so that the new room gets no emptier than it was before.
+        """Return the shift after which the new room is no emptier than the old one.
 
-        At each edge it leaves free what the whole drawing would, or what it left free before.
+        At each edge the margin is at most that of the whole drawing, or that of before.
         """
         whole, drawn, left = (
-            _box(one.to_screen(self._outline)) for one in (self._fits[WHOLE], frame, before)
+            _box(shown_frame.to_screen(self._outline))
+            for shown_frame in (self._fits[WHOLE], frame, before)
         )
         room = self._room
         return (
@@ -291,8 +285,8 @@ class PanZoom(QObject):
             ),
         )
 
-    def _kept(self, frame: Frame) -> Frame:
-        return frame.kept_in_sight(self._outline, self._room)
+    def _in_sight(self, frame: Frame) -> Frame:
+        return frame.shifted_into_sight(self._outline, self._room)
 
 
 def _box(places: Floats) -> QRectF:
@@ -300,5 +294,5 @@ def _box(places: Floats) -> QRectF:
 
 
 def _shift(drawn: tuple[float, float], low: float, high: float) -> float:
-    """How far to shift what is drawn from one end to the other, so that it covers the rest."""
+    """Return the shift after which a range covers the range from ``low`` to ``high``."""
     return min(low - drawn[0], 0.0) + max(high - drawn[1], 0.0)

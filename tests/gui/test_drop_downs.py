@@ -125,12 +125,12 @@ def test_words_are_written_smaller_before_they_are_cut(qtbot):
     qtbot.addWidget(field)
     field.choose("m")
     whole_px = field.fontMetrics().horizontalAdvance("Medium")
-    font, words = field.words_in(whole_px)
+    font, words = field.fitted_text(whole_px)
     assert (font, words) == (field.font(), "Medium")
-    font, words = field.words_in(round(0.8 * whole_px))
+    font, words = field.fitted_text(round(0.8 * whole_px))
     assert words == "Medium"
     assert QFontInfo(font).pixelSize() < QFontInfo(field.font()).pixelSize()
     assert QFontMetrics(font).horizontalAdvance("Medium") <= round(0.8 * whole_px)
-    smallest, cut = field.words_in(whole_px // 2)
+    smallest, cut = field.fitted_text(whole_px // 2)
     assert cut.endswith("…")
     assert QFontInfo(smallest).pixelSize() >= round(0.7 * QFontInfo(field.font()).pixelSize()) - 1

@@ -55,11 +55,11 @@ def test_a_kept_picture_looks_as_if_it_were_painted_directly(qapp, kind, room, r
 def test_no_more_of_it_is_kept_than_what_is_painted(qapp):
     kept = CachedPicture()
     show(kept, Dot(), ratio=2.0)
-    assert kept.kept_px == 16
+    assert kept.cached_px == 16
     show(kept, Nothing(), ("other",))
-    assert kept.kept_px == 0
+    assert kept.cached_px == 0
     show(kept, Dot(), ground=QColor("blue"))
-    assert kept.kept_px == 48
+    assert kept.cached_px == 48
 
 
 def test_it_is_painted_once_until_what_it_depends_on_changes(qapp):

@@ -47,13 +47,13 @@ def test_letters_that_cannot_be_read_in_print_are_said_before_the_picture_of_all
         remark=letters_remark(picture),
     )
     qtbot.addWidget(form)
-    form._take("layout", layout, None)
-    told_pt = float(re.search(r"The smallest letters are ([\d.]+) pt", form.said.text())[1])
+    form._edit("layout", layout, None)
+    told_pt = float(re.search(r"The smallest letters are ([\d.]+) pt", form.remark_label.text())[1])
     assert told_pt == pytest.approx(smallest_px(path) * 0.75, rel=0.2)
-    needed_px = int(re.search(r"a width of (\d+) px", form.said.text())[1])
-    form._take("width_px", float(needed_px), None)
-    form._take("height_px", float(round(needed_px * height / width)), None)
-    assert form.said.text() == ""
+    needed_px = int(re.search(r"a width of (\d+) px", form.remark_label.text())[1])
+    form._edit("width_px", float(needed_px), None)
+    form._edit("height_px", float(round(needed_px * height / width)), None)
+    assert form.remark_label.text() == ""
     save = next(one for one in form.findChildren(QPushButton) if one.text() == "Save as…")
     assert save.isEnabled()
 

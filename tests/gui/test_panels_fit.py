@@ -64,7 +64,7 @@ def cut_words(panel):
         elif isinstance(one, QTableView):
             found += cut_cells(one)
         elif isinstance(one, LegendStrip) and one.text.named:
-            x, line = one.layout_of_words.lines()[-1]
+            x, line = one.text_layout.lines()[-1]
             if one.height() < (line + 1) * one.fontMetrics().height() or x > one.width():
                 found.append(one.text.lines())
     return found

@@ -138,7 +138,7 @@ def test_a_layout_gives_size_and_resolution_and_another_size_leaves_it(qtbot):
     assert dialog.options.dpi == 300
     layout.choose("slide")
     assert (dialog.options.width_px, dialog.options.height_px) == (1280, 720)
-    dialog._take("width_px", 640.0, None)
+    dialog._edit("width_px", 640.0, None)
     assert dialog.options.layout == "own"
     assert layout.value == "own"
 
@@ -281,5 +281,5 @@ def test_the_page_says_how_many_pixels_the_file_will_have(qtbot):
     )
     assert dialog.pixels.text() == f"In pixels: {image.width()} × {image.height()}"
     assert image.width() == 1050
-    dialog._take("dpi", 96.0, None)
+    dialog._edit("dpi", 96.0, None)
     assert dialog.pixels.text() == "In pixels: 336 × 504"

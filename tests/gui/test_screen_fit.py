@@ -113,7 +113,7 @@ def test_rows_and_plots_have_room_for_large_words(window, settle):
     for button in buttons:
         assert button.height() >= button.fontMetrics().height() + 6, button.text()
     for legend in window.findChildren(LegendStrip):
-        assert legend.height() >= QFontMetrics(legend.words_font).height() > 14
+        assert legend.height() >= QFontMetrics(legend.text_font).height() > 14
     window.do("reset_text")
     settle()
     assert row.height() == usual

@@ -230,4 +230,4 @@ def test_what_scrolls_has_no_more_room_than_is_in_sight(qtbot):
         assert view.height() >= 800
         first = view.toolbar.findChild(QToolButton, "overlaid")
         assert (switch.y() > first.geometry().bottom()) == below
-        assert view.legend.layout_of_words.may_fold == below
+        assert view.legend.text_layout.may_fold == below

@@ -50,7 +50,7 @@ def test_every_axis_says_by_how_much(window, settle, words):
         assert plot.places.header.unit.endswith(f", {words}"), name
         # Whatever else gives way to a note.
         metrics = QFontMetrics(plot.font())
-        assert words in plot.places.header.said(metrics, 1.0)[0], name
+        assert words in plot.places.header.fitted(metrics, 1.0)[0], name
     assert brought_forward(window, settle, "windowed").strip.content.scale.words.endswith(words)
     spectrogram = brought_forward(window, settle, "spectrogram").picture
     assert spectrogram.shown.matched == words

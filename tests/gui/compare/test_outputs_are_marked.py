@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFontMetricsF, QImage, QPainter
 
-from skinsource_gui.plots.small_map import number_places, paint_rings, small_frame
+from skinsource_gui.plots.small_map import number_areas, paint_rings, small_frame
 from skinsource_gui.qt.theme import LIGHT
 from tests.gui.compare.compare_bench import two_places
 
@@ -47,7 +47,7 @@ def test_rings_have_the_colours_of_the_curves(compared):
 def test_numbers_stand_beside_their_rings_and_on_nothing_else(compared, size):
     small, area = compared.difference.shown, QRectF(0, 0, *size)
     metrics = QFontMetricsF(compared.font())
-    places = number_places(small, area, OUTPUTS, metrics)
+    places = number_areas(small, area, OUTPUTS, metrics)
     assert {number for number, _ in places} == set(OUTPUTS)
     points = small_frame(small.limb_map, area).to_screen(small.limb_map.output_positions)
     for number, place in places:
@@ -59,4 +59,4 @@ def test_numbers_stand_beside_their_rings_and_on_nothing_else(compared, size):
 
 def test_of_many_outputs_no_numbers_are_written(compared):
     small, metrics = compared.difference.shown, QFontMetricsF(compared.font())
-    assert number_places(small, QRectF(0, 0, 400, 600), tuple(range(1, 40)), metrics) == []
+    assert number_areas(small, QRectF(0, 0, 400, 600), tuple(range(1, 40)), metrics) == []

@@ -81,5 +81,5 @@ def test_peaks_that_differ_much_have_three_digits_each():
         kind="relative",
         peaks=(12.345, 0.0312345, 0.0),
     )
-    assert curves.peak_words == ("12.3", "0.0312", "0")
+    assert curves.peak_texts == ("12.3", "0.0312", "0")
     assert curves.peak_unit.symbol == "m/s²"

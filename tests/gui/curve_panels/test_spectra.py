@@ -54,9 +54,9 @@ def test_spectra_say_what_their_height_means(show, span, words):
     panel = show(view)
     assert panel.needs >= {SPECTRA[span][0], "span"}
     assert said_above(panel).scaling[0] == words
-    metrics = QFontMetricsF(plot_of(panel).words_font)
-    assert said_above(panel).said(metrics, 10_000.0) == (f"m/s² · {words}", "")
-    assert said_above(panel).said(metrics, 10.0) == ("m/s²", "")
+    metrics = QFontMetricsF(plot_of(panel).text_font)
+    assert said_above(panel).fitted(metrics, 10_000.0) == (f"m/s² · {words}", "")
+    assert said_above(panel).fitted(metrics, 10.0) == ("m/s²", "")
 
 
 def test_the_words_belong_to_the_curves_that_are_drawn(show):
@@ -71,7 +71,7 @@ def test_a_warning_goes_before_the_longer_words_of_the_scaling(show):
     header = said_above(show(replace(LINEAR, method="mag", axes="xyz")))
     metrics = QFontMetricsF(QFont())
     for room in range(150, 700, 10):
-        unit, note = header.said(metrics, float(room))
+        unit, note = header.fitted(metrics, float(room))
         assert note or unit == "m/s²"
 
 

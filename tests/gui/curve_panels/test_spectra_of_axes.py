@@ -145,7 +145,7 @@ def test_the_legend_names_the_axes_and_reads_all_outputs_along_each(panel):
     assert "x: along x at 29, 52: 0.5000  0.0100 m/s²" in legend.text.lines()
     for width in (900, 300, 150):
         panel.resize(width, 300)
-        layout = legend.layout_of_words
+        layout = legend.text_layout
         assert all(x + 20 <= layout.width_px for x, _ in layout.lines()[:-1])
         panel.grab()
 

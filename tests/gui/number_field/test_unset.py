@@ -10,10 +10,10 @@ def test_words_stand_in_place_of_a_0_that_is_none(bench):
     around = bench(TO, 0.0)
     field = around.field
     assert field.text() == "by factor"
-    assert field._number.beside(editing=False) == ""
+    assert field._number.unit_text(editing=False) == ""
     field.set_value(0.4)
     assert field.text() == "400"
-    assert field._number.beside(editing=False) == "ms"
+    assert field._number.unit_text(editing=False) == "ms"
 
 
 def test_such_a_0_is_typed_and_copied_as_a_number(bench):
@@ -22,7 +22,7 @@ def test_such_a_0_is_typed_and_copied_as_a_number(bench):
     field.setFocus()
     field.begin_editing()
     assert field.text() == "0"
-    assert field._number.beside(editing=True) == "ms"
+    assert field._number.unit_text(editing=True) == "ms"
     field.setText("250")
     QTest.keyClick(field, Qt.Key.Key_Return)
     assert field.value_si == 0.25

@@ -171,7 +171,7 @@ def test_both_axes_have_two_labels_at_least_however_small_the_plot(signals, size
         plot.show_curves(waves(amplitude=amplitude))
         plot.set_view(TIME, zoom, stacked=False)
         line = plot.stack.rows[0].axis
-        metrics = QFontMetricsF(plot.words_font)
+        metrics = QFontMetricsF(plot.text_font)
         heights = sorted(at for at, text in line.ticks() if text)
         assert len(heights) >= 2
         assert min(np.diff(heights)) >= 0.95 * metrics.height()
