@@ -77,32 +77,34 @@ class Track(Protocol):
         """What that is multiplied with over time."""
 
 
-def is_gain(design: Driven, one: Track) -> bool:
+def is_gain(design: Driven, track: Track) -> bool:
     """Whether the amplitude of an input is a plain factor, on a recording that has its own size.
 
     Under upstream scaling it is not: what is played reaches that peak on the skin, of any size.
     """
     return design.scaling != "upstream" and any(
-        _has_its_own_size(clip.waveform) for clip in one.clips if not clip.muted
+        _has_its_own_size(clip.waveform) for clip in track.clips if not clip.muted
     )
 
 
-def peak_text(design: Driven, one: Track) -> str:
+def peak_text(design: Driven, track: Track) -> str:
     """Peak of all that an input plays, ``"4.88 m/s²"``; empty where it cannot be played."""
     rate_hz = facts_of(design.limb).sample_rate_hz
     try:
-        peak = abs(one.amplitude) * _peak_of(one.clips, one.gain_curve, rate_hz, one.location)
+        peak = abs(track.amplitude) * _peak_of(
+            track.clips, track.gain_curve, rate_hz, track.location
+        )
     except InvalidInputError:
         return ""
     return f"{peak:.3g} {amplitude_unit(design)}"
 
 
-def amplitude_text(design: Driven, one: Track) -> str:
+def amplitude_text(design: Driven, track: Track) -> str:
     """How strong an input is: ``"2 m/s²"``, or ``"gain 2, peak 9.76 m/s²"``."""
-    if not is_gain(design, one):
-        return f"{one.amplitude:g} {amplitude_unit(design)}"
-    peak = peak_text(design, one)
-    return f"gain {one.amplitude:g}" + (f", peak {peak}" if peak else "")
+    if not is_gain(design, track):
+        return f"{track.amplitude:g} {amplitude_unit(design)}"
+    peak = peak_text(design, track)
+    return f"gain {track.amplitude:g}" + (f", peak {peak}" if peak else "")
 
 
 def amplitude_unit(design: Driven) -> str:

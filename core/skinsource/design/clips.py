@@ -178,17 +178,17 @@ def numbered(ids: Sequence[int], what: str) -> tuple[int, ...]:
     InvalidInputError
         Two of them are equal; ``what`` they belong to is named.
     """
-    given = [one for one in ids if one]
+    given = [number for number in ids if number]
     taken = set(given)
     if len(taken) < len(given):
-        doubled = next(one for one in given if given.count(one) > 1)
+        doubled = next(number for number in given if given.count(number) > 1)
         raise InvalidInputError(
             f"ids of the {what} are {quoted(given)}, {doubled} twice; expected different ones"
         )
     if len(given) == len(ids):
         return tuple(ids)
     free = (number for number in count(1) if number not in taken)
-    return tuple(one or next(free) for one in ids)
+    return tuple(number or next(free) for number in ids)
 
 
 # A name for a time.

@@ -105,7 +105,9 @@ def end_db(*differences_db: ArrayLike) -> float:
     differences_db
         Of any shape and sign; NaN counts as nothing.
     """
-    sizes = np.concatenate([np.empty(0), *(np.abs(np.ravel(one)) for one in differences_db)])
+    sizes = np.concatenate(
+        [np.empty(0), *(np.abs(np.ravel(differences)) for differences in differences_db)]
+    )
     sizes = sizes[~np.isnan(sizes)]
     if not sizes.size:
         return ENDS_DB[0]
@@ -138,11 +140,11 @@ def same_outputs(limb: str, other: str) -> bool:
     That is so of all published and synthetic limbs, and of own limbs with as many outputs that
     have the same names.
     """
-    one, two = facts_of(limb), facts_of(other)
-    if not (one.known and two.known):
+    facts, two = facts_of(limb), facts_of(other)
+    if not (facts.known and two.known):
         return False
-    same = one.own == two.own and one.output_names == two.output_names
-    return same and one.n_outputs == two.n_outputs
+    same = facts.own == two.own and facts.output_names == two.output_names
+    return same and facts.n_outputs == two.n_outputs
 
 
 def mean_and_spread_over(
@@ -181,17 +183,21 @@ def mean_and_spread_over(
 #: Names of regions and the outputs in them.  No sensor lies on the palm itself.
 REGION_OUTPUTS: dict[str, tuple[int, ...]] = {
     **{
-        f"Digit {digit}": tuple(one.number for one in OUTPUTS if one.region == f"digit {digit}")
+        f"Digit {digit}": tuple(
+            output.number for output in OUTPUTS if output.region == f"digit {digit}"
+        )
         for digit in DIGITS
     },
-    "Digits": tuple(one.number for one in OUTPUTS if one.region.startswith("digit")),
-    "Back of the hand": tuple(one.number for one in OUTPUTS if one.region == "hand"),
-    "Wrist": tuple(one.number for one in OUTPUTS if (one.region, one.side) == ("wrist", "dorsal")),
-    "Wrist, palm side": tuple(
-        one.number for one in OUTPUTS if (one.region, one.side) == ("wrist", "volar")
+    "Digits": tuple(output.number for output in OUTPUTS if output.region.startswith("digit")),
+    "Back of the hand": tuple(output.number for output in OUTPUTS if output.region == "hand"),
+    "Wrist": tuple(
+        output.number for output in OUTPUTS if (output.region, output.side) == ("wrist", "dorsal")
     ),
-    "Forearm": tuple(one.number for one in OUTPUTS if one.region == "forearm"),
-    "Elbow": tuple(one.number for one in OUTPUTS if one.region == "elbow"),
+    "Wrist, palm side": tuple(
+        output.number for output in OUTPUTS if (output.region, output.side) == ("wrist", "volar")
+    ),
+    "Forearm": tuple(output.number for output in OUTPUTS if output.region == "forearm"),
+    "Elbow": tuple(output.number for output in OUTPUTS if output.region == "elbow"),
 }
 
 
@@ -283,7 +289,7 @@ def louder(design: Design, gain: float) -> Design:
     """
     if gain == 1.0:
         return design
-    inputs = tuple(replace(one, amplitude=one.amplitude * gain) for one in design.inputs)
+    inputs = tuple(replace(track, amplitude=track.amplitude * gain) for track in design.inputs)
     return replace(design, inputs=inputs)
 
 
@@ -292,23 +298,23 @@ def same_but_rounding(design: Design, other: Design) -> bool:
     if len(design.inputs) != len(other.inputs):
         return False
     pairs = list(zip(design.inputs, other.inputs, strict=True))
-    taken = tuple(replace(one, amplitude=than.amplitude) for one, than in pairs)
+    taken = tuple(replace(track, amplitude=than.amplitude) for track, than in pairs)
     return replace(design, inputs=taken) == other and all(
-        math.isclose(one.amplitude, than.amplitude, rel_tol=1e-9) for one, than in pairs
+        math.isclose(track.amplitude, than.amplitude, rel_tol=1e-9) for track, than in pairs
     )
 
 
 def shown(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None:
     """Return the snapshot that ``design`` is; None where it is none of them."""
     # The one that was shown last stands last.
-    return next((one for one in reversed(snapshots) if one.design == design), None)
+    return next((snapshot for snapshot in reversed(snapshots) if snapshot.design == design), None)
 
 
 def with_edited(snapshots: Sequence[Snapshot], design: Design) -> tuple[Snapshot, ...]:
     """Return all snapshots, and ``design`` as what is edited if it is none of them."""
     if shown(snapshots, design) is not None:
         return tuple(snapshots)
-    stored = (one for one in snapshots if one.number != EDITED)
+    stored = (snapshot for snapshot in snapshots if snapshot.number != EDITED)
     return (*stored, Snapshot(number=EDITED, design=design))
 
 
@@ -320,9 +326,9 @@ def other_than(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None
     """
     here = shown(snapshots, design)
     without = EDITED if here is None else here.number
-    others = [one for one in reversed(snapshots) if one.number != without]
-    differing = (one for one in others if one.design != design)
-    equal = (one for one in others if one.number != EDITED)
+    others = [snapshot for snapshot in reversed(snapshots) if snapshot.number != without]
+    differing = (snapshot for snapshot in others if snapshot.design != design)
+    equal = (snapshot for snapshot in others if snapshot.number != EDITED)
     return next(differing, None) or next(equal, None)
 
 
@@ -347,7 +353,7 @@ def reference(snapshots: Sequence[Snapshot]) -> Snapshot | None:
 
     What was edited is never changed, therefore.
     """
-    return min(snapshots, key=lambda one: one.number, default=None)
+    return min(snapshots, key=lambda snapshot: snapshot.number, default=None)
 
 
 def brought_back(
@@ -358,12 +364,17 @@ def brought_back(
     What was stored since then stays, also under a number that the edit had made free.  The order is
     that of ``wanted``, the one that was shown last stands last; what it does not hold comes after.
     """
-    then, gone, now = ({one.number: one for one in each} for each in (wanted, other, present))
+    then, gone, now = (
+        {snapshot.number: snapshot for snapshot in each} for each in (wanted, other, present)
+    )
     for number in {*then, *gone}:
         if then.get(number) == gone.get(number) or now.get(number) != gone.get(number):
             continue
         now.pop(number, None)
         if number in then:
             now[number] = then[number]
-    numbers = [*(one for one in then if one in now), *(one for one in now if one not in then)]
+    numbers = [
+        *(number for number in then if number in now),
+        *(number for number in now if number not in then),
+    ]
     return tuple(now[number] for number in numbers)

@@ -168,13 +168,13 @@ class Design:
 
     def _repr_html_(self) -> str:
         """What a notebook shows."""
-        amplitudes = [amplitude_text(self, one) for one in self.inputs]
+        amplitudes = [amplitude_text(self, track) for track in self.inputs]
         return displaying.html_of(self, audible_indices(self.inputs), amplitudes)
 
     @property
     def ids(self) -> tuple[int, ...]:
         """Ids of the inputs, in their order."""
-        return tuple(one.id for one in self.inputs)
+        return tuple(track.id for track in self.inputs)
 
     @property
     def actuated(self) -> Actuation | None:
@@ -187,8 +187,8 @@ class Design:
 
     def index_of(self, id: int) -> int:
         """Where in `inputs` the input with this id is."""
-        for index, one in enumerate(self.inputs):
-            if one.id == id:
+        for index, track in enumerate(self.inputs):
+            if track.id == id:
                 return index
         known = ", ".join(map(str, self.ids)) or "none"
         raise InvalidInputError(f"no input has the id {quoted(id)}; there are {known}")
@@ -196,19 +196,19 @@ class Design:
     @property
     def clips(self) -> tuple[Clip, ...]:
         """The clips of all inputs, track by track."""
-        return tuple(clip for one in self.inputs for clip in one.clips)
+        return tuple(clip for track in self.inputs for clip in track.clips)
 
     def clip(self, id: int) -> Clip:
         """The clip with this id."""
-        for one in self.clips:
-            if one.id == id:
-                return one
+        for clip in self.clips:
+            if clip.id == id:
+                return clip
         raise InvalidInputError(f"no clip has the id {quoted(id)}; there are {len(self.clips)}")
 
     def track_of(self, clip_id: int) -> Input:
         """The input that the clip with this id is on."""
         wanted = self.clip(clip_id)
-        return next(one for one in self.inputs if any(clip is wanted for clip in one.clips))
+        return next(track for track in self.inputs if any(clip is wanted for clip in track.clips))
 
     def with_input(self, index: int, **changes: Any) -> "Design":
         """Return a copy in which input ``index`` has ``changes`` applied."""
@@ -220,14 +220,14 @@ class Design:
         """Return a copy in which the clip with this id has ``changes`` applied."""
         changed = replace(self.clip(id), **changes)
         track = self.track_of(id)
-        clips = tuple(changed if one.id == id else one for one in track.clips)
+        clips = tuple(changed if clip.id == id else clip for clip in track.clips)
         return self.with_input(self.index_of(track.id), clips=clips)
 
     def adding(self, new: Input) -> "Design":
         """Return a copy with one more input, with ids and a colour of its own."""
         taken = {present.colour for present in self.inputs}
         colour = next(k for k in range(MAX_INPUTS + 1) if k not in taken)
-        clips = tuple(replace(one, id=0) for one in new.clips)
+        clips = tuple(replace(clip, id=0) for clip in new.clips)
         added = replace(new, colour=colour, id=0, clips=clips)
         return replace(self, inputs=(*self.inputs, added))
 
@@ -260,18 +260,18 @@ def track(
 
 def _with_ids(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
     """Return ``inputs`` and their clips with ids where there were none; refuse doubles."""
-    own = [one.id for one in inputs]
+    own = [track.id for track in inputs]
     ids = numbered(own, "inputs")
-    of_clips = [clip.id for one in inputs for clip in one.clips]
+    of_clips = [clip.id for track in inputs for clip in track.clips]
     clip_ids = iter(numbered(of_clips, "clips"))
     if all(own) and all(of_clips):
         return inputs
-    found = []
-    for one, id in zip(inputs, ids, strict=True):
-        clips = tuple(_with_id(clip, next(clip_ids)) for clip in one.clips)
-        same = one.id == id and all(a is b for a, b in zip(clips, one.clips, strict=True))
-        found.append(one if same else replace(one, id=id, clips=clips))
-    return tuple(found)
+    with_ids = []
+    for track, id in zip(inputs, ids, strict=True):
+        clips = tuple(_with_id(clip, next(clip_ids)) for clip in track.clips)
+        same = track.id == id and all(a is b for a, b in zip(clips, track.clips, strict=True))
+        with_ids.append(track if same else replace(track, id=id, clips=clips))
+    return tuple(with_ids)
 
 
 def _with_id(clip: Clip, id: int) -> Clip:
@@ -281,9 +281,11 @@ def _with_id(clip: Clip, id: int) -> Clip:
 
 def audible_indices(inputs: tuple[Input, ...]) -> tuple[int, ...]:
     """Places in ``inputs`` of those that are heard: the solo ones, if any, but no muted ones."""
-    any_solo = any(one.solo for one in inputs)
+    any_solo = any(track.solo for track in inputs)
     return tuple(
-        index for index, one in enumerate(inputs) if not one.muted and (one.solo or not any_solo)
+        index
+        for index, track in enumerate(inputs)
+        if not track.muted and (track.solo or not any_solo)
     )
 
 

@@ -60,29 +60,29 @@ def tracks_svg(
         f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="11" role="img">',
         f'<rect width="{width}" height="{height}" fill="white"/>',
     ]
-    for row, (one, is_heard, label) in enumerate(zip(tracks, heard, labels, strict=True)):
+    for row, (track, is_heard, label) in enumerate(zip(tracks, heard, labels, strict=True)):
         colour = _COLOURS[row % len(_COLOURS)] if is_heard else _QUIET
-        parts += _lane(one, label, _LANES_PX * (row + 0.5), colour, end_s, sample_rate_hz)
+        parts += _lane(track, label, _LANES_PX * (row + 0.5), colour, end_s, sample_rate_hz)
     parts += _axis(_LANES_PX * len(tracks), end_s)
     return "".join([*parts, "</svg>"])
 
 
 def _lane(
-    one: Track, label: str, middle: float, colour: str, end_s: float, sample_rate_hz: float
+    track: Track, label: str, middle: float, colour: str, end_s: float, sample_rate_hz: float
 ) -> list[str]:
     left = _LABEL_PX + _EDGE_PX
-    found = [
+    elements = [
         f'<text x="{_EDGE_PX}" y="{middle + 4:.1f}" fill="{_INK}">{escape(label)}</text>',
         f'<line x1="{left}" x2="{left + _LANE_PX}" y1="{middle}" y2="{middle}" stroke="#DDDDDD"/>',
     ]
     try:
-        first, drive = drive_of_clips(one.clips, one.gain_curve, sample_rate_hz, one.location)
+        first, drive = drive_of_clips(track.clips, track.gain_curve, sample_rate_hz, track.location)
     except InvalidInputError as error:
         words = escape(sentence(str(error))[:90])
         text = f'<text x="{left}" y="{middle - 3:.1f}" fill="{_DIM}" font-size="9">{words}</text>'
-        return [*found, text]
+        return [*elements, text]
     if drive.silent:
-        return found
+        return elements
     size = float(np.abs(drive.samples).max())
     scale = _LANE_PX / (end_s * sample_rate_hz)
     points = " ".join(
@@ -90,7 +90,7 @@ def _lane(
         for x, y in _outline(drive.samples / size, first * scale, scale)
     )
     line = f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="1"/>'
-    return [*found, line]
+    return [*elements, line]
 
 
 def _outline(samples: Floats, start: float, scale: float) -> list[tuple[float, float]]:
@@ -107,17 +107,17 @@ def _outline(samples: Floats, start: float, scale: float) -> list[tuple[float, f
 
 def _axis(top: float, end_s: float) -> list[str]:
     left = _LABEL_PX + _EDGE_PX
-    step = next((one for one in _TICKS_S if end_s / one <= _MOST_TICKS), _TICKS_S[-1])
-    found = []
+    step = next((tick_s for tick_s in _TICKS_S if end_s / tick_s <= _MOST_TICKS), _TICKS_S[-1])
+    elements = []
     for k in range(int(end_s / step + 1e-9) + 1):
         x = left + k * step / end_s * _LANE_PX
         words = f"{1e3 * k * step:g}" if step < 1.0 else f"{k * step:g}"
-        found.append(f'<line x1="{x:.1f}" x2="{x:.1f}" y1="0" y2="{top}" stroke="#EEEEEE"/>')
-        found.append(
+        elements.append(f'<line x1="{x:.1f}" x2="{x:.1f}" y1="0" y2="{top}" stroke="#EEEEEE"/>')
+        elements.append(
             f'<text x="{x:.1f}" y="{top + 13}" fill="{_DIM}" text-anchor="middle">{words}</text>'
         )
     unit = "ms" if step < 1.0 else "s"
-    return [*found, f'<text x="{_EDGE_PX}" y="{top + 13}" fill="{_DIM}">Time ({unit})</text>']
+    return [*elements, f'<text x="{_EDGE_PX}" y="{top + 13}" fill="{_DIM}">Time ({unit})</text>']
 
 
 # A design as HTML: its words, a drawing of its tracks, and a table of its clips.
@@ -170,7 +170,7 @@ def html_of(design: DesignDisplay, heard: Collection[int], amplitudes: Sequence[
         return "".join([*parts, "<p>No inputs.</p>"])
     end_s = max((clip.onset_s + clip.waveform.duration_s for clip in design.clips), default=0.0)
     rate_hz = facts_of(design.limb).sample_rate_hz
-    labels = [_place(one.location, design.limb) for one in inputs]
+    labels = [_place(track.location, design.limb) for track in inputs]
     shown = [index in heard for index in range(len(inputs))]
     parts.append(tracks_svg(inputs, shown, labels, max(end_s, 0.02), rate_hz))
     parts.append(_table(design, amplitudes))
@@ -179,9 +179,9 @@ def html_of(design: DesignDisplay, heard: Collection[int], amplitudes: Sequence[
 
 def _table(design: DesignDisplay, amplitudes: Sequence[str]) -> str:
     rows = [
-        (one.location, amplitude, clip)
-        for one, amplitude in zip(design.inputs[:_MOST_TRACKS], amplitudes, strict=False)
-        for clip in one.clips
+        (track.location, amplitude, clip)
+        for track, amplitude in zip(design.inputs[:_MOST_TRACKS], amplitudes, strict=False)
+        for clip in track.clips
     ]
     cells = [
         f"<tr><td>{location}</td><td>{amplitude}</td><td>{1e3 * clip.onset_s:g} ms</td>"
@@ -191,7 +191,7 @@ def _table(design: DesignDisplay, amplitudes: Sequence[str]) -> str:
     left_out = len(design.clips) - len(cells)
     more = f"<p>… and {counted(left_out, 'more clip')}</p>" if left_out > 0 else ""
     heads = ("Place", "Amplitude", "Onset", "Waveform", "")
-    head = "".join(f"<th>{one}</th>" for one in heads)
+    head = "".join(f"<th>{title}</th>" for title in heads)
     return f"<table><tr>{head}</tr>{''.join(cells)}</table>{more}"
 
 

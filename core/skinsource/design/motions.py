@@ -176,9 +176,9 @@ def path_of(text: str) -> tuple[int, ...]:
     words = text.replace(",", " ").replace(";", " ").replace("-", " ").replace("→", " ").split()
     wrong = next((word for word in words if not (word.isascii() and word.isdigit())), None)
     if wrong is not None or any(len(word) > 3 for word in words):
-        found = wrong if wrong is not None else max(words, key=len)
+        bad_word = wrong if wrong is not None else max(words, key=len)
         raise InvalidInputError(
-            f"the path has {quoted(found)}, expected numbers of places, as in 16, 18, 20"
+            f"the path has {quoted(bad_word)}, expected numbers of places, as in 16, 18, 20"
         )
     return tuple(int(word) for word in words)
 

@@ -27,9 +27,9 @@ def settings_of(view: View, panel: str, kind: type[Settings]) -> Settings:
     A field that the view does not hold has its default, and so has one whose value does not fit
     its specification: what is only looked at must not keep a design from being seen.
     """
-    found = _latest.get((panel, kind))
-    if found is not None and found[0] is view.panels:
-        return cast(Settings, found[1])
+    cached = _latest.get((panel, kind))
+    if cached is not None and cached[0] is view.panels:
+        return cast(Settings, cached[1])
     held = dict(dict(view.panels).get(panel, ()))
     settings = kind()
     for field in dataclass_fields(settings):  # type: ignore[arg-type]

@@ -122,12 +122,12 @@ def usual_scale(unit: str) -> Scale:
 
 def suggested(found: Found, series: Series | None = None) -> ImportChoice:
     """What is likely to be wanted: the first signal of a file, as far as the file describes it."""
-    one = series or found.signals()[0]
-    stated = found.rate_of(one)
-    stamps = found.time_of(one)
-    unit = one.unit or "full scale"
+    signal = series or found.signals()[0]
+    stated = found.rate_of(signal)
+    stamps = found.time_of(signal)
+    unit = signal.unit or "full scale"
     return ImportChoice(
-        series=one.key,
+        series=signal.key,
         rate_hz=stated if stamps is None else None,
         time=stamps.key if stamps else None,
         time_unit_s=stamps.time_unit_s if stamps else 1.0,
@@ -215,11 +215,11 @@ def taken(
         signal, rate = _of_axes(values, choice, stamps_s, notes)
     offset = _offset_of(signal, choice, notes)
     ratio = Fraction(to_hz).limit_denominator(10_000) / rate
-    found = by_ratio(signal, ratio, min(float(rate), to_hz), offset=offset)
-    _note_loss(_energy(signal, offset), found, ratio, to_hz, notes)
-    found, unit = _in_drive_units(found, choice, to_hz, notes)
+    resampled = by_ratio(signal, ratio, min(float(rate), to_hz), offset=offset)
+    _note_loss(_energy(signal, offset), resampled, ratio, to_hz, notes)
+    resampled, unit = _in_drive_units(resampled, choice, to_hz, notes)
     return Taken(
-        samples=Samples(values=found, sample_rate_hz=to_hz, unit=unit),
+        samples=Samples(values=resampled, sample_rate_hz=to_hz, unit=unit),
         name=name,
         from_hz=float(rate),
         notes=tuple(notes),
@@ -382,9 +382,9 @@ def take(
     if process is None:
         with ReadingProcess() as own:
             return take(file, choice, to_hz, progress=progress, stop=stop, process=own)
-    found = process.look(file, stop=stop)
-    wanted = choice or suggested(found)
-    raw = read_part(file, found, wanted, process=process, progress=progress, stop=stop)
+    contents = process.look(file, stop=stop)
+    wanted = choice or suggested(contents)
+    raw = read_part(file, contents, wanted, process=process, progress=progress, stop=stop)
     return raw.taken(wanted, to_hz)
 
 
@@ -440,7 +440,7 @@ def read_for(choice: ImportChoice) -> tuple[object, ...]:
 
 def read_part(
     path: Path,
-    found: Found,
+    contents: Found,
     choice: ImportChoice,
     *,
     process: ReadingProcess,
@@ -448,41 +448,41 @@ def read_part(
     stop: Stop = never,
 ) -> RawPart:
     """Read the part of a file that ``choice`` means; raises what `take` raises."""
-    axes = [found.one(key) for key in (choice.series, *choice.others)]
+    axes = [contents.one(key) for key in (choice.series, *choice.others)]
     if None in axes:
         absent = (choice.series, *choice.others)[axes.index(None)]
-        keys = ", ".join(one.key for one in found.series[:8])
+        keys = ", ".join(series.key for series in contents.series[:8])
         raise RecordingError(
             f"{named(Path(path.name))}: it has no signal {quoted(absent)}, expected one of "
             f"{keys:.200}. Choose one of them."
         )
     read = partial(process.read, path, progress=progress, stop=stop)
     try:
-        return _read(path, found, [one for one in axes if one is not None], choice, read)
+        return _read(path, contents, [axis for axis in axes if axis is not None], choice, read)
     except InvalidInputError as error:
         raise _about(path, error) from error
 
 
 def _read(
     path: Path,
-    found: Found,
+    contents: Found,
     axes: Sequence[Series],
     choice: ImportChoice,
     read: Callable[..., Block],
 ) -> RawPart:
-    series, keys = axes[0], [one.key for one in axes]
-    if len({(one.n_samples, one.unit) for one in axes}) > 1:
+    series, keys = axes[0], [axis.key for axis in axes]
+    if len({(axis.n_samples, axis.unit) for axis in axes}) > 1:
         raise InvalidInputError(
             "the axes are not equally long or not in one unit; choose others, or one alone"
         )
-    names = ", ".join(one.name for one in axes)
+    names = ", ".join(axis.name for axis in axes)
     part: dict[str, Any] = {
         "path": path,
-        "name": f"{path.name}, {names}" if len(found.signals()) > 1 else path.name,
+        "name": f"{path.name}, {names}" if len(contents.signals()) > 1 else path.name,
         "read_for": read_for(choice),
     }
     if choice.time is None:
-        rate_hz = choice.rate_hz or found.rate_of(series)
+        rate_hz = choice.rate_hz or contents.rate_of(series)
         if rate_hz is None:
             raise InvalidInputError("the file does not say its sample rate; type it in")
         start = round(choice.start_s * rate_hz)

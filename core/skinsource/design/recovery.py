@@ -110,9 +110,9 @@ class Session:
 
 
 def _discard(path: Path) -> None:
-    for one in (path, path.with_suffix(PICTURE)):
+    for file in (path, path.with_suffix(PICTURE)):
         with suppress(OSError):
-            one.unlink()
+            file.unlink()
 
 
 # Unsaved work of studios that ended before it was saved.
@@ -200,7 +200,7 @@ def find(folder: Path) -> Found:
             left.append(_left_over(place, copies))
         else:
             _remove_empty(place)
-    left.sort(key=lambda one: one.kept_s, reverse=True)
+    left.sort(key=lambda work: work.kept_s, reverse=True)
     return Found(tuple(left), tuple(aside))
 
 
@@ -269,8 +269,8 @@ def _has_ended(place: Path) -> bool:
     if owner is not None:
         return still_runs(owner) is False
     # It ended, or began, before it wrote who it is.
-    found = _OF_PROCESS.fullmatch(place.name)
-    return found is None or not psutil.pid_exists(int(found[1]))
+    match = _OF_PROCESS.fullmatch(place.name)
+    return match is None or not psutil.pid_exists(int(match[1]))
 
 
 def _remove_empty(place: Path) -> None:
@@ -281,10 +281,10 @@ def _remove_empty(place: Path) -> None:
 def _copies(place: Path) -> list[Path]:
     """Copies in one folder, the newest first."""
     try:
-        found = [path for path in place.iterdir() if path.name.endswith(SUFFIX)]
+        copies = [path for path in place.iterdir() if path.name.endswith(SUFFIX)]
     except OSError:
         return []
-    return sorted(found, key=lambda path: (_number(path), _written_s(path)), reverse=True)
+    return sorted(copies, key=lambda path: (_number(path), _written_s(path)), reverse=True)
 
 
 def _number(path: Path) -> int:

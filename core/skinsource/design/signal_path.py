@@ -206,11 +206,11 @@ def check_drive(
     if actuation is None or actuation.equaliser is None:
         return
     lowest_hz = followed_band(band_hz, sample_rate_hz)[0]
-    found = net_velocity(drive.samples, sample_rate_hz, lowest_hz)
-    if not found.returns:
+    net = net_velocity(drive.samples, sample_rate_hz, lowest_hz)
+    if not net.returns:
         raise InvalidInputError(
             f"Input at place {place} cannot be played through this actuator: it leaves a velocity, "
-            f"and {100.0 * found.share_below_band:.0f} % of its energy lies below {lowest_hz:g} "
+            f"and {100.0 * net.share_below_band:.0f} % of its energy lies below {lowest_hz:g} "
             "Hz. Choose a waveform whose velocity returns to zero, for a tap the 'Centred tap', or "
             "let it fade in and out."
         )
@@ -231,18 +231,20 @@ def actuation_of_rig(
     InvalidInputError
         It is not known of any.
     """
-    found = []
-    for one in rig.channels:
-        listed = load(one.actuator) if one.actuator in names() else None
-        model = one.moves_as if one.moves_as is not None else listed
+    actuators = []
+    for channel in rig.channels:
+        listed = load(channel.actuator) if channel.actuator in names() else None
+        model = channel.moves_as if channel.moves_as is not None else listed
         if model is not None:
-            found.append(ActuatorAt(place=one.place, actuator=one.actuator, model=model))
-    if not found:
+            actuators.append(
+                ActuatorAt(place=channel.place, actuator=channel.actuator, model=model)
+            )
+    if not actuators:
         raise InvalidInputError(
             "The rig does not say how any of its actuators moves. Measure one, or name one that "
             "the library lists."
         )
-    return Actuation(actuators=tuple(found), equaliser=equaliser, rig=rig.title or "rig")
+    return Actuation(actuators=tuple(actuators), equaliser=equaliser, rig=rig.title or "rig")
 
 
 # From clips on a track to a chain, the sample at which it starts, and what it plays.
@@ -255,16 +257,18 @@ def placed_chain(
 
     The order in which they are listed plays no part.
     """
-    found = []
-    for one in clips:
-        if not one.muted:
-            at, shift_s = placed(one.waveform, one.effects, one.onset_s, sample_rate_hz)
-            found.append((at, shift_s, one.gain, one))
-    _put_in_order(found)
-    first = found[0][0] if found else 0
+    entries = []
+    for clip in clips:
+        if not clip.muted:
+            at, shift_s = placed(clip.waveform, clip.effects, clip.onset_s, sample_rate_hz)
+            entries.append((at, shift_s, clip.gain, clip))
+    _put_in_order(entries)
+    first = entries[0][0] if entries else 0
     parts = tuple(
-        Part(one.waveform, tuple(effect for effect in one.effects if effect.on), at - first, *rest)
-        for at, *rest, one in found
+        Part(
+            clip.waveform, tuple(effect for effect in clip.effects if effect.on), at - first, *rest
+        )
+        for at, *rest, clip in entries
     )
     return first, Chain(parts, gain_curve, first if gain_curve else 0)
 
@@ -287,15 +291,15 @@ def drive_of_clips(
     return first, drive_played(chain, sample_rate_hz, place, drawn)
 
 
-def _put_in_order(found: list[tuple[int, float, float, Clip]]) -> None:
+def _put_in_order(entries: list[tuple[int, float, float, Clip]]) -> None:
     """Sort by place and gain; what is alike in both by what it plays, in words.
 
     Sums of three numbers depend on their order in the last digit.
     """
-    found.sort(key=_where)
-    alike = len(found) - len(set(map(_where, found)))
+    entries.sort(key=_where)
+    alike = len(entries) - len(set(map(_where, entries)))
     if alike:
-        found.sort(key=lambda entry: (*_where(entry), repr(entry[3])))
+        entries.sort(key=lambda entry: (*_where(entry), repr(entry[3])))
 
 
 def _where(entry: tuple[int, float, float, Clip]) -> tuple[int, float, float]:

@@ -161,7 +161,7 @@ class View:
 
     def __post_init__(self) -> None:
         fields.check(self)
-        numbers = [one.number for one in self.snapshots]
+        numbers = [snapshot.number for snapshot in self.snapshots]
         if len(set(numbers)) < len(numbers):
             raise InvalidInputError(
                 f"View.snapshots have the numbers {numbers}, expected different ones"

@@ -23,7 +23,7 @@ def clips_selected(design: Design, view: View, ids: Iterable[int]) -> View:
 
     Where there are none, the selected tracks stay.
     """
-    track_ids = {clip.id: one.id for one in design.inputs for clip in one.clips}
+    track_ids = {clip.id: track.id for track in design.inputs for clip in track.clips}
     chosen = tuple(dict.fromkeys(id for id in ids if id in track_ids))
     if not chosen:
         return replace(view, selected_clips=())
@@ -39,14 +39,14 @@ def select_clips(design: Design, view: View, ids: Iterable[int]) -> Edit:
 
 def toggle_clip(design: Design, view: View, id: int) -> Edit:
     """Add a clip to the selected ones, or take it out."""
-    left = tuple(one for one in view.selected_clips if one != id)
+    left = tuple(clip_id for clip_id in view.selected_clips if clip_id != id)
     return select_clips(design, view, left if id in view.selected_clips else (*left, id))
 
 
 def select_all_clips(design: Design, view: View) -> Edit:
     """Select every clip; the one that stood apart still does."""
     last = () if view.selected_clip is None else (view.selected_clip,)
-    others = (one.id for one in design.clips if one.id not in last)
+    others = (clip.id for clip in design.clips if clip.id not in last)
     return select_clips(design, view, (*others, *last))
 
 
@@ -93,16 +93,16 @@ def remove_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refus
     chosen = present_clips(design, ids)
     if not chosen:
         return NO_CLIP
-    gone = {one.id for one in chosen}
-    inputs = tuple(_without(one, gone) for one in design.inputs)
+    gone = {clip.id for clip in chosen}
+    inputs = tuple(_without(track, gone) for track in design.inputs)
     after = replace(design, inputs=inputs)
     last = chosen[-1]
     beside = list(after.input(design.track_of(last.id).id).clips)
-    beside.sort(key=lambda one: (one.onset_s < last.onset_s, abs(one.onset_s - last.onset_s)))
+    beside.sort(key=lambda clip: (clip.onset_s < last.onset_s, abs(clip.onset_s - last.onset_s)))
     return Edit(
         label=f"Remove {clips_text(design, chosen)}",
         design=after,
-        view=clips_selected(after, view, tuple(one.id for one in beside[:1])),
+        view=clips_selected(after, view, tuple(clip.id for clip in beside[:1])),
     )
 
 
@@ -115,18 +115,18 @@ def move_clips(
         return moved
     target = {clip.id: (track_id, clip) for track_id, clip in moved}
     inputs = []
-    for one in design.inputs:
+    for track in design.inputs:
         # On its own track a clip keeps its place in the list.
         clips = [
             target[clip.id][1] if clip.id in target else clip
-            for clip in one.clips
-            if target.get(clip.id, (one.id, clip))[0] == one.id
+            for clip in track.clips
+            if target.get(clip.id, (track.id, clip))[0] == track.id
         ]
-        own = {clip.id for clip in one.clips}
-        clips += [clip for track_id, clip in moved if track_id == one.id and clip.id not in own]
+        own = {clip.id for clip in track.clips}
+        clips += [clip for track_id, clip in moved if track_id == track.id and clip.id not in own]
         if len(clips) > MAX_CLIPS:
             return TOO_MANY_CLIPS
-        inputs.append(replace_clips(one, clips))
+        inputs.append(replace_clips(track, clips))
     after = replace(design, inputs=tuple(inputs))
     selected = view.selected_clips
     if not target.keys() & set(selected):
@@ -163,8 +163,8 @@ def repeat_clips(design: Design, view: View, ids: Iterable[int], times: int) -> 
         return NO_CLIP
     if isinstance(times, bool) or not isinstance(times, int) or not 2 <= times <= MAX_CLIPS:
         return Refusal(sentence=f"Clips can be repeated 2 to {MAX_CLIPS} times.")
-    length_s = max(one.end_s for one in chosen) - min(one.onset_s for one in chosen)
-    if max(one.onset_s for one in chosen) + (times - 1) * length_s > ONSET.maximum:
+    length_s = max(clip.end_s for clip in chosen) - min(clip.onset_s for clip in chosen)
+    if max(clip.onset_s for clip in chosen) + (times - 1) * length_s > ONSET.maximum:
         return Refusal(sentence=f"The last repetition would begin after {ONSET.maximum:g} s.")
     copies = []
     for k in range(1, times):
@@ -182,7 +182,7 @@ def set_clips(
     if name not in _FIELDS:
         return Refusal(sentence=f"Of clips, one can set {', '.join(_FIELDS)}.")
     try:
-        after = with_clips(design, {one.id: {name: value} for one in chosen})
+        after = with_clips(design, {clip.id: {name: value} for clip in chosen})
     except InvalidInputError as error:
         return refused(error)
     verb = f"Change {_FIELDS[name].label.lower()} of"
@@ -194,14 +194,14 @@ def set_clips(
 def toggle_mute_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Silence clips; if all of them are muted, let them be heard again."""
     chosen = present_clips(design, ids)
-    muted = not all(one.muted for one in chosen)
-    return set_clips(design, view, (one.id for one in chosen), "muted", muted)
+    muted = not all(clip.muted for clip in chosen)
+    return set_clips(design, view, (clip.id for clip in chosen), "muted", muted)
 
 
 def present_clips(design: Design, ids: Iterable[int]) -> tuple[Clip, ...]:
     """Those clips that ``design`` has, track by track."""
     wanted = set(ids)
-    return tuple(one for one in design.clips if one.id in wanted)
+    return tuple(clip for clip in design.clips if clip.id in wanted)
 
 
 def clips_text(design: Design, chosen: tuple[Clip, ...]) -> str:
@@ -216,26 +216,28 @@ def short(time_s: float) -> float:
     return float(f"{time_s:.15g}")
 
 
-def replace_clips(one: Input, clips: list[Clip]) -> Input:
+def replace_clips(track: Input, clips: list[Clip]) -> Input:
     """The input with other clips; the very same where they are as they were."""
-    same = len(clips) == len(one.clips) and all(map(operator.is_, clips, one.clips))
-    return one if same else replace(one, clips=tuple(clips))
+    same = len(clips) == len(track.clips) and all(map(operator.is_, clips, track.clips))
+    return track if same else replace(track, clips=tuple(clips))
 
 
 def with_new_clips(
     design: Design, view: View, label: str, new: list[tuple[int, Clip]]
 ) -> Edit | Refusal:
     """Put clips on tracks, given by id; the new ones are selected."""
-    ids = numbered([*(one.id for one in design.clips), *(0 for _ in new)], "clips")
+    ids = numbered([*(clip.id for clip in design.clips), *(0 for _ in new)], "clips")
     new_ids = ids[len(ids) - len(new) :]
     on_track: dict[int, list[Clip]] = {}
     for (track_id, clip), id in zip(new, new_ids, strict=True):
         on_track.setdefault(track_id, []).append(replace(clip, id=id))
-    if any(len(one.clips) + len(on_track.get(one.id, ())) > MAX_CLIPS for one in design.inputs):
+    if any(
+        len(track.clips) + len(on_track.get(track.id, ())) > MAX_CLIPS for track in design.inputs
+    ):
         return TOO_MANY_CLIPS
     inputs = tuple(
-        replace(one, clips=(*one.clips, *on_track[one.id])) if one.id in on_track else one
-        for one in design.inputs
+        replace(track, clips=(*track.clips, *on_track[track.id])) if track.id in on_track else track
+        for track in design.inputs
     )
     after = replace(design, inputs=inputs)
     return Edit(label=label, design=after, view=clips_selected(after, view, new_ids))
@@ -259,14 +261,14 @@ def _moved(
     design: Design, chosen: tuple[Clip, ...], by_s: float, by_tracks: int
 ) -> list[tuple[int, Clip]]:
     """Clips elsewhere, each with the id of its track there; all the same way, as far as all can."""
-    onsets = [one.onset_s for one in chosen]
+    onsets = [clip.onset_s for clip in chosen]
     by_s = min(max(by_s, ONSET.minimum - min(onsets)), ONSET.maximum - max(onsets))
-    place_of = {c.id: place for place, one in enumerate(design.inputs) for c in one.clips}
-    places = [place_of[one.id] for one in chosen]
+    place_of = {c.id: place for place, track in enumerate(design.inputs) for c in track.clips}
+    places = [place_of[clip.id] for clip in chosen]
     down = min(max(by_tracks, -min(places)), len(design.inputs) - 1 - max(places))
     return [
-        (design.inputs[place + down].id, replace(one, onset_s=_onset(one.onset_s + by_s)))
-        for place, one in zip(places, chosen, strict=True)
+        (design.inputs[place + down].id, replace(clip, onset_s=_onset(clip.onset_s + by_s)))
+        for place, clip in zip(places, chosen, strict=True)
     ]
 
 
@@ -279,8 +281,8 @@ def _onset(time_s: float) -> float:
     return min(max(short(time_s), ONSET.minimum), ONSET.maximum)
 
 
-def _without(one: Input, gone: set[int]) -> Input:
-    return replace_clips(one, [clip for clip in one.clips if clip.id not in gone])
+def _without(track: Input, gone: set[int]) -> Input:
+    return replace_clips(track, [clip for clip in track.clips if clip.id not in gone])
 
 
 # Clips that go to an input place, from whatever track they are on.
@@ -312,22 +314,22 @@ def move_clips_to_place(
     label = f"{verb} {clips_text(design, chosen)} to {location_text(location, design.limb)}"
     if copies:
         return with_new_clips(design, view, label, [(target, clip) for clip in chosen])
-    moved = {one.id for one in chosen}
+    moved = {clip.id for clip in chosen}
     inputs = []
-    for one in design.inputs:
-        own = {clip.id for clip in one.clips}
-        clips = [clip for clip in one.clips if one.id == target or clip.id not in moved]
-        clips += [clip for clip in chosen if one.id == target and clip.id not in own]
+    for track in design.inputs:
+        own = {clip.id for clip in track.clips}
+        clips = [clip for clip in track.clips if track.id == target or clip.id not in moved]
+        clips += [clip for clip in chosen if track.id == target and clip.id not in own]
         if len(clips) > MAX_CLIPS:
             return TOO_MANY_CLIPS
-        inputs.append(replace_clips(one, clips))
+        inputs.append(replace_clips(track, clips))
     after = replace(design, inputs=tuple(inputs))
     selected = view.selected_clips if moved & set(view.selected_clips) else tuple(moved)
     return Edit(label=label, design=after, view=clips_selected(after, view, selected))
 
 
 def _track_at(design: Design, view: View, location: int) -> int | None:
-    there = [one.id for one in design.inputs if one.location == location]
+    there = [track.id for track in design.inputs if track.location == location]
     selected = [id for id in view.selected_inputs if id in there]
     return next(iter(selected[-1:] or there), None)
 
@@ -340,10 +342,10 @@ FORMAT = "skinsource clips"
 
 def fragment_of(design: Design, ids: Iterable[int]) -> Fragment | None:
     """The clips with these ids as they lie to each other; None where there are none."""
-    chosen = {one.id for one in present_clips(design, ids)}
+    chosen = {clip.id for clip in present_clips(design, ids)}
     tracks = [
-        (place, one, [clip for clip in one.clips if clip.id in chosen])
-        for place, one in enumerate(design.inputs)
+        (place, track, [clip for clip in track.clips if clip.id in chosen])
+        for place, track in enumerate(design.inputs)
     ]
     tracks = [entry for entry in tracks if entry[2]]
     if not tracks:
@@ -352,14 +354,14 @@ def fragment_of(design: Design, ids: Iterable[int]) -> Fragment | None:
     return Fragment(
         lanes=tuple(
             Lane(
-                location=one.location,
-                amplitude=one.amplitude,
+                location=track.location,
+                amplitude=track.amplitude,
                 offset=place - tracks[0][0],
                 clips=tuple(
                     replace(clip, onset_s=short(clip.onset_s - start_s), id=0) for clip in clips
                 ),
             )
-            for place, one, clips in tracks
+            for place, track, clips in tracks
         )
     )
 
@@ -369,12 +371,12 @@ def cut_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     chosen = present_clips(design, ids)
     if not chosen:
         return NO_CLIP
-    gone = {one.id for one in chosen}
+    gone = {clip.id for clip in chosen}
     inputs = tuple(
-        replace(one, clips=left)
-        if len(left := tuple(c for c in one.clips if c.id not in gone)) < len(one.clips)
-        else one
-        for one in design.inputs
+        replace(track, clips=left)
+        if len(left := tuple(c for c in track.clips if c.id not in gone)) < len(track.clips)
+        else track
+        for track in design.inputs
     )
     return Edit(
         label=f"Cut {clips_text(design, chosen)}",
@@ -392,27 +394,29 @@ def paste_fragment(design: Design, view: View, fragment: Fragment, at_s: float) 
     on its original cannot be seen.
     """
     count = sum(len(lane.clips) for lane in fragment.lanes)
-    found = _put_in(
+    outcome = _put_in(
         design, view, fragment, at_s, f"Paste {_words(count)}", _selected_place(design, view)
     )
-    if isinstance(found, Refusal):
-        return found
-    over = ", on top of what was copied" if _lies_on_its_like(found.design, design) else ""
-    return replace(found, said=f"{counted(count, 'clip')} pasted at {at_s * 1e3:.6g} ms{over}")
+    if isinstance(outcome, Refusal):
+        return outcome
+    over = ", on top of what was copied" if _lies_on_its_like(outcome.design, design) else ""
+    return replace(outcome, said=f"{counted(count, 'clip')} pasted at {at_s * 1e3:.6g} ms{over}")
 
 
 def _lies_on_its_like(after: Design, before: Design) -> bool:
     """Whether a clip that is new has an equal one on its track, at the same time."""
-    old = {one.id for one in before.clips}
+    old = {clip.id for clip in before.clips}
     for track in after.inputs:
         # Of thousands of clips hardly any two begin together.
         there: dict[float, list[Clip]] = {}
-        for one in track.clips:
-            if one.id in old:
-                there.setdefault(one.onset_s, []).append(one)
-        new = (one for one in track.clips if one.id not in old)
+        for clip in track.clips:
+            if clip.id in old:
+                there.setdefault(clip.onset_s, []).append(clip)
+        new = (clip for clip in track.clips if clip.id not in old)
         if any(
-            replace(one, id=like.id) == like for one in new for like in there.get(one.onset_s, ())
+            replace(clip, id=like.id) == like
+            for clip in new
+            for like in there.get(clip.onset_s, ())
         ):
             return True
     return False
@@ -484,7 +488,7 @@ def _put_in(
             else:
                 return Refusal(sentence=f"A design holds at most {MAX_INPUTS} inputs.")
             new += [
-                (track_id, replace(one, onset_s=short(at_s + one.onset_s))) for one in lane.clips
+                (track_id, replace(clip, onset_s=short(at_s + clip.onset_s))) for clip in lane.clips
             ]
     except (InvalidInputError, TypeError) as error:
         return refused(InvalidInputError(str(error)))
@@ -504,8 +508,8 @@ def fragment_from(words: str) -> Fragment:
     FileFormatError
         The text is something else, or damaged.
     """
-    found: Fragment = models.decode(text.from_text(words, FORMAT), (Fragment,), Address())
-    return found
+    fragment: Fragment = models.decode(text.from_text(words, FORMAT), (Fragment,), Address())
+    return fragment
 
 
 def _words(count: int) -> str:

@@ -64,21 +64,21 @@ def split_clips(design: Design, view: View, ids: Iterable[int], at_s: float) -> 
     after = with_parts(design, cut)
     if isinstance(after, Refusal):
         return after
-    known = {one.id for one in design.clips}
-    later = tuple(one.id for one in after.clips if one.id not in known)
-    words = clips_text(design, tuple(one for one in chosen if one.id in cut))
+    known = {clip.id for clip in design.clips}
+    later = tuple(clip.id for clip in after.clips if clip.id not in known)
+    words = clips_text(design, tuple(clip for clip in chosen if clip.id in cut))
     return Edit(label=f"Split {words}", design=after, view=clips_selected(after, view, later))
 
 
 def join_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Put parts of one clip together again where they follow each other."""
-    wanted = {one.id for one in present_clips(design, ids)}
+    wanted = {clip.id for clip in present_clips(design, ids)}
     if not wanted:
         return NO_CLIP
     inputs, joined = [], []
-    for one in design.inputs:
-        clips = {clip.id: clip for clip in one.clips}
-        in_time = sorted((c for c in one.clips if c.id in wanted), key=lambda c: c.onset_s)
+    for track in design.inputs:
+        clips = {clip.id: clip for clip in track.clips}
+        in_time = sorted((c for c in track.clips if c.id in wanted), key=lambda c: c.onset_s)
         for right in in_time:
             for left in [clips[c.id] for c in in_time if c.id in clips and c.id != right.id]:
                 together = _joined(left, clips[right.id])
@@ -87,15 +87,15 @@ def join_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal
                     clips[left.id] = together
                     joined.append(left.id)
                     break
-        inputs.append(replace_clips(one, list(clips.values())))
+        inputs.append(replace_clips(track, list(clips.values())))
     if not joined:
         return Refusal(
             sentence="None of the selected clips goes on where another one of them ends; select "
             "parts that follow each other."
         )
     after = replace(design, inputs=tuple(inputs))
-    there = {one.id for one in after.clips}
-    left_over = tuple(one for one in view.selected_clips if one in there)
+    there = {clip.id for clip in after.clips}
+    left_over = tuple(clip_id for clip_id in view.selected_clips if clip_id in there)
     return Edit(
         label="Join clips",
         design=after,
@@ -105,15 +105,15 @@ def join_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal
 
 def trim_clip(design: Design, view: View, id: int, start_s: float, end_s: float) -> Edit | Refusal:
     """Let a clip begin and end at times of the design, as far as it plays anything there."""
-    one = _one_clip(design, id, start_s, end_s)
-    if isinstance(one, Refusal):
-        return one
-    before, fades = _without_fades(one.effects)
+    clip = _one_clip(design, id, start_s, end_s)
+    if isinstance(clip, Refusal):
+        return clip
+    before, fades = _without_fades(clip.effects)
     old = before[-1] if before and isinstance(before[-1], Trim) and before[-1].on else None
     inner = before if old is None else before[:-1]
-    whole_s = played_s(one.waveform, inner)
+    whole_s = played_s(clip.waveform, inner)
     lead_s = 0.0 if old is None else old.start_s
-    origin_s = one.onset_s - lead_s
+    origin_s = clip.onset_s - lead_s
     shortest_s = min(SHORTEST_S, whole_s)
     start_s = min(max(start_s, origin_s, 0.0), origin_s + whole_s - shortest_s)
     end_s = min(max(end_s, start_s + shortest_s), origin_s + whole_s)
@@ -122,47 +122,47 @@ def trim_clip(design: Design, view: View, id: int, start_s: float, end_s: float)
     if left_out_s > SAME_S or length_s < whole_s - SAME_S:
         kept = (Trim(start_s=left_out_s, duration_s=length_s),)
     changes = {"onset_s": short(max(start_s, 0.0)), "effects": (*inner, *kept, *fades)}
-    return _changed(design, view, "Trim", one, changes)
+    return _changed(design, view, "Trim", clip, changes)
 
 
 def stretch_clip(
     design: Design, view: View, id: int, start_s: float, end_s: float
 ) -> Edit | Refusal:
     """Let a clip play faster or slower, so that it begins and ends at times of the design."""
-    one = _one_clip(design, id, start_s, end_s)
-    if isinstance(one, Refusal):
-        return one
-    if one.duration_s == 0.0:
+    clip = _one_clip(design, id, start_s, end_s)
+    if isinstance(clip, Refusal):
+        return clip
+    if clip.duration_s == 0.0:
         return Refusal(sentence="This clip cannot be stretched; change its duration instead.")
     start_s = max(start_s, 0.0)
-    factor = max(end_s - start_s, SHORTEST_S) / one.duration_s
-    inner, fades = _without_fades(one.effects)
+    factor = max(end_s - start_s, SHORTEST_S) / clip.duration_s
+    inner, fades = _without_fades(clip.effects)
     old = Stretch()
     if inner and isinstance(inner[-1], Stretch) and inner[-1].on:
         old, inner = inner[-1], inner[:-1]
-        factor *= old.factor_of(played_s(one.waveform, inner))
+        factor *= old.factor_of(played_s(clip.waveform, inner))
     try:
         changed = replace(old, factor=_nearest(factor), to_s=0.0)
     except InvalidInputError as error:
         return refused(error)
     kept = () if abs(factor - 1.0) < SAME_S else (changed,)
     effects = (*inner, *kept, *fades)
-    from_end_s = max(end_s - played_s(one.waveform, effects), 0.0)
-    if abs(start_s - one.onset_s) > SAME_S and abs(from_end_s - start_s) > SAME_S:
+    from_end_s = max(end_s - played_s(clip.waveform, effects), 0.0)
+    if abs(start_s - clip.onset_s) > SAME_S and abs(from_end_s - start_s) > SAME_S:
         # The factor goes no farther: the end stays, whose start was moved.
         start_s = from_end_s
     changes = {"onset_s": short(start_s), "effects": effects}
-    return _changed(design, view, "Stretch", one, changes)
+    return _changed(design, view, "Stretch", clip, changes)
 
 
 def fade_clip(design: Design, view: View, id: int, in_s: float, out_s: float) -> Edit | Refusal:
     """Let a clip fade in and out within some times; 0 for neither."""
-    one = _one_clip(design, id, in_s, out_s)
-    if isinstance(one, Refusal):
-        return one
-    in_s = short(min(max(in_s, 0.0), one.duration_s))
-    out_s = short(min(max(out_s, 0.0), one.duration_s - in_s))
-    effects: list[Any] = list(one.effects)
+    clip = _one_clip(design, id, in_s, out_s)
+    if isinstance(clip, Refusal):
+        return clip
+    in_s = short(min(max(in_s, 0.0), clip.duration_s))
+    out_s = short(min(max(out_s, 0.0), clip.duration_s - in_s))
+    effects: list[Any] = list(clip.effects)
     last = effects[-1] if effects and isinstance(effects[-1], Fade) and effects[-1].on else None
     try:
         if last is not None:
@@ -171,20 +171,20 @@ def fade_clip(design: Design, view: View, id: int, in_s: float, out_s: float) ->
             effects.append(Fade(in_s=in_s, out_s=out_s))
     except InvalidInputError as error:
         return refused(error)
-    return _changed(design, view, "Fade", one, {"effects": tuple(effects)})
+    return _changed(design, view, "Fade", clip, {"effects": tuple(effects)})
 
 
 def _one_clip(design: Design, id: int, *times_s: float) -> Clip | Refusal:
     """The clip that is to be changed to these times; or why that cannot be."""
-    found = present_clips(design, (id,))
-    if not found:
+    chosen = present_clips(design, (id,))
+    if not chosen:
         return _GONE
-    return found[0] if all(_is_time(one) for one in times_s) else NO_TIME
+    return chosen[0] if all(_is_time(time_s) for time_s in times_s) else NO_TIME
 
 
-def fades_of(one: Clip) -> tuple[float, float]:
+def fades_of(clip: Clip) -> tuple[float, float]:
     """How long a clip takes to fade in and out by what `fade_clip` did to it, s."""
-    last = one.effects[-1] if one.effects else None
+    last = clip.effects[-1] if clip.effects else None
     if not isinstance(last, Fade) or not last.on:
         return (0.0, 0.0)
     return (last.in_s, last.out_s)
@@ -193,7 +193,7 @@ def fades_of(one: Clip) -> tuple[float, float]:
 def parts_by_id(clips: Sequence[Clip], at_s: float) -> dict[int, tuple[Clip, Clip]] | Refusal:
     """Parts of those clips that play at a time, see `parts_of`."""
     try:
-        found = {one.id: parts_of(one, at_s) for one in clips}
+        found = {clip.id: parts_of(clip, at_s) for clip in clips}
     except InvalidInputError as error:
         if at_s > ONSET.maximum:
             return Refusal(
@@ -204,7 +204,7 @@ def parts_by_id(clips: Sequence[Clip], at_s: float) -> dict[int, tuple[Clip, Cli
     return {id: parts for id, parts in found.items() if parts is not None}
 
 
-def parts_of(one: Clip, at_s: float) -> tuple[Clip, Clip] | None:
+def parts_of(clip: Clip, at_s: float) -> tuple[Clip, Clip] | None:
     """What a clip plays before a time and from it on; None where it does not play then.
 
     Raises
@@ -212,33 +212,33 @@ def parts_of(one: Clip, at_s: float) -> tuple[Clip, Clip] | None:
     InvalidInputError
         It has no room for another effect, or the later part would begin too late.
     """
-    length_s, own_s = one.duration_s, at_s - one.onset_s
+    length_s, own_s = clip.duration_s, at_s - clip.onset_s
     if not SAME_S < own_s < length_s - SAME_S:
         return None
-    *inner, last = one.effects or (None,)
+    *inner, last = clip.effects or (None,)
     if not isinstance(last, Trim) or not last.on:
-        inner, last = list(one.effects), Trim(duration_s=length_s)
+        inner, last = list(clip.effects), Trim(duration_s=length_s)
     first = replace(last, duration_s=short(own_s))
     second = replace(last, start_s=short(last.start_s + own_s), duration_s=short(length_s - own_s))
     return (
-        replace(one, effects=(*inner, first)),
-        replace(one, onset_s=short(at_s), effects=(*inner, second), id=0),
+        replace(clip, effects=(*inner, first)),
+        replace(clip, onset_s=short(at_s), effects=(*inner, second), id=0),
     )
 
 
 def with_parts(design: Design, cut: dict[int, tuple[Clip, Clip]]) -> Design | Refusal:
     """The design with pairs in place of clips; the later of each pair has a new id."""
-    known = [one.id for one in design.clips]
+    known = [clip.id for clip in design.clips]
     ids = iter(numbered([*known, *(0 for _ in cut)], "clips")[len(known) :])
-    if any(_count_after(one, cut) > MAX_CLIPS for one in design.inputs):
+    if any(_count_after(track, cut) > MAX_CLIPS for track in design.inputs):
         return Refusal(sentence=f"A track holds at most {MAX_CLIPS} clips.")
     inputs = []
-    for one in design.inputs:
+    for track in design.inputs:
         clips: list[Clip] = []
-        for clip in one.clips:
+        for clip in track.clips:
             first, *rest = cut.get(clip.id, (clip,))
             clips += [first, *(replace(part, id=next(ids)) for part in rest)]
-        inputs.append(replace_clips(one, clips))
+        inputs.append(replace_clips(track, clips))
     try:
         return replace(design, inputs=tuple(inputs))
     except InvalidInputError as error:
@@ -246,11 +246,11 @@ def with_parts(design: Design, cut: dict[int, tuple[Clip, Clip]]) -> Design | Re
 
 
 def _any_is_full(clips: Sequence[Clip]) -> bool:
-    return any(len(one.effects) == MAX_EFFECTS for one in clips)
+    return any(len(clip.effects) == MAX_EFFECTS for clip in clips)
 
 
-def _count_after(one: Input, cut: dict[int, tuple[Clip, Clip]]) -> int:
-    return len(one.clips) + sum(clip.id in cut for clip in one.clips)
+def _count_after(track: Input, cut: dict[int, tuple[Clip, Clip]]) -> int:
+    return len(track.clips) + sum(clip.id in cut for clip in track.clips)
 
 
 def _joined(left: Clip, right: Clip) -> Clip | None:
@@ -292,13 +292,13 @@ def _nearest(factor: float) -> float:
 
 
 def _changed(
-    design: Design, view: View, verb: str, one: Clip, changes: dict[str, Any]
+    design: Design, view: View, verb: str, clip: Clip, changes: dict[str, Any]
 ) -> Edit | Refusal:
     try:
-        after = with_clips(design, {one.id: changes})
+        after = with_clips(design, {clip.id: changes})
     except InvalidInputError as error:
         return refused(error)
-    return Edit(label=f"{verb} {clips_text(design, (one,))}", design=after, view=view)
+    return Edit(label=f"{verb} {clips_text(design, (clip,))}", design=after, view=view)
 
 
 def _is_time(value: Any) -> bool:
@@ -342,7 +342,7 @@ def _shifted(
     try:
         after = replace(
             cut,
-            inputs=tuple(_moved(one, later, start_s, end_s, by_s) for one in cut.inputs),
+            inputs=tuple(_moved(track, later, start_s, end_s, by_s) for track in cut.inputs),
             markers=_markers(design.markers, later),
             loop_s=_loop(design.loop_s, start_s, end_s, by_s),
         )
@@ -361,25 +361,25 @@ def _cut(design: Design | Refusal, at_s: float) -> Design | Refusal:
 
 
 def _moved(
-    one: Input, later: Callable[[float], float | None], start_s: float, end_s: float, by_s: float
+    track: Input, later: Callable[[float], float | None], start_s: float, end_s: float, by_s: float
 ) -> Input:
     clips: list[Clip] = []
-    for clip in one.clips:
+    for clip in track.clips:
         onset_s = later(clip.onset_s)
         if onset_s is not None:
             clips.append(clip if onset_s == clip.onset_s else replace(clip, onset_s=onset_s))
-    after = replace_clips(one, clips)
-    curve = _curve(one.gain_curve, start_s, end_s, by_s)
-    return after if curve == one.gain_curve else replace(after, gain_curve=curve)
+    after = replace_clips(track, clips)
+    curve = _curve(track.gain_curve, start_s, end_s, by_s)
+    return after if curve == track.gain_curve else replace(after, gain_curve=curve)
 
 
 def _markers(
     markers: tuple[Marker, ...], later: Callable[[float], float | None]
 ) -> tuple[Marker, ...]:
-    times_s = [later(one.time_s) for one in markers]
+    times_s = [later(marker.time_s) for marker in markers]
     return tuple(
-        replace(one, time_s=min(time_s, LATEST_S))
-        for one, time_s in zip(markers, times_s, strict=True)
+        replace(marker, time_s=min(time_s, LATEST_S))
+        for marker, time_s in zip(markers, times_s, strict=True)
         if time_s is not None
     )
 

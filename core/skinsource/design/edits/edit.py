@@ -58,7 +58,7 @@ def refused(error: InvalidInputError) -> Refusal:
 def present(design: Design, ids: Iterable[int]) -> tuple[Input, ...]:
     """Those inputs that ``design`` has, in its order."""
     wanted = set(ids)
-    return tuple(one for one in design.inputs if one.id in wanted)
+    return tuple(track for track in design.inputs if track.id in wanted)
 
 
 def tracks_text(chosen: tuple[Input, ...], limb: str) -> str:
@@ -89,8 +89,8 @@ def changed(
         return NOTHING_CHOSEN
     try:
         inputs = tuple(
-            _with_clips(_replaced(one, changes.get(one.id, {})), clip_changes or {})
-            for one in design.inputs
+            _with_clips(_replaced(track, changes.get(track.id, {})), clip_changes or {})
+            for track in design.inputs
         )
         after = replace(design, inputs=inputs)
     except InvalidInputError as error:
@@ -108,24 +108,24 @@ def with_clips(design: Design, changes: dict[int, dict[str, Any]]) -> Design:
     """
     if not changes:
         return design
-    return replace(design, inputs=tuple(_with_clips(one, changes) for one in design.inputs))
+    return replace(design, inputs=tuple(_with_clips(track, changes) for track in design.inputs))
 
 
-def _with_clips(one: Input, changes: dict[int, dict[str, Any]]) -> Input:
-    if not changes or not any(clip.id in changes for clip in one.clips):
-        return one
+def _with_clips(track: Input, changes: dict[int, dict[str, Any]]) -> Input:
+    if not changes or not any(clip.id in changes for clip in track.clips):
+        return track
     clips = tuple(
-        replace(clip, **changes[clip.id]) if clip.id in changes else clip for clip in one.clips
+        replace(clip, **changes[clip.id]) if clip.id in changes else clip for clip in track.clips
     )
-    return one if clips == one.clips else replace(one, clips=clips)
+    return track if clips == track.clips else replace(track, clips=clips)
 
 
-def _replaced(one: Input, changes: dict[str, Any]) -> Input:
+def _replaced(track: Input, changes: dict[str, Any]) -> Input:
     # What does not change keeps its identity.
     if not changes:
-        return one
-    after = replace(one, **changes)
-    return one if after == one else after
+        return track
+    after = replace(track, **changes)
+    return track if after == track else after
 
 
 # From one kind of waveform to another.
@@ -159,7 +159,7 @@ def as_kind(waveform: Waveform, kind: type[Waveform], rate_hz: float) -> Wavefor
     if kind is type(waveform):
         return waveform
     present = specs_of(waveform)
-    found: Any = Glide.like(waveform) if kind is Glide else kind()
+    result: Any = Glide.like(waveform) if kind is Glide else kind()
     for field, spec in specs_of(kind).items():
         change: dict[str, Any] = {}
         if isinstance(spec, SamplesSpec):
@@ -168,8 +168,8 @@ def as_kind(waveform: Waveform, kind: type[Waveform], rate_hz: float) -> Wavefor
             change = _shared(waveform, field, spec)
         # What does not go together with the rest stays as it is in a new one.
         with suppress(InvalidInputError):
-            found = replace(found, **change)
-    return found
+            result = replace(result, **change)
+    return result
 
 
 def _shared(waveform: Waveform, field: str, spec: Spec) -> dict[str, Any]:
@@ -207,11 +207,11 @@ def nearest(value: float, spec: NumberSpec) -> float:
 def why_uncut(chosen: Sequence[Clip], at_s: float, same_s: float) -> str:
     """Why a time cuts none of some clips; times closer than ``same_s`` are the same."""
     whose, where = ("The", "it") if len(chosen) == 1 else ("A", "one of them")
-    found = f"None of the selected clips plays at {at_s:.6g} s"
+    reason = f"None of the selected clips plays at {at_s:.6g} s"
     for verb, attribute in (("begins", "onset_s"), ("ends", "end_s")):
-        if any(abs(getattr(one, attribute) - at_s) <= same_s for one in chosen):
-            found = f"{whose} selected clip {verb} at {at_s:.6g} s: there is nothing to split"
-    return f"{found}; put the playhead inside {where}."
+        if any(abs(getattr(clip, attribute) - at_s) <= same_s for clip in chosen):
+            reason = f"{whose} selected clip {verb} at {at_s:.6g} s: there is nothing to split"
+    return f"{reason}; put the playhead inside {where}."
 
 
 # Which inputs and clips are selected, and which after an edit.
@@ -219,9 +219,9 @@ def why_uncut(chosen: Sequence[Clip], at_s: float, same_s: float) -> str:
 
 def select_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit:
     """Select inputs, the last of them the one that stands apart."""
-    there = dict.fromkeys(one for one in ids if one in design.ids)
-    on_them = {clip.id for one in design.inputs if one.id in there for clip in one.clips}
-    clips = tuple(one for one in view.selected_clips if one in on_them)
+    there = dict.fromkeys(input_id for input_id in ids if input_id in design.ids)
+    on_them = {clip.id for track in design.inputs if track.id in there for clip in track.clips}
+    clips = tuple(clip_id for clip_id in view.selected_clips if clip_id in on_them)
     return Edit(
         label="Select inputs",
         design=design,
@@ -232,13 +232,13 @@ def select_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit:
 def select_all_inputs(design: Design, view: View) -> Edit:
     """Select every input; the one that stood apart still does."""
     last = () if view.selected_input is None else (view.selected_input,)
-    others = (one for one in design.ids if one not in last)
+    others = (input_id for input_id in design.ids if input_id not in last)
     return select_inputs(design, view, (*others, *last))
 
 
 def toggle_selected(design: Design, view: View, id: int) -> Edit:
     """Add an input to the selected ones, or take it out."""
-    left = tuple(one for one in view.selected_inputs if one != id)
+    left = tuple(input_id for input_id in view.selected_inputs if input_id != id)
     return select_inputs(design, view, left if id in view.selected_inputs else (*left, id))
 
 
@@ -253,15 +253,15 @@ def select_through(design: Design, view: View, start: int | None, end: int) -> E
     return select_inputs(design, view, between if first <= last else between[::-1])
 
 
-def clips_of(one: Input, view: View) -> tuple[Clip, ...]:
+def clips_of(track: Input, view: View) -> tuple[Clip, ...]:
     """Clips of an input that edits of it are about: the selected ones, or else its first."""
-    return tuple(clip for clip in one.clips if clip.id in view.selected_clips) or one.clips[:1]
+    return tuple(clip for clip in track.clips if clip.id in view.selected_clips) or track.clips[:1]
 
 
-def clip_of(one: Input, view: View) -> Clip | None:
+def clip_of(track: Input, view: View) -> Clip | None:
     """The one of them that stands apart: selected last; None where there is no clip."""
     order = {id: place for place, id in enumerate(view.selected_clips)}
-    return max(clips_of(one, view), key=lambda clip: order.get(clip.id, 0), default=None)
+    return max(clips_of(track, view), key=lambda clip: order.get(clip.id, 0), default=None)
 
 
 def kept_selection(view: View, before: Design, after: Design) -> View:
@@ -270,17 +270,17 @@ def kept_selection(view: View, before: Design, after: Design) -> View:
     Where no input is left, the neighbour of the one that stood apart is selected: the next that is
     still there, or else the one before.
     """
-    clip_ids = {one.id for one in after.clips} if view.selected_clips else set()
+    clip_ids = {clip.id for clip in after.clips} if view.selected_clips else set()
     if not clip_ids.issuperset(view.selected_clips):
-        left = tuple(one for one in view.selected_clips if one in clip_ids)
+        left = tuple(clip_id for clip_id in view.selected_clips if clip_id in clip_ids)
         view = replace(view, selected_clips=left)
     there = set(after.ids)
     if there.issuperset(view.selected_inputs):
         return view
-    left = tuple(one for one in view.selected_inputs if one in there)
+    left = tuple(input_id for input_id in view.selected_inputs if input_id in there)
     if not left and view.selected_input in before.ids:
         place = before.index_of(view.selected_input)
-        following = [one for one in before.ids[place:] if one in there]
-        preceding = [one for one in before.ids[:place] if one in there]
+        following = [input_id for input_id in before.ids[place:] if input_id in there]
+        preceding = [input_id for input_id in before.ids[:place] if input_id in there]
         left = tuple([*preceding[-1:], *following[:1]][-1:])
     return replace(view, selected_inputs=left)

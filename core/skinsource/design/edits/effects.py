@@ -56,89 +56,89 @@ def add_effect(
     design: Design, view: View, ids: Iterable[int], kind: str, index: int | None = None
 ) -> Edit | Refusal:
     """Put a new effect into the chains of clips, before the ``index``-th there; None: last."""
-    wanted = next((one for one in effect_kinds() if one.__name__ == kind), None)
+    wanted = next((candidate for candidate in effect_kinds() if candidate.__name__ == kind), None)
     if wanted is None:
-        known = ", ".join(one.__name__ for one in effect_kinds())
+        known = ", ".join(candidate.__name__ for candidate in effect_kinds())
         return Refusal(sentence=f"No effect is called {quoted(kind)}; there are {known}.")
     chosen = present_clips(design, ids)
     if not chosen:
         return NO_CLIP
-    if any(len(one.effects) >= MAX_EFFECTS for one in chosen):
+    if any(len(clip.effects) >= MAX_EFFECTS for clip in chosen):
         return Refusal(sentence=f"A clip has at most {MAX_EFFECTS} effects; remove one first.")
     chains = {}
-    for one in chosen:
-        chain = list(one.effects)
-        chain.insert(len(chain) if index is None else max(index, 0), fitted(wanted, one))
-        chains[one.id] = tuple(chain)
+    for clip in chosen:
+        chain = list(clip.effects)
+        chain.insert(len(chain) if index is None else max(index, 0), fitted(wanted, clip))
+        chains[clip.id] = tuple(chain)
     return _changed(design, view, f"Add {_words(wanted)} to", chosen, chains)
 
 
 def remove_effect(design: Design, view: View, id: int, index: int) -> Edit | Refusal:
     """Take an effect out of the chain of a clip."""
-    one = _with_effect(design, id, index)
-    if one is None:
+    clip = _with_effect(design, id, index)
+    if clip is None:
         return _GONE
-    chain = (*one.effects[:index], *one.effects[index + 1 :])
-    verb = f"Remove {_words(one.effects[index])} from"
-    return _changed(design, view, verb, (one,), {id: chain})
+    chain = (*clip.effects[:index], *clip.effects[index + 1 :])
+    verb = f"Remove {_words(clip.effects[index])} from"
+    return _changed(design, view, verb, (clip,), {id: chain})
 
 
 def move_effect(design: Design, view: View, id: int, index: int, to: int) -> Edit | Refusal:
     """Let an effect stand at another place of the chain, from 0; as far as there is room."""
-    one = _with_effect(design, id, index)
-    if one is None:
+    clip = _with_effect(design, id, index)
+    if clip is None:
         return _GONE
-    chain = list(one.effects)
+    chain = list(clip.effects)
     moved = chain.pop(index)
     chain.insert(min(max(to, 0), len(chain)), moved)
-    return _changed(design, view, "Reorder effects of", (one,), {id: tuple(chain)})
+    return _changed(design, view, "Reorder effects of", (clip,), {id: tuple(chain)})
 
 
 def switch_effect(design: Design, view: View, id: int, index: int, on: bool) -> Edit | Refusal:
     """Switch an effect on or off."""
-    one = _with_effect(design, id, index)
-    if one is None:
+    clip = _with_effect(design, id, index)
+    if clip is None:
         return _GONE
-    verb = f"Switch {_words(one.effects[index])} {'on' if on else 'off'} in"
-    return _set(design, view, verb, one, index, "on", on)
+    verb = f"Switch {_words(clip.effects[index])} {'on' if on else 'off'} in"
+    return _set(design, view, verb, clip, index, "on", on)
 
 
 def change_effect_field(
     design: Design, view: View, id: int, index: int, name: str, value: Any
 ) -> Edit | Refusal:
     """Set a field of an effect."""
-    one = _with_effect(design, id, index)
-    if one is None or name not in specs_of(one.effects[index]):
+    clip = _with_effect(design, id, index)
+    if clip is None or name not in specs_of(clip.effects[index]):
         return _GONE
-    label = specs_of(one.effects[index])[name].label.lower()
-    return _set(design, view, f"Change {label} of", one, index, name, value)
+    label = specs_of(clip.effects[index])[name].label.lower()
+    return _set(design, view, f"Change {label} of", clip, index, name, value)
 
 
 def set_envelope(
     design: Design, view: View, id: int, points: tuple[Breakpoint, ...]
 ) -> Edit | Refusal:
     """Give a clip an envelope: that of its last one, or of a new one at the end of the chain."""
-    found = present_clips(design, (id,))
-    if not found:
+    chosen = present_clips(design, (id,))
+    if not chosen:
         return NO_CLIP
-    [one] = found
+    [clip] = chosen
     try:
         drawn = Envelope(points)
     except InvalidInputError as error:
         return refused(error)
-    places = [k for k, each in enumerate(one.effects) if isinstance(each, Envelope)]
+    places = [k for k, each in enumerate(clip.effects) if isinstance(each, Envelope)]
     if places:
-        chain = (*one.effects[: places[-1]], drawn, *one.effects[places[-1] + 1 :])
-    elif len(one.effects) < MAX_EFFECTS:
-        chain = (*one.effects, drawn)
+        chain = (*clip.effects[: places[-1]], drawn, *clip.effects[places[-1] + 1 :])
+    elif len(clip.effects) < MAX_EFFECTS:
+        chain = (*clip.effects, drawn)
     else:
         return Refusal(sentence=f"A clip has at most {MAX_EFFECTS} effects; remove one first.")
-    return _changed(design, view, "Change envelope of", found, {id: chain})
+    return _changed(design, view, "Change envelope of", chosen, {id: chain})
 
 
-def fitted(kind: type[Effect], one: Clip) -> Effect:
+def fitted(kind: type[Effect], clip: Clip) -> Effect:
     """A new effect that fits what a clip plays."""
-    length_s = float(f"{min(one.duration_s, 600.0):.12g}")
+    length_s = float(f"{min(clip.duration_s, 600.0):.12g}")
     if kind is Envelope and length_s > 0.0:
         return Envelope(((0.0, 1.0, "straight"), (length_s, 1.0, "straight")))
     if kind is Fade:
@@ -151,22 +151,22 @@ def fitted(kind: type[Effect], one: Clip) -> Effect:
 
 def _with_effect(design: Design, id: int, index: int) -> Clip | None:
     """The clip, if it has an effect at this place."""
-    for one in present_clips(design, (id,)):
-        if 0 <= index < len(one.effects):
-            return one
+    for clip in present_clips(design, (id,)):
+        if 0 <= index < len(clip.effects):
+            return clip
     return None
 
 
 def _set(
-    design: Design, view: View, verb: str, one: Clip, index: int, name: str, value: Any
+    design: Design, view: View, verb: str, clip: Clip, index: int, name: str, value: Any
 ) -> Edit | Refusal:
-    chain = list(one.effects)
+    chain = list(clip.effects)
     recipe: Any = chain[index]
     try:
         chain[index] = replace(recipe, **{name: value})
     except InvalidInputError as error:
         return refused(error)
-    return _changed(design, view, verb, (one,), {one.id: tuple(chain)})
+    return _changed(design, view, verb, (clip,), {clip.id: tuple(chain)})
 
 
 def _changed(
@@ -201,9 +201,9 @@ def choices_of(spec: ModelSpec) -> ChoiceSpec:
 
     Where there is one kind alone, it is what that holds which is chosen: of a clip the waveform.
     """
-    found = _chosen(spec)
-    options = tuple((kind.__name__, _title(kind)) for kind in found)
-    made = KindSpec if set(found) <= set(waveform_kinds()) else ChoiceSpec
+    chosen = _chosen(spec)
+    options = tuple((kind.__name__, _title(kind)) for kind in chosen)
+    made = KindSpec if set(chosen) <= set(waveform_kinds()) else ChoiceSpec
     return made(label=spec.label, hint=spec.hint, options=options)
 
 
@@ -216,9 +216,9 @@ def new_part(spec: ModelSpec, name: str, holder: Any = None) -> Any:
         Nothing that can be chosen is called so.
     """
     kinds, chosen = spec.kinds(), _chosen(spec)
-    kind = next((one for one in chosen if one.__name__ == name), None)
+    kind = next((candidate for candidate in chosen if candidate.__name__ == name), None)
     if kind is None:
-        known = ", ".join(one.__name__ for one in chosen)
+        known = ", ".join(candidate.__name__ for candidate in chosen)
         raise InvalidInputError(f"{spec.label} is {quoted(name)}, expected one of {known}")
     held = _held(kinds[0])
     if kind not in kinds and held is not None:
@@ -262,7 +262,7 @@ def change_text(spec: Spec, before: Any, after: Any) -> str:
         more = len(after) - len(before)
         if more:
             return f"{'Add to' if more > 0 else 'Remove from'} {label} of"
-        if before != after and all(before.count(one) == after.count(one) for one in after):
+        if before != after and all(before.count(part) == after.count(part) for part in after):
             return f"Reorder {label} of"
     return f"Change {label} of"
 
@@ -291,9 +291,9 @@ _OF_CLIP: dict[str, Spec] = {"onset_s": ONSET, "gain": GAIN, "label": LABEL}
 
 def change_kind(design: Design, view: View, ids: Iterable[int], kind: str) -> Edit | Refusal:
     """Let clips of inputs play another kind of waveform, with what both kinds share."""
-    wanted = next((one for one in kinds() if one.__name__ == kind), None)
+    wanted = next((candidate for candidate in kinds() if candidate.__name__ == kind), None)
     if wanted is None:
-        known = ", ".join(one.__name__ for one in kinds())
+        known = ", ".join(candidate.__name__ for candidate in kinds())
         return Refusal(sentence=f"No waveform is called {quoted(kind)}; there are {known}.")
     rate_hz = facts_of(design.limb).sample_rate_hz
     return _playing(design, view, ids, lambda clip: as_kind(clip.waveform, wanted, rate_hz))
@@ -336,19 +336,19 @@ def drag_field(
     """
     ids = tuple(ids)
     targets = _targets(design, view, ids, name)
-    dragged = next((one for one in targets if one.leads(lead, view)), None)
+    dragged = next((target for target in targets if target.leads(lead, view)), None)
     if dragged is None or not isinstance(dragged.spec(name), NumberSpec):
         return change_field(design, view, ids, name, value)
-    began = {one.key: one for one in _targets(start, view, start.ids, name)}
+    began = {target.key: target for target in _targets(start, view, start.ids, name)}
     origin = began.get(dragged.key, dragged).value(name)
     try:
         dragged.spec(name).checked(value)
         values = [(dragged, value)]
-        for one in targets:
-            spec = one.spec(name)
-            if one is not dragged and isinstance(spec, NumberSpec):
-                own = began.get(one.key, one).value(name)
-                values.append((one, _moved(own, origin, value, spec)))
+        for target in targets:
+            spec = target.spec(name)
+            if target is not dragged and isinstance(spec, NumberSpec):
+                own = began.get(target.key, target).value(name)
+                values.append((target, _moved(own, origin, value, spec)))
     except InvalidInputError as error:
         return refused(error)
     return _values_set(design, view, name, values)
@@ -402,9 +402,9 @@ class _Target:
 def _targets(design: Design, view: View, ids: Iterable[int], name: str) -> list[_Target]:
     chosen = present(design, ids)
     if name in _OF_TRACK:
-        return [_Target(one, None) for one in chosen]
-    pairs = [_Target(one, clip) for one in chosen for clip in clips_of(one, view)]
-    return [one for one in pairs if name in fields_of(one.track, one.clip)]
+        return [_Target(track, None) for track in chosen]
+    pairs = [_Target(track, clip) for track in chosen for clip in clips_of(track, view)]
+    return [target for target in pairs if name in fields_of(target.track, target.clip)]
 
 
 def _values_set(
@@ -431,10 +431,10 @@ def _playing(
     changes: dict[int, dict[str, Any]] = {}
     of_clips: dict[int, dict[str, Any]] = {}
     try:
-        for one in present(design, ids):
+        for track in present(design, ids):
             # What plays nothing yet begins to.
-            changes[one.id] = {} if one.clips else {"clips": (Clip(waveform=waveform(Clip())),)}
-            for clip in clips_of(one, view):
+            changes[track.id] = {} if track.clips else {"clips": (Clip(waveform=waveform(Clip())),)}
+            for clip in clips_of(track, view):
                 of_clips[clip.id] = {"waveform": waveform(clip)}
     except InvalidInputError as error:
         return refused(error)
@@ -488,7 +488,7 @@ def equalise_on_skin(
             "made like it; take it out, or choose another place."
         )
     # A hundredth of a dB is less than anything that can be felt or set; -0.0 would be odd.
-    gains_db = tuple(round(softest_db - one, 2) + 0.0 for one in levels_db)
+    gains_db = tuple(round(softest_db - level_db, 2) + 0.0 for level_db in levels_db)
     note = f"{NOTED}{measure}, {design.limb}, {location_text(track.location, design.limb)}"
     kept = [words for words in clip.label.split(_BETWEEN) if words and not words.startswith(NOTED)]
     label = _BETWEEN.join((*kept, note))

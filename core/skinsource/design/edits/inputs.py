@@ -82,7 +82,7 @@ def place_input(design: Design, view: View, location: int, besides: bool = False
 
 def add_input(design: Design, view: View) -> Edit | Refusal:
     """Add an input at a place where there is none yet, the usual one first, and select it."""
-    taken, usual = {one.location for one in design.inputs}, usual_location(design.limb)
+    taken, usual = {track.location for track in design.inputs}, usual_location(design.limb)
     free = (k for k in (usual, *range(1, facts_of(design.limb).n_inputs + 1)) if k not in taken)
     return place_input(design, view, next(free, usual))
 
@@ -90,7 +90,7 @@ def add_input(design: Design, view: View) -> Edit | Refusal:
 def move_inputs(design: Design, view: View, ids: Iterable[int], location: int) -> Edit | Refusal:
     """Put inputs at another place."""
     chosen = present(design, ids)
-    changes = {one.id: {"location": location} for one in chosen}
+    changes = {track.id: {"location": location} for track in chosen}
     outcome = changed(design, view, "Move", changes)
     if isinstance(outcome, Refusal):
         return outcome
@@ -107,8 +107,8 @@ def duplicate_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | R
     if len(design.inputs) + len(chosen) > MAX_INPUTS:
         return _TOO_MANY
     after = design
-    for one in chosen:
-        after = after.adding(one)
+    for track in chosen:
+        after = after.adding(track)
     return Edit(
         label=f"Duplicate {tracks_text(chosen, design.limb)}",
         design=after,
@@ -121,7 +121,7 @@ def remove_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | Refu
     chosen = present(design, ids)
     if not chosen:
         return NOTHING_CHOSEN
-    after = replace(design, inputs=tuple(one for one in design.inputs if one not in chosen))
+    after = replace(design, inputs=tuple(track for track in design.inputs if track not in chosen))
     return Edit(
         label=f"Remove {tracks_text(chosen, design.limb)}",
         design=after,
@@ -143,27 +143,27 @@ def clear_inputs(design: Design, view: View) -> Edit | Refusal:
 def mute_inputs(design: Design, view: View, ids: Iterable[int], muted: bool) -> Edit | Refusal:
     """Silence inputs, or let them be heard again."""
     verb = "Mute" if muted else "Unmute"
-    return changed(design, view, verb, {one: {"muted": muted} for one in ids})
+    return changed(design, view, verb, {input_id: {"muted": muted} for input_id in ids})
 
 
 def toggle_mute(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Silence inputs; if all of them are muted, let them be heard again."""
     chosen = present(design, ids)
-    muted = not all(one.muted for one in chosen)
-    return mute_inputs(design, view, (one.id for one in chosen), muted)
+    muted = not all(track.muted for track in chosen)
+    return mute_inputs(design, view, (track.id for track in chosen), muted)
 
 
 def solo_inputs(design: Design, view: View, ids: Iterable[int], solo: bool) -> Edit | Refusal:
     """Hear only these inputs and other solo ones, or no longer."""
     verb = "Solo" if solo else "End solo of"
-    return changed(design, view, verb, {one: {"solo": solo} for one in ids})
+    return changed(design, view, verb, {input_id: {"solo": solo} for input_id in ids})
 
 
 def toggle_solo(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Make inputs solo; if all of them are, no longer."""
     chosen = present(design, ids)
-    solo = not all(one.solo for one in chosen)
-    return solo_inputs(design, view, (one.id for one in chosen), solo)
+    solo = not all(track.solo for track in chosen)
+    return solo_inputs(design, view, (track.id for track in chosen), solo)
 
 
 def _with_fresh_seed(waveform: Waveform, design: Design) -> Waveform:
@@ -173,7 +173,7 @@ def _with_fresh_seed(waveform: Waveform, design: Design) -> Waveform:
     """
     if "seed" not in specs_of(waveform):
         return waveform
-    taken = {getattr(one.waveform, "seed", None) for one in design.clips}
+    taken = {getattr(clip.waveform, "seed", None) for clip in design.clips}
     recipe: Any = waveform
     return replace(recipe, seed=next(k for k in count() if k not in taken))
 
@@ -189,20 +189,20 @@ def group_clips(
     if not chosen:
         return NO_CLIP
     track = design.track_of(chosen[0].id)
-    wanted = {one.id for one in chosen}
-    if not wanted <= {one.id for one in track.clips}:
+    wanted = {clip.id for clip in chosen}
+    if not wanted <= {clip.id for clip in track.clips}:
         return Refusal(sentence="Clips of several tracks make no group; select those of one track.")
     if len(chosen) > MAX_PARTS:
         return Refusal(sentence=f"A group holds at most {MAX_PARTS} clips.")
-    start_s = min(one.onset_s for one in chosen)
-    parts = tuple(replace(one, onset_s=short(one.onset_s - start_s), id=0) for one in chosen)
+    start_s = min(clip.onset_s for clip in chosen)
+    parts = tuple(replace(clip, onset_s=short(clip.onset_s - start_s), id=0) for clip in chosen)
     first = chosen[0]
     try:
         group = Clip(waveform=Layers(parts=parts, mode=mode), onset_s=start_s, id=first.id)
         clips = [
-            group if one.id == first.id else one
-            for one in track.clips
-            if one.id == first.id or one.id not in wanted
+            group if clip.id == first.id else clip
+            for clip in track.clips
+            if clip.id == first.id or clip.id not in wanted
         ]
         inputs = tuple(replace_clips(one, clips) if one is track else one for one in design.inputs)
         after = replace(design, inputs=inputs)
@@ -214,7 +214,9 @@ def group_clips(
 
 def ungroup_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Put the parts of groups back on their track, where no effect stands in between."""
-    groups = {one.id: one.waveform for one in present_clips(design, ids) if _can_be_ungrouped(one)}
+    groups = {
+        clip.id: clip.waveform for clip in present_clips(design, ids) if _can_be_ungrouped(clip)
+    }
     if not groups:
         return Refusal(
             sentence="None of the selected clips is a sum of layers without effects; only those "
@@ -222,28 +224,28 @@ def ungroup_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refu
         )
     inputs = []
     try:
-        for one in design.inputs:
+        for track in design.inputs:
             clips: list[Clip] = []
-            for clip in one.clips:
+            for clip in track.clips:
                 if clip.id not in groups or not isinstance(clip.waveform, Layers):
                     clips.append(clip)
                     continue
                 parts = [_freed(part, clip) for part in clip.waveform.parts]
                 clips += [replace(parts[0], id=clip.id), *parts[1:]]
-            inputs.append(replace_clips(one, clips))
+            inputs.append(replace_clips(track, clips))
         after = replace(design, inputs=tuple(inputs))
     except InvalidInputError as error:
         return refused(error)
-    known = {one.id for one in design.clips} - set(groups)
-    freed = tuple(one.id for one in after.clips if one.id not in known)
+    known = {clip.id for clip in design.clips} - set(groups)
+    freed = tuple(clip.id for clip in after.clips if clip.id not in known)
     words = "clip" if len(groups) == 1 else f"{len(groups)} clips"
     view = clips_selected(after, view, freed)
     return Edit(label=f"Ungroup {words}", design=after, view=view)
 
 
-def _can_be_ungrouped(one: Clip) -> bool:
-    is_sum = isinstance(one.waveform, Layers) and one.waveform.mode == "sum"
-    return is_sum and not any(effect.on for effect in one.effects)
+def _can_be_ungrouped(clip: Clip) -> bool:
+    is_sum = isinstance(clip.waveform, Layers) and clip.waveform.mode == "sum"
+    return is_sum and not any(effect.on for effect in clip.effects)
 
 
 def _freed(part: Clip, group: Clip) -> Clip:
@@ -294,8 +296,8 @@ def add_motion(design: Design, view: View, motion: Motion) -> Edit | Refusal:
                 f"design holds at most {MAX_INPUTS}; remove some first."
             )
         after = design
-        for one in tracks:
-            after = after.adding(one)
+        for track in tracks:
+            after = after.adding(track)
     except InvalidInputError as error:
         return refused(error)
     return Edit(
@@ -313,8 +315,8 @@ def put_inputs_before(design: Design, view: View, ids: Iterable[int], index: int
     chosen = present(design, ids)
     if not chosen:
         return NOTHING_CHOSEN
-    before = [one for one in design.inputs[: max(index, 0)] if one not in chosen]
-    after = [one for one in design.inputs[max(index, 0) :] if one not in chosen]
+    before = [track for track in design.inputs[: max(index, 0)] if track not in chosen]
+    after = [track for track in design.inputs[max(index, 0) :] if track not in chosen]
     return Edit(
         label=f"Reorder {tracks_text(chosen, design.limb)}",
         design=replace(design, inputs=(*before, *chosen, *after)),

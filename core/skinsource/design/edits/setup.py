@@ -127,7 +127,7 @@ def mend(design: Design, view: View, finding: Finding) -> Edit | Refusal:
     if finding.mend == "band_limit":
         return _band_limited(design, view)
     if finding.mend == "deselect":
-        kept = tuple(one for one in view.outputs if one not in finding.outputs)
+        kept = tuple(output for output in view.outputs if output not in finding.outputs)
         if kept == view.outputs:
             return Refusal(sentence="None of the selected outputs is mostly noise.")
         return Edit(
@@ -140,13 +140,13 @@ def mend(design: Design, view: View, finding: Finding) -> Edit | Refusal:
 
 def _quieter(design: Design, view: View, factor: float) -> Edit | Refusal:
     """All amplitudes smaller by one factor: what differs between inputs stays."""
-    inputs = tuple(replace(one, amplitude=one.amplitude * factor) for one in design.inputs)
+    inputs = tuple(replace(track, amplitude=track.amplitude * factor) for track in design.inputs)
     return Edit(label="Play within 40 mm/s", design=replace(design, inputs=inputs), view=view)
 
 
 def _band_limited(design: Design, view: View) -> Edit | Refusal:
     """A band limit at the end of the chain of each clip that is heard."""
-    heard = {one.id for one in audible_inputs(design.inputs)}
+    heard = {track.id for track in audible_inputs(design.inputs)}
     band_hz = facts_of(design.limb).band_hz
     if band_hz is None:
         return _NOTHING
@@ -154,12 +154,12 @@ def _band_limited(design: Design, view: View) -> Edit | Refusal:
         limit = BandLimit(low_hz=band_hz[0], high_hz=band_hz[1])
         inputs = tuple(
             replace(
-                one,
-                clips=tuple(replace(clip, effects=(*clip.effects, limit)) for clip in one.clips),
+                track,
+                clips=tuple(replace(clip, effects=(*clip.effects, limit)) for clip in track.clips),
             )
-            if one.id in heard
-            else one
-            for one in design.inputs
+            if track.id in heard
+            else track
+            for track in design.inputs
         )
         after = replace(design, inputs=inputs)
     except InvalidInputError as error:

@@ -111,7 +111,7 @@ def store_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
 
 def take_snapshot(design: Design, view: View, other: Design) -> Edit | Refusal:
     """Keep another design, such as one of a file, under the lowest number that is free."""
-    taken = {one.number for one in view.snapshots}
+    taken = {snapshot.number for snapshot in view.snapshots}
     free = next((number for number in NUMBERS if number not in taken), None)
     if free is None:
         return Refusal(
@@ -130,7 +130,7 @@ def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) ->
 
     A design that is no snapshot is kept under the number 0, so that the way back leads to it.
     """
-    wanted = next((one for one in view.snapshots if one.number == number), None)
+    wanted = next((snapshot for snapshot in view.snapshots if snapshot.number == number), None)
     if wanted is None:
         return _NONE
     kept = view.snapshots
@@ -143,7 +143,9 @@ def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) ->
         kept = (*_without(view, EDITED), Snapshot(number=EDITED, design=design))
     try:
         now = replace(wanted, gain=gain)
-        after = replace(view, snapshots=(*(one for one in kept if one.number != number), now))
+        after = replace(
+            view, snapshots=(*(snapshot for snapshot in kept if snapshot.number != number), now)
+        )
     except InvalidInputError as error:
         return refused(error)
     return Edit(label=f"Show {name_of(number)}", design=wanted.design, view=after)
@@ -181,4 +183,4 @@ def match_levels(design: Design, view: View, on: bool) -> Edit | Refusal:
 
 
 def _without(view: View, number: int) -> tuple[Snapshot, ...]:
-    return tuple(one for one in view.snapshots if one.number != number)
+    return tuple(snapshot for snapshot in view.snapshots if snapshot.number != number)

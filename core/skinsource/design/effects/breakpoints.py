@@ -56,15 +56,15 @@ def curve_at(points: Points, x: Floats) -> Floats:
     length = pieces.x[left + 1] - pieces.x[left]
     jump = length < CLOSEST
     share = np.clip((x - pieces.x[left]) / np.where(jump, 1.0, length), 0.0, 1.0)
-    found = np.where(pieces.held[left] & (at < len(points) - 1), y0, y0 + share * (y1 - y0))
+    values = np.where(pieces.held[left] & (at < len(points) - 1), y0, y0 + share * (y1 - y0))
     smooth = pieces.smooth[left] & ~jump
     if smooth.any():
         d0, d1 = pieces.slope[left] * length, pieces.slope[left + 1] * length
         cubic = _hermite(share, y0, y1, d0, d1)
         # Rounding alone could pass the ends.
         cubic = np.clip(cubic, np.minimum(y0, y1), np.maximum(y0, y1))
-        found = np.where(smooth, cubic, found)
-    return np.where(at >= len(points) - 1, pieces.y[-1], found)
+        values = np.where(smooth, cubic, values)
+    return np.where(at >= len(points) - 1, pieces.y[-1], values)
 
 
 def with_point(points: Points, x: float) -> Points:
@@ -81,16 +81,16 @@ def with_point(points: Points, x: float) -> Points:
     new: Breakpoint = (x, y, segment)
     if segment == "smooth" and place < len(points):
         new = SlopedPoint(x, y, segment, _slope_at(points, place - 1, x))
-    found = [*points[:place], new, *points[place:]]
+    new_points = [*points[:place], new, *points[place:]]
     if place == len(points) and segment == "smooth":
-        found[-2] = _like(points[-1], *points[-1][:2], "straight")
-    was, now = _pieces(points), _pieces(tuple(found))
+        new_points[-2] = _like(points[-1], *points[-1][:2], "straight")
+    was, now = _pieces(points), _pieces(tuple(new_points))
     rounding = 1e-12 * float(np.abs(was.slope).max())
     for k in np.flatnonzero(was.bent).tolist():
         at, slope = (k if k < place else k + 1), float(was.slope[k])
         if abs(now.slope[at] - slope) > rounding:
-            found[at] = SlopedPoint(*found[at], slope=slope)
-    return tuple(found)
+            new_points[at] = SlopedPoint(*new_points[at], slope=slope)
+    return tuple(new_points)
 
 
 def place_of(points: Points, x: float) -> int:
@@ -169,17 +169,17 @@ def moved(points: Points, indices: Iterable[int], by_x: float, by_y: float) -> P
         if k + 1 < len(points) and k + 1 not in chosen:
             forth = min(forth, points[k + 1][0] - x)
     step = float(np.clip(by_x, min(back, 0.0), max(forth, 0.0)))
-    found: list[Breakpoint] = []
+    moved_points: list[Breakpoint] = []
     for k, point in enumerate(points):
         x, y, _ = point
         if k not in chosen:
-            found.append(point)
+            moved_points.append(point)
             continue
         # The sum may pass a point that stays by its last digit.
         stays = next((points[m][0] for m in range(k, len(points)) if m not in chosen), np.inf)
-        least = found[-1][0] if found else 0.0
-        found.append(_at(point, min(max(x + step, least), stays), y + by_y))
-    return _settled(tuple(found), chosen)
+        least = moved_points[-1][0] if moved_points else 0.0
+        moved_points.append(_at(point, min(max(x + step, least), stays), y + by_y))
+    return _settled(tuple(moved_points), chosen)
 
 
 def scaled(
@@ -191,7 +191,7 @@ def scaled(
 ) -> Points:
     """The points with some scaled about a place, (x, y), within the room between the others."""
     chosen = _present(points, indices)
-    found = list(points)
+    scaled_points = list(points)
     least = 0.0
     for k, point in enumerate(points):
         x, y, _ = point
@@ -199,12 +199,12 @@ def scaled(
             most = next((points[m][0] for m in range(k, len(points)) if m not in chosen), np.inf)
             to_x = about[0] + max(factor_x, 0.0) * (x - about[0])
             to_y = about[1] + factor_y * (y - about[1])
-            found[k] = _at(point, min(max(to_x, least), most), to_y)
+            scaled_points[k] = _at(point, min(max(to_x, least), most), to_y)
             slope = slope_of(point)
             if slope is not None and factor_x > 0.0:
-                found[k] = SlopedPoint(*found[k], slope=slope * factor_y / factor_x)
-        least = found[k][0]
-    return _settled(tuple(found), chosen)
+                scaled_points[k] = SlopedPoint(*scaled_points[k], slope=slope * factor_y / factor_x)
+        least = scaled_points[k][0]
+    return _settled(tuple(scaled_points), chosen)
 
 
 def _present(points: Points, indices: Iterable[int]) -> set[int]:
@@ -230,7 +230,7 @@ def _settled(points: Points, moved_ones: Iterable[int]) -> Points:
     """
     if SlopedPoint not in set(map(type, points)):
         return points
-    found = list(points)
+    settled = list(points)
     pieces = _pieces(points)
     for k in sorted({k + d for k in moved_ones for d in (-1, 0)}):
         if not 0 <= k < len(points) - 1 or not pieces.smooth[k]:
@@ -240,11 +240,11 @@ def _settled(points: Points, moved_ones: Iterable[int]) -> Points:
         if length < CLOSEST or _is_monotone(rise, pieces.slope[k], pieces.slope[k + 1]):
             continue
         for end in (k, k + 1):
-            slope = slope_of(found[end])
+            slope = slope_of(settled[end])
             if slope is not None:
                 within = float(np.clip(slope, min(0.0, 3.0 * rise), max(0.0, 3.0 * rise)))
-                found[end] = SlopedPoint(*found[end], slope=within)
-    return tuple(found)
+                settled[end] = SlopedPoint(*settled[end], slope=within)
+    return tuple(settled)
 
 
 def _is_monotone(rise: float, slope0: float, slope1: float) -> bool:
@@ -280,7 +280,7 @@ def _hermite(share: Any, y0: Any, y1: Any, d0: Any, d1: Any) -> Any:
 def _pieces(points: Points) -> _Pieces:
     kinds = [point[2] for point in points]
     x, y = (np.array([point[k] for point in points], np.float64) for k in (0, 1))
-    smooth, held = (np.array([one == kind for one in kinds]) for kind in ("smooth", "held"))
+    smooth, held = (np.array([segment == kind for segment in kinds]) for kind in ("smooth", "held"))
     slope = np.zeros(len(points))
     # What is smooth does not look beyond a jump; a held segment ends with one.
     breaks = np.flatnonzero((np.diff(x) < CLOSEST) | held[:-1]) + 1

@@ -132,10 +132,10 @@ def _overlapped(fine: Floats, factor: float) -> Floats:
     padded = np.concatenate((np.zeros(margin), fine, np.zeros(margin + 3 * _PIECE)))
     window = 0.5 * (1.0 - np.cos(2.0 * np.pi * np.arange(_PIECE) / _PIECE))
     # One piece begins before the start, so that the start itself is whole.
-    found = np.zeros(n + 2 * _PIECE)
+    overlapped = np.zeros(n + 2 * _PIECE)
     # Pieces lie on samples; by how much the last one is late is made up for by the next.
     taken, late = -_STEP, 0.0
-    found[:_PIECE] += window * padded[taken + margin :][:_PIECE]
+    overlapped[:_PIECE] += window * padded[taken + margin :][:_PIECE]
     for number in range(1, n // _STEP + 2):
         # The middle of a piece lies where the factor says.
         place = min(int(np.rint(number * _STEP / factor)), fine.size) - _STEP
@@ -145,8 +145,8 @@ def _overlapped(fine: Floats, factor: float) -> Floats:
         taken = int(np.clip(np.rint(ideal), place - _SEARCH, place + _SEARCH))
         late = float(np.clip(taken - ideal, -0.5, 0.5))
         start = number * _STEP
-        found[start : start + _PIECE] += window * padded[taken + margin :][:_PIECE]
-    return found[_STEP : _STEP + n]
+        overlapped[start : start + _PIECE] += window * padded[taken + margin :][:_PIECE]
+    return overlapped[_STEP : _STEP + n]
 
 
 def _best(wanted: Floats, near: Floats) -> float:

@@ -122,14 +122,14 @@ class Fade(KeepsTime):
         """Levels at own times of what plays for ``duration_s``, of the shape of the times."""
         both = self.in_s + self.out_s
         fits = min(1.0, duration_s / both) if both else 1.0
-        found = np.ones(np.shape(times_s))
+        levels = np.ones(np.shape(times_s))
         for length, since in (
             (self.in_s * fits, times_s),
             (self.out_s * fits, duration_s - times_s),
         ):
             if length > _SHORTEST_S:
-                found = found * self._level(np.clip(since / length, 0.0, 1.0))
-        return found
+                levels = levels * self._level(np.clip(since / length, 0.0, 1.0))
+        return levels
 
     def applied(
         self,
@@ -302,15 +302,15 @@ class BandLimit(KeepsTime):
 
     def gains_at(self, frequencies_hz: Floats) -> Floats:
         """Gain at frequencies, of their shape."""
-        found = np.ones(np.shape(frequencies_hz))
+        gains = np.ones(np.shape(frequencies_hz))
         for edge_hz, over_hz in (
             (self.low_hz, self.low_hz - frequencies_hz),
             (self.high_hz, frequencies_hz - self.high_hz),
         ):
             if edge_hz > 0.0:
                 share = np.clip(over_hz / (SLOPE * edge_hz), 0.0, 1.0)
-                found = found * 0.5 * (1.0 + np.cos(np.pi * share))
-        return found
+                gains = gains * 0.5 * (1.0 + np.cos(np.pi * share))
+        return gains
 
     def applied(
         self,
@@ -325,9 +325,9 @@ class BandLimit(KeepsTime):
         length_s = own_duration_s(samples, sample_rate_hz, shift_s, duration_s)
         spectrum, size = self._spectrum(samples, sample_rate_hz)
         gains = self.gains_at(scipy.fft.rfftfreq(size, 1.0 / sample_rate_hz))
-        found: Floats = scipy.fft.irfft(spectrum * gains, size)[: samples.size]
+        limited: Floats = scipy.fft.irfft(spectrum * gains, size)[: samples.size]
         length_s = max(length_s, (samples.size - 1) / sample_rate_hz)
-        return silent_outside(found, sample_rate_hz, shift_s, length_s)
+        return silent_outside(limited, sample_rate_hz, shift_s, length_s)
 
     def share_removed(self, samples: Floats, sample_rate_hz: float) -> float:
         """Part of the energy of samples, (n_times,), that lies outside; 0 of silence."""

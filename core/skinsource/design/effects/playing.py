@@ -43,17 +43,17 @@ def played(
     if taking_part:
         own_shift_s = on_grid(own_shift_s * sample_rate_hz)[1] / sample_rate_hz
     samples = draw(waveform, sample_rate_hz, own_shift_s)
-    for one, duration_s in zip(taking_part, durations_s, strict=True):
-        samples = one.applied(samples, sample_rate_hz, shifts_s.pop(), duration_s)
+    for effect, duration_s in zip(taking_part, durations_s, strict=True):
+        samples = effect.applied(samples, sample_rate_hz, shifts_s.pop(), duration_s)
     return samples
 
 
 def played_s(waveform: Waveform, effects: tuple[Effect, ...]) -> float:
     """How long it plays."""
     duration_s = waveform.duration_s
-    for one in effects:
-        if one.on:
-            duration_s = one.length(duration_s)
+    for effect in effects:
+        if effect.on:
+            duration_s = effect.length(duration_s)
     return duration_s
 
 
@@ -90,10 +90,10 @@ def _stages(
     waveform: Waveform, effects: tuple[Effect, ...]
 ) -> tuple[tuple[Effect, ...], tuple[float, ...]]:
     """Effects that take part, and how long plays what each of them takes."""
-    taking_part = tuple(one for one in effects if one.on)
+    taking_part = tuple(effect for effect in effects if effect.on)
     durations_s = [waveform.duration_s]
-    for one in taking_part:
-        durations_s.append(one.length(durations_s[-1]))
+    for effect in taking_part:
+        durations_s.append(effect.length(durations_s[-1]))
     return taking_part, tuple(durations_s[:-1])
 
 
@@ -102,8 +102,8 @@ def _shifts_s(
 ) -> list[float]:
     """Shift of what comes out of the last effect, of what it takes, …; that of the waveform."""
     shifts_s = [shift_s]
-    for one, duration_s in zip(reversed(effects), reversed(durations_s), strict=True):
-        shifts_s.append(one.shift_before(shifts_s[-1], duration_s, rate_hz))
+    for effect, duration_s in zip(reversed(effects), reversed(durations_s), strict=True):
+        shifts_s.append(effect.shift_before(shifts_s[-1], duration_s, rate_hz))
     return shifts_s
 
 
@@ -151,7 +151,7 @@ def silent_outside(
     start = samples_until(shift_s * sample_rate_hz)
     if not samples[:start].any() and not samples[end:].any():
         return samples
-    found = samples.copy()
-    found[:start] = 0.0
-    found[end:] = 0.0
-    return found
+    silenced = samples.copy()
+    silenced[:start] = 0.0
+    silenced[end:] = 0.0
+    return silenced

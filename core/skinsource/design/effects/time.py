@@ -89,7 +89,7 @@ class Repeat:
         check_duration(self.length(one_s))
         period = (one_s + self.gap_s) * sample_rate_hz
         delayed: dict[float, Floats] = {0.0: samples}
-        found = np.zeros(round((self.times - 1) * period) + samples.size + 2)
+        repeated = np.zeros(round((self.times - 1) * period) + samples.size + 2)
         last = samples.size
         for number in range(self.times):
             part = round(part_of_sample(number * period), 9)
@@ -97,8 +97,8 @@ class Repeat:
                 delayed[part] = band_limited_delay(samples, part)
             start = round(number * period - part)
             last = start + delayed[part].size
-            found[start:last] += delayed[part]
-        return found[:last]
+            repeated[start:last] += delayed[part]
+        return repeated[:last]
 
 
 # Backwards.
@@ -139,12 +139,12 @@ class Reverse(KeepsTime):
         before_s = self.shift_before(shift_s, duration_s, sample_rate_hz)
         last = round((duration_s + shift_s + before_s) * sample_rate_hz)
         n = floor((duration_s + shift_s) * sample_rate_hz + NEAR) + 1
-        found = np.zeros(n)
+        backwards = np.zeros(n)
         taken = last - np.arange(n)
         there = (taken >= 0) & (taken < samples.size)
-        found[there] = samples[taken[there]]
-        found[: samples_until(shift_s * sample_rate_hz)] = 0.0
-        return found
+        backwards[there] = samples[taken[there]]
+        backwards[: samples_until(shift_s * sample_rate_hz)] = 0.0
+        return backwards
 
 
 # Longer or shorter.
@@ -244,11 +244,11 @@ class Stretch:
         n = sample_count(length_s, sample_rate_hz) + (shift_s > 0.0)
         times_s = own_times(n, sample_rate_hz, shift_s)
         if self.pitch == "stays":
-            found = stretched_in_time(samples, sample_rate_hz, factor, times_s)
+            stretched = stretched_in_time(samples, sample_rate_hz, factor, times_s)
         else:
             places = times_s * (sample_rate_hz / factor)
-            found = values_between(samples, places, min(1.0, factor))
-        return silent_outside(found, sample_rate_hz, shift_s, max(length_s, n / sample_rate_hz))
+            stretched = values_between(samples, places, min(1.0, factor))
+        return silent_outside(stretched, sample_rate_hz, shift_s, max(length_s, n / sample_rate_hz))
 
 
 def stretched_by(effects: Sequence[Effect], duration_s: float) -> float:

@@ -108,8 +108,8 @@ def preset_from(words: str) -> Preset:
     FileFormatError, InvalidInputError
         The text is something else, is damaged, or was written in another version.
     """
-    found: Preset = models.decode(text.from_text(words, FORMAT), (Preset,), Address())
-    return found
+    preset: Preset = models.decode(text.from_text(words, FORMAT), (Preset,), Address())
+    return preset
 
 
 def read_preset(path: Path) -> Preset:
@@ -231,8 +231,8 @@ def matching(entries: Iterable[Entry], words: str, tag: str = "") -> tuple[Entry
     ranked = [
         (_rank(entry, wanted), entry) for entry in entries if not tag or tag in entry.preset.tags
     ]
-    found = sorted(((rank, entry) for rank, entry in ranked if rank < _NONE), key=_first)
-    return tuple(entry for _, entry in found)
+    matches = sorted(((rank, entry) for rank, entry in ranked if rank < _NONE), key=_first)
+    return tuple(entry for _, entry in matches)
 
 
 _NONE = 3
@@ -353,21 +353,21 @@ def whole_design(design: Design) -> Fragment | None:
     """
     heard = audible_indices(design.inputs)
     inputs = tuple(
-        replace(one, clips=tuple(_alone(one, clip, index in heard) for clip in one.clips))
-        for index, one in enumerate(design.inputs)
+        replace(track, clips=tuple(_alone(track, clip, index in heard) for clip in track.clips))
+        for index, track in enumerate(design.inputs)
     )
     return fragment_of(replace(design, inputs=inputs), (clip.id for clip in design.clips))
 
 
-def _alone(one: Input, clip: Clip, heard: bool) -> Clip:
+def _alone(track: Input, clip: Clip, heard: bool) -> Clip:
     """The clip with what its track does to it."""
-    if one.gain_curve and len(clip.effects) == MAX_EFFECTS:
+    if track.gain_curve and len(clip.effects) == MAX_EFFECTS:
         # There is no room for another one but around it.
         inside = replace(clip, onset_s=0.0, gain=1.0, muted=False, id=0)
         clip = replace(clip, waveform=Layers((inside,)), effects=())
     effects = clip.effects
-    if one.gain_curve:
-        effects = (*effects, Envelope(_points(one.gain_curve, clip)))
+    if track.gain_curve:
+        effects = (*effects, Envelope(_points(track.gain_curve, clip)))
     if effects is clip.effects and (heard or clip.muted):
         return clip
     return replace(clip, effects=effects, muted=clip.muted or not heard)
@@ -415,9 +415,9 @@ def mixed(fragment: Fragment, sample_rate_hz: float) -> Floats:
 
 
 def _clips(lane: Lane, sample_rate_hz: float) -> list[tuple[int, float, Floats]]:
-    found = []
+    sampled = []
     for clip in lane.clips:
         if not clip.muted:
             first, samples = clip.sampled(sample_rate_hz)
-            found.append((first, clip.gain, samples))
-    return found
+            sampled.append((first, clip.gain, samples))
+    return sampled

@@ -58,8 +58,10 @@ def preset_of_tracks(
     )
 
 
-def _as_clip(one: Clip | Waveform) -> Clip:
-    return one if isinstance(one, Clip) else Clip(waveform=one)
+def _as_clip(clip_or_waveform: Clip | Waveform) -> Clip:
+    return (
+        clip_or_waveform if isinstance(clip_or_waveform, Clip) else Clip(waveform=clip_or_waveform)
+    )
 
 
 # Sweeps, roughness, vibrato and ramps: what changes while it lasts.
@@ -265,7 +267,9 @@ _IMPACT = (
 
 def _at(*times: tuple[float, Waveform, float]) -> tuple[Clip, ...]:
     """Clips of (onset in s, waveform, gain)."""
-    return tuple(Clip(onset_s=onset, waveform=one, gain=gain) for onset, one, gain in times)
+    return tuple(
+        Clip(onset_s=onset, waveform=waveform, gain=gain) for onset, waveform, gain in times
+    )
 
 
 def _impact(name: str, words: str, hz: float, decay_s: float, duration_s: float) -> Preset:
@@ -318,9 +322,9 @@ TOUCHES: tuple[Preset, ...] = (
         "Three beats at 60 a minute, each of a strong low thud and a weaker one 0.3 s later.",
         *_at(
             *(
-                (k + late, one, gain)
+                (k + late, waveform, gain)
                 for k in range(3)
-                for late, one, gain in ((0.0, _LOW, 1.0), (0.3, _HIGH, 0.6))
+                for late, waveform, gain in ((0.0, _LOW, 1.0), (0.3, _HIGH, 0.6))
             )
         ),
     ),

@@ -222,7 +222,7 @@ class PulseTrain:
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,); 1 is the height of the pulses without limit of their band."""
         check_below_half_rate("rate_hz", self.rate_hz, sample_rate_hz)
-        found = sampled_series(
+        wave = sampled_series(
             self._series,
             self.rate_hz,
             self.phase_rad,
@@ -231,7 +231,7 @@ class PulseTrain:
             shift_s,
             mean=self._duty,
         )
-        return burst(found, self.window, sample_rate_hz, shift_s)
+        return burst(wave, self.window, sample_rate_hz, shift_s)
 
     def _series(self, harmonics: Floats) -> Complexes:
         half = pi * np.remainder(harmonics * self._duty, 2.0)

@@ -85,9 +85,9 @@ class CentredTap:
         shift_s = shift_of(shift_s, sample_rate_hz)
         n = sample_count(self.width_s, sample_rate_hz)
         turn = about_middle(n, sample_rate_hz, shift_s) / self.width_s
-        found = 0.5 * (np.cos(2.0 * pi * turn) + np.cos(4.0 * pi * turn))
-        found[np.abs(turn) > 0.5] = 0.0
-        return begun(found, shift_s)
+        pulse = 0.5 * (np.cos(2.0 * pi * turn) + np.cos(4.0 * pi * turn))
+        pulse[np.abs(turn) > 0.5] = 0.0
+        return begun(pulse, shift_s)
 
 
 # A single sample.
@@ -168,14 +168,14 @@ class DampedSine:
         """Drive, (n_times,), that stays below its decay of peak 1."""
         check_below_half_rate("frequency_hz", self.frequency_hz, sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
-        found = turns(self.frequency_hz, n, sample_rate_hz, shift_s)
-        found *= 2.0 * pi
-        found += self.phase_rad
-        np.sin(found, out=found)
+        wave = turns(self.frequency_hz, n, sample_rate_hz, shift_s)
+        wave *= 2.0 * pi
+        wave += self.phase_rad
+        np.sin(wave, out=wave)
         decay = instants(self.duration_s, sample_rate_hz, shift_s)
         decay /= -self.decay_s
-        found *= np.exp(decay, out=decay)
-        return burst(found, self.window, sample_rate_hz, shift_s)
+        wave *= np.exp(decay, out=decay)
+        return burst(wave, self.window, sample_rate_hz, shift_s)
 
 
 # A burst of noise.

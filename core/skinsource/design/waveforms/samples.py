@@ -213,12 +213,12 @@ class Layers:
     @property
     def duration_s(self) -> float:
         """To the end of the last part."""
-        return max(one.end_s for one in self.parts)
+        return max(part.end_s for part in self.parts)
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
         """Drive, (n_times,); its peak follows from the parts."""
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
-        heard = [self._placed(one, n, sample_rate_hz, shift_s) for one in self._in_order()]
+        heard = [self._placed(part, n, sample_rate_hz, shift_s) for part in self._in_order()]
         if not heard:
             return np.zeros(n)
         together = np.multiply if self.mode == "product" else np.add
@@ -228,13 +228,13 @@ class Layers:
     def _in_order(self) -> list[Clip]:
         # The order in which they are listed plays no part, not even for rounding.
         return sorted(
-            (one for one in self.parts if not one.muted),
-            key=lambda one: (one.onset_s, one.gain, repr(one)),
+            (part for part in self.parts if not part.muted),
+            key=lambda part: (part.onset_s, part.gain, repr(part)),
         )
 
-    def _placed(self, one: Clip, n: int, sample_rate_hz: float, shift_s: float) -> Floats:
-        first, own = one.sampled(sample_rate_hz, shift_s)
-        found = np.zeros(n)
+    def _placed(self, part: Clip, n: int, sample_rate_hz: float, shift_s: float) -> Floats:
+        first, own = part.sampled(sample_rate_hz, shift_s)
+        aligned = np.zeros(n)
         within = own[: max(n - first, 0)]
-        found[first : first + within.size] = one.gain * within
-        return found
+        aligned[first : first + within.size] = part.gain * within
+        return aligned

@@ -151,19 +151,19 @@ class AmplitudeModulated:
             highest_hz = self.carrier_hz + self.modulator_hz
             check_below_half_rate("carrier_hz + modulator_hz", highest_hz, sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
-        found = turns(self.carrier_hz, n, sample_rate_hz, shift_s)
-        found *= 2.0 * pi
-        found += self.phase_rad
-        np.sin(found, out=found)
+        wave = turns(self.carrier_hz, n, sample_rate_hz, shift_s)
+        wave *= 2.0 * pi
+        wave += self.phase_rad
+        np.sin(wave, out=wave)
         swell = turns(self.modulator_hz, n, sample_rate_hz, shift_s)
         swell *= 2.0 * pi
         swell += self.modulator_phase_rad
         np.cos(swell, out=swell)
         swell *= self.depth
         swell += 1.0
-        found *= swell
-        found /= 1.0 + self.depth
-        return burst(found, self.window, sample_rate_hz, shift_s)
+        wave *= swell
+        wave /= 1.0 + self.depth
+        return burst(wave, self.window, sample_rate_hz, shift_s)
 
 
 # A tone that swings up and down.
@@ -235,11 +235,11 @@ class FrequencyModulated:
         np.sin(swing, out=swing)
         swing -= np.sin(self.modulator_phase_rad)
         swing *= self.deviation_hz / self.modulator_hz
-        found = turns(self.carrier_hz, n, sample_rate_hz, shift_s)
-        found *= 2.0 * pi
-        found += self.phase_rad
-        found += swing
-        return burst(np.sin(found, out=found), self.window, sample_rate_hz, shift_s)
+        wave = turns(self.carrier_hz, n, sample_rate_hz, shift_s)
+        wave *= 2.0 * pi
+        wave += self.phase_rad
+        wave += swing
+        return burst(np.sin(wave, out=wave), self.window, sample_rate_hz, shift_s)
 
 
 # A tone that rises or falls.
@@ -297,14 +297,14 @@ class Chirp:
         check_below_half_rate("end_hz", self.end_hz, sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
         if self.start_hz == self.end_hz:
-            found = turns(self.start_hz, n, sample_rate_hz, shift_s)
+            wave = turns(self.start_hz, n, sample_rate_hz, shift_s)
         else:
             swept = linear_sweep_turns if self.law == "linear" else logarithmic_sweep_turns
             ends_hz = self.start_hz, self.end_hz
-            found = swept(ends_hz, self.duration_s, n, sample_rate_hz, shift_s)
-        found *= 2.0 * pi
-        found += self.phase_rad
-        return burst(np.sin(found, out=found), self.window, sample_rate_hz, shift_s)
+            wave = swept(ends_hz, self.duration_s, n, sample_rate_hz, shift_s)
+        wave *= 2.0 * pi
+        wave += self.phase_rad
+        return burst(np.sin(wave, out=wave), self.window, sample_rate_hz, shift_s)
 
 
 # A tone whose frequency and amplitude are drawn.
@@ -374,23 +374,23 @@ class Glide:
         """Drive, (n_times,), within the drawn amplitude of peak 1 or less."""
         check_below_half_rate("frequency_hz", max(hz for _, hz, _ in self.points), sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
-        found = np.zeros(n)
+        wave = np.zeros(n)
         rate, shift = Decimal(sample_rate_hz), Decimal(shift_s)
         turned = Decimal(0)
         first = 1 if shift_s else 0
         for before, after in pairwise(((0.0, *self.points[0][1:]), *self.points)):
             with localcontext(prec=DIGITS):
-                (start, low, _), (end, high, _) = (map(Decimal, one) for one in (before, after))
+                (start, low, _), (end, high, _) = (map(Decimal, point) for point in (before, after))
                 began, until = turned, min(ceil((end + shift) * rate), n)
                 turned = (turned + (low + high) / 2 * (end - start)) % 1
                 if until <= first:
                     continue
                 course = low, (high - low) / (end - start), first / rate - shift - start
-            found[first:until] = _stretch(
+            wave[first:until] = _stretch(
                 began, course, (before, after), until - first, sample_rate_hz
             )
             first = until
-        return found
+        return wave
 
 
 def _stretch(
@@ -461,7 +461,7 @@ def harmonic_burst(
         The frequency is not below half the sample rate.
     """
     check_below_half_rate("frequency_hz", recipe.frequency_hz, sample_rate_hz)
-    found = sampled_series(
+    wave = sampled_series(
         series,
         recipe.frequency_hz,
         recipe.phase_rad,
@@ -470,4 +470,4 @@ def harmonic_burst(
         shift_s,
         mean=mean,
     )
-    return burst(found, recipe.window, sample_rate_hz, shift_s)
+    return burst(wave, recipe.window, sample_rate_hz, shift_s)

@@ -66,9 +66,15 @@ def frequency_sweep(
     one_of("spacing", spacing, ("linear", "logarithmic"))
     one_of("order", order, ("up", "down"))
     part = np.arange(count) / max(count - 1, 1)
-    found = low + (high - low) * part if spacing == "linear" else low * (high / low) ** part
+    frequencies_hz = (
+        low + (high - low) * part if spacing == "linear" else low * (high / low) ** part
+    )
     # Twelve digits are what one can read; the ends are as they were given.
-    values = (low, *(float(f"{one:.12g}") for one in found[1:-1]), *(high,) * (count > 1))
+    values = (
+        low,
+        *(float(f"{frequency_hz:.12g}") for frequency_hz in frequencies_hz[1:-1]),
+        *(high,) * (count > 1),
+    )
     return values[::-1] if order == "down" else values
 
 
@@ -197,13 +203,13 @@ class WaveletTrain:
             for frequency_hz in self.frequencies_hz
         ]
         own_db = self.gains_db or (0.0,) * len(equal)
-        return tuple(one * 10.0 ** (db / 20.0) for one, db in zip(equal, own_db, strict=True))
+        return tuple(factor * 10.0 ** (db / 20.0) for factor, db in zip(equal, own_db, strict=True))
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of wavelets of peak 1."""
         check_below_half_rate("frequencies_hz", max(self.frequencies_hz), sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
-        found = np.zeros(n)
+        total = np.zeros(n)
         rate, shift = Decimal(sample_rate_hz), Decimal(shift_s)
         for frequency_hz, middle_s, gain in zip(
             self.frequencies_hz, self.middles_s(), self.gains(), strict=True
@@ -216,10 +222,10 @@ class WaveletTrain:
                 after = min(floor((middle + reach) * rate) + 1, n)
                 start = first / rate - middle
             if first < after:
-                found[first:after] += gain * self._wavelet(
+                total[first:after] += gain * self._wavelet(
                     frequency_hz, start, after - first, sample_rate_hz
                 )
-        return found
+        return total
 
     def _beyond_s(self) -> tuple[float, float]:
         """How far the train reaches before its first slot and after its last one."""

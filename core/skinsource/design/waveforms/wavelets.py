@@ -78,12 +78,12 @@ class Gabor:
         envelope /= self.sigma_s
         np.square(envelope, out=envelope)
         envelope *= -0.5
-        found = turns_about_middle(self.frequency_hz, n, sample_rate_hz, shift_s)
-        found *= 2.0 * pi
-        found += self.phase_rad
-        np.cos(found, out=found)
-        found *= np.exp(envelope, out=envelope)
-        return begun(found, shift_s)
+        wave = turns_about_middle(self.frequency_hz, n, sample_rate_hz, shift_s)
+        wave *= 2.0 * pi
+        wave += self.phase_rad
+        np.cos(wave, out=wave)
+        wave *= np.exp(envelope, out=envelope)
+        return begun(wave, shift_s)
 
 
 # The Morlet wavelet.
@@ -145,11 +145,11 @@ class Morlet:
         shift_s = shift_of(shift_s, sample_rate_hz)
         n = sample_count(self.duration_s, sample_rate_hz)
         u = about_middle(n, sample_rate_hz, shift_s) / self._s
-        found = np.cos(2.0 * pi * turns_about_middle(self.frequency_hz, n, sample_rate_hz, shift_s))
+        wave = np.cos(2.0 * pi * turns_about_middle(self.frequency_hz, n, sample_rate_hz, shift_s))
         peak = -expm1(-(self.w0**2) / 2.0)
-        found -= 1.0 - peak
-        found *= np.exp(-0.5 * np.square(u)) / peak
-        return begun(found, shift_s)
+        wave -= 1.0 - peak
+        wave *= np.exp(-0.5 * np.square(u)) / peak
+        return begun(wave, shift_s)
 
 
 # The Mexican hat.
