@@ -178,16 +178,16 @@ def numbered(ids: Sequence[int], what: str) -> tuple[int, ...]:
     InvalidInputError
         Two of them are equal; ``what`` they belong to is named.
     """
-    given = [number for number in ids if number]
-    taken = set(given)
-    if len(taken) < len(given):
-        doubled = next(number for number in given if given.count(number) > 1)
+    given_ids = [number for number in ids if number]
+    used = set(given_ids)
+    if len(used) < len(given_ids):
+        doubled = next(number for number in given_ids if given_ids.count(number) > 1)
         raise InvalidInputError(
-            f"ids of the {what} are {quoted(given)}, {doubled} twice; expected different ones"
+            f"ids of the {what} are {quoted(given_ids)}, {doubled} twice; expected different ones"
         )
-    if len(given) == len(ids):
+    if len(given_ids) == len(ids):
         return tuple(ids)
-    free = (number for number in count(1) if number not in taken)
+    free = (number for number in count(1) if number not in used)
     return tuple(number or next(free) for number in ids)
 
 

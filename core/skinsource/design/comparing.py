@@ -60,8 +60,8 @@ def gain_text(gain: float) -> str:
 
 def match_text(gain: float) -> str:
     """What axes say of results that are shown with a factor, "−3.2 dB, matched"; or nothing."""
-    words = gain_text(gain)
-    return f"{words}, matched" if words else ""
+    text = gain_text(gain)
+    return f"{text}, matched" if text else ""
 
 
 def difference_db(
@@ -111,8 +111,8 @@ def end_db(*differences_db: ArrayLike) -> float:
     sizes = sizes[~np.isnan(sizes)]
     if not sizes.size:
         return ENDS_DB[0]
-    told = max(float(np.quantile(sizes, _TOLD)), _OF_LARGEST * float(sizes.max()))
-    return next((end for end in ENDS_DB if told <= end), ENDS_DB[-1])
+    reached = max(float(np.quantile(sizes, _TOLD)), _OF_LARGEST * float(sizes.max()))
+    return next((end for end in ENDS_DB if reached <= end), ENDS_DB[-1])
 
 
 # The same design on several limbs: which ones, and what their levels have in common.
@@ -140,11 +140,11 @@ def same_outputs(limb: str, other: str) -> bool:
     That is so of all published and synthetic limbs, and of own limbs with as many outputs that
     have the same names.
     """
-    facts, two = facts_of(limb), facts_of(other)
-    if not (facts.known and two.known):
+    facts, other_facts = facts_of(limb), facts_of(other)
+    if not (facts.known and other_facts.known):
         return False
-    same = facts.own == two.own and facts.output_names == two.output_names
-    return same and facts.n_outputs == two.n_outputs
+    same = facts.own == other_facts.own and facts.output_names == other_facts.output_names
+    return same and facts.n_outputs == other_facts.n_outputs
 
 
 def mean_and_spread_over(
@@ -298,9 +298,12 @@ def same_but_rounding(design: Design, other: Design) -> bool:
     if len(design.inputs) != len(other.inputs):
         return False
     pairs = list(zip(design.inputs, other.inputs, strict=True))
-    taken = tuple(replace(track, amplitude=than.amplitude) for track, than in pairs)
-    return replace(design, inputs=taken) == other and all(
-        math.isclose(track.amplitude, than.amplitude, rel_tol=1e-9) for track, than in pairs
+    same_amplitudes = tuple(
+        replace(track, amplitude=other_track.amplitude) for track, other_track in pairs
+    )
+    return replace(design, inputs=same_amplitudes) == other and all(
+        math.isclose(track.amplitude, other_track.amplitude, rel_tol=1e-9)
+        for track, other_track in pairs
     )
 
 
@@ -324,8 +327,8 @@ def other_than(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None
     From a design that is no snapshot the way leads to a stored one: it takes the place of what was
     edited before.  Where all others are the same as ``design``, it leads to one of these.
     """
-    here = shown(snapshots, design)
-    without = EDITED if here is None else here.number
+    current = shown(snapshots, design)
+    without = EDITED if current is None else current.number
     others = [snapshot for snapshot in reversed(snapshots) if snapshot.number != without]
     differing = (snapshot for snapshot in others if snapshot.design != design)
     equal = (snapshot for snapshot in others if snapshot.number != EDITED)
@@ -357,24 +360,25 @@ def reference(snapshots: Sequence[Snapshot]) -> Snapshot | None:
 
 
 def brought_back(
-    wanted: Sequence[Snapshot], other: Sequence[Snapshot], present: Sequence[Snapshot]
+    restored: Sequence[Snapshot], other: Sequence[Snapshot], present: Sequence[Snapshot]
 ) -> tuple[Snapshot, ...]:
     """Return ``present`` with that in place of which an edit had changed ``wanted`` to ``other``.
 
     What was stored since then stays, also under a number that the edit had made free.  The order is
     that of ``wanted``, the one that was shown last stands last; what it does not hold comes after.
     """
-    then, gone, now = (
-        {snapshot.number: snapshot for snapshot in each} for each in (wanted, other, present)
+    before, after, current = (
+        {snapshot.number: snapshot for snapshot in snapshots}
+        for snapshots in (restored, other, present)
     )
-    for number in {*then, *gone}:
-        if then.get(number) == gone.get(number) or now.get(number) != gone.get(number):
+    for number in {*before, *after}:
+        if before.get(number) == after.get(number) or current.get(number) != after.get(number):
             continue
-        now.pop(number, None)
-        if number in then:
-            now[number] = then[number]
+        current.pop(number, None)
+        if number in before:
+            current[number] = before[number]
     numbers = [
-        *(number for number in then if number in now),
-        *(number for number in now if number not in then),
+        *(number for number in before if number in current),
+        *(number for number in current if number not in before),
     ]
-    return tuple(now[number] for number in numbers)
+    return tuple(current[number] for number in numbers)

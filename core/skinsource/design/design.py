@@ -225,8 +225,8 @@ class Design:
 
     def adding(self, new: Input) -> "Design":
         """Return a copy with one more input, with ids and a colour of its own."""
-        taken = {present.colour for present in self.inputs}
-        colour = next(k for k in range(MAX_INPUTS + 1) if k not in taken)
+        used = {present.colour for present in self.inputs}
+        colour = next(k for k in range(MAX_INPUTS + 1) if k not in used)
         clips = tuple(replace(clip, id=0) for clip in new.clips)
         added = replace(new, colour=colour, id=0, clips=clips)
         return replace(self, inputs=(*self.inputs, added))
@@ -260,11 +260,11 @@ def track(
 
 def _with_ids(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
     """Return ``inputs`` and their clips with ids where there were none; refuse doubles."""
-    own = [track.id for track in inputs]
-    ids = numbered(own, "inputs")
+    ids_given = [track.id for track in inputs]
+    ids = numbered(ids_given, "inputs")
     of_clips = [clip.id for track in inputs for clip in track.clips]
     clip_ids = iter(numbered(of_clips, "clips"))
-    if all(own) and all(of_clips):
+    if all(ids_given) and all(of_clips):
         return inputs
     with_ids = []
     for track, id in zip(inputs, ids, strict=True):

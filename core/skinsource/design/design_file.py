@@ -93,8 +93,8 @@ def open_design(path: str | os.PathLike[str]) -> DesignFile:
     try:
         content = _content(read_bytes(place, most=image.MAX_IMAGE_BYTES))
     except FileFormatError as error:
-        words = str(error).removeprefix(f"{name}: ")
-        raise DesignFileError(f"{name}: {sentence(words)}") from error
+        problem = str(error).removeprefix(f"{name}: ")
+        raise DesignFileError(f"{name}: {sentence(problem)}") from error
     except InvalidInputError as error:
         raise DesignFileError(f"{name}: {sentence(str(error))} Nothing was opened.") from error
     return content

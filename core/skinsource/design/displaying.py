@@ -44,7 +44,7 @@ class Track(Protocol):
 
 def tracks_svg(
     tracks: Sequence[Track],
-    heard: Sequence[bool],
+    audible: Sequence[bool],
     labels: Sequence[str],
     end_s: float,
     sample_rate_hz: float,
@@ -60,7 +60,7 @@ def tracks_svg(
         f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="11" role="img">',
         f'<rect width="{width}" height="{height}" fill="white"/>',
     ]
-    for row, (track, is_heard, label) in enumerate(zip(tracks, heard, labels, strict=True)):
+    for row, (track, is_heard, label) in enumerate(zip(tracks, audible, labels, strict=True)):
         colour = _COLOURS[row % len(_COLOURS)] if is_heard else _QUIET
         parts += _lane(track, label, _LANES_PX * (row + 0.5), colour, end_s, sample_rate_hz)
     parts += _axis(_LANES_PX * len(tracks), end_s)
@@ -78,8 +78,8 @@ def _lane(
     try:
         first, drive = drive_of_clips(track.clips, track.gain_curve, sample_rate_hz, track.location)
     except InvalidInputError as error:
-        words = escape(sentence(str(error))[:90])
-        text = f'<text x="{left}" y="{middle - 3:.1f}" fill="{_DIM}" font-size="9">{words}</text>'
+        message = escape(sentence(str(error))[:90])
+        text = f'<text x="{left}" y="{middle - 3:.1f}" fill="{_DIM}" font-size="9">{message}</text>'
         return [*elements, text]
     if drive.silent:
         return elements
@@ -111,10 +111,10 @@ def _axis(top: float, end_s: float) -> list[str]:
     elements = []
     for k in range(int(end_s / step + 1e-9) + 1):
         x = left + k * step / end_s * _LANE_PX
-        words = f"{1e3 * k * step:g}" if step < 1.0 else f"{k * step:g}"
+        text = f"{1e3 * k * step:g}" if step < 1.0 else f"{k * step:g}"
         elements.append(f'<line x1="{x:.1f}" x2="{x:.1f}" y1="0" y2="{top}" stroke="#EEEEEE"/>')
         elements.append(
-            f'<text x="{x:.1f}" y="{top + 13}" fill="{_DIM}" text-anchor="middle">{words}</text>'
+            f'<text x="{x:.1f}" y="{top + 13}" fill="{_DIM}" text-anchor="middle">{text}</text>'
         )
     unit = "ms" if step < 1.0 else "s"
     return [*elements, f'<text x="{_EDGE_PX}" y="{top + 13}" fill="{_DIM}">Time ({unit})</text>']
@@ -149,7 +149,7 @@ class DesignDisplay(Protocol):
         """What all of them play."""
 
 
-def html_of(design: DesignDisplay, heard: Collection[int], amplitudes: Sequence[str]) -> str:
+def html_of(design: DesignDisplay, audible: Collection[int], amplitudes: Sequence[str]) -> str:
     """Return a piece of HTML that needs nothing else.
 
     Parameters
@@ -171,7 +171,7 @@ def html_of(design: DesignDisplay, heard: Collection[int], amplitudes: Sequence[
     end_s = max((clip.onset_s + clip.waveform.duration_s for clip in design.clips), default=0.0)
     rate_hz = facts_of(design.limb).sample_rate_hz
     labels = [_place(track.location, design.limb) for track in inputs]
-    shown = [index in heard for index in range(len(inputs))]
+    shown = [index in audible for index in range(len(inputs))]
     parts.append(tracks_svg(inputs, shown, labels, max(end_s, 0.02), rate_hz))
     parts.append(_table(design, amplitudes))
     return "".join(parts)
@@ -201,5 +201,5 @@ def _limb(name: str) -> str:
 
 
 def _place(location: int, limb: str) -> str:
-    here = 1 <= location <= facts_of(limb).n_inputs
-    return f"{location} {input_name(location, limb).short_name}" if here else f"place {location}"
+    exists = 1 <= location <= facts_of(limb).n_inputs
+    return f"{location} {input_name(location, limb).short_name}" if exists else f"place {location}"

@@ -30,11 +30,11 @@ def settings_of(view: View, panel: str, kind: type[Settings]) -> Settings:
     cached = _latest.get((panel, kind))
     if cached is not None and cached[0] is view.panels:
         return cast(Settings, cached[1])
-    held = dict(dict(view.panels).get(panel, ()))
+    stored = dict(dict(view.panels).get(panel, ()))
     settings = kind()
     for field in dataclass_fields(settings):  # type: ignore[arg-type]
-        if field.name in held:
-            settings = _with_field(settings, field.name, held[field.name])
+        if field.name in stored:
+            settings = _with_field(settings, field.name, stored[field.name])
     _latest[panel, kind] = view.panels, settings
     return settings
 
@@ -45,14 +45,14 @@ def with_settings(view: View, panel: str, settings: Any) -> View:
     What is as by default is not held, so that views that look alike are equal.
     """
     panels = dict(view.panels)
-    held: dict[str, Plain] = dict(panels.pop(panel, ()))
-    usual = type(settings)()
+    stored: dict[str, Plain] = dict(panels.pop(panel, ()))
+    defaults = type(settings)()
     for field in dataclass_fields(settings):
-        held.pop(field.name, None)
-        if getattr(settings, field.name) != getattr(usual, field.name):
-            held[field.name] = getattr(settings, field.name)
-    if held:
-        panels[panel] = tuple(held.items())
+        stored.pop(field.name, None)
+        if getattr(settings, field.name) != getattr(defaults, field.name):
+            stored[field.name] = getattr(settings, field.name)
+    if stored:
+        panels[panel] = tuple(stored.items())
     return replace(view, panels=tuple(panels.items()))
 
 

@@ -124,13 +124,13 @@ def suggested(found: Found, series: Series | None = None) -> ImportChoice:
     """What is likely to be wanted: the first signal of a file, as far as the file describes it."""
     signal = series or found.signals()[0]
     stated = found.rate_of(signal)
-    stamps = found.time_of(signal)
+    timestamps = found.time_of(signal)
     unit = signal.unit or "full scale"
     return ImportChoice(
         series=signal.key,
-        rate_hz=stated if stamps is None else None,
-        time=stamps.key if stamps else None,
-        time_unit_s=stamps.time_unit_s if stamps else 1.0,
+        rate_hz=stated if timestamps is None else None,
+        time=timestamps.key if timestamps else None,
+        time_unit_s=timestamps.time_unit_s if timestamps else 1.0,
         unit=unit,
         scale=usual_scale(unit),
     )
@@ -230,17 +230,19 @@ def _of_axes(
     axes: NDArray[Any], choice: ImportChoice, stamps_s: Floats | None, notes: list[str]
 ) -> tuple[Floats, Fraction]:
     """One signal of three axes, and its rate; the offset of each goes before, if it is unwanted."""
-    each: list[Floats] = []
-    rate, told = Fraction(1), list[str]()
+    signals: list[Floats] = []
+    rate, axis_notes = Fraction(1), list[str]()
     for axis in axes:
-        signal, rate = _at_one_rate(_complete(axis, choice, told), choice, stamps_s, told)
-        each.append(np.asarray(signal, np.float64) - _offset_of(signal, choice, told))
-    notes += dict.fromkeys(told)
+        signal, rate = _at_one_rate(
+            _complete(axis, choice, axis_notes), choice, stamps_s, axis_notes
+        )
+        signals.append(np.asarray(signal, np.float64) - _offset_of(signal, choice, axis_notes))
+    notes += dict.fromkeys(axis_notes)
     notes.append(
         "Three axes became one with the energy of all at each frequency (DFT321, Landin et al. "
         "2010)."
     )
-    return dft321(np.stack(each)), rate
+    return dft321(np.stack(signals)), rate
 
 
 def _at_one_rate(
@@ -258,18 +260,18 @@ def _at_one_rate(
 
 
 def _complete(values: NDArray[Any], choice: ImportChoice, notes: list[str]) -> NDArray[Any]:
-    there = np.isfinite(values)
-    absent = values.size - int(np.count_nonzero(there))
+    finite = np.isfinite(values)
+    absent = values.size - int(np.count_nonzero(finite))
     if not absent:
         return values
-    first = int(np.argmin(there)) + 1
+    first = int(np.argmin(finite)) + 1
     if choice.missing == "refuse":
         raise InvalidInputError(
             f"{absent} of {values.size} numbers are missing or not finite, the first is number "
             f"{first} of this part; let them count as 0, or choose another part"
         )
     notes.append(f"{absent} missing numbers count as 0, the first is number {first}.")
-    return np.where(there, values, values.dtype.type(0))
+    return np.where(finite, values, values.dtype.type(0))
 
 
 def _offset_of(signal: NDArray[Any], choice: ImportChoice, notes: list[str]) -> float:
@@ -279,8 +281,8 @@ def _offset_of(signal: NDArray[Any], choice: ImportChoice, notes: list[str]) -> 
     mean = float(np.mean(signal, dtype=np.float64))
     most = max(float(signal.max()) - mean, mean - float(signal.min()))
     if abs(mean) > _NOTED_OFFSET * most:
-        words = f"{mean:.4g}{_with_unit(choice)}".replace("-", "−")
-        notes.append(f"An offset of {words} was taken off.")
+        text = f"{mean:.4g}{_with_unit(choice)}".replace("-", "−")
+        notes.append(f"An offset of {text} was taken off.")
     return mean
 
 
@@ -380,12 +382,12 @@ def take(
     """
     file = Path(path)
     if process is None:
-        with ReadingProcess() as own:
-            return take(file, choice, to_hz, progress=progress, stop=stop, process=own)
+        with ReadingProcess() as own_process:
+            return take(file, choice, to_hz, progress=progress, stop=stop, process=own_process)
     contents = process.look(file, stop=stop)
-    wanted = choice or suggested(contents)
-    raw = read_part(file, contents, wanted, process=process, progress=progress, stop=stop)
-    return raw.taken(wanted, to_hz)
+    choice_ = choice or suggested(contents)
+    raw = read_part(file, contents, choice_, process=process, progress=progress, stop=stop)
+    return raw.taken(choice_, to_hz)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -426,16 +428,16 @@ class RawPart:
     def taken(self, choice: ImportChoice, to_hz: float) -> Taken:
         """What ``choice`` makes of it; raises `RecordingError`."""
         try:
-            wanted = replace(choice, rate_hz=self.rate_hz)
-            return taken(self.values, wanted, to_hz, name=self.name, stamps_s=self.stamps_s)
+            choice_ = replace(choice, rate_hz=self.rate_hz)
+            return taken(self.values, choice_, to_hz, name=self.name, stamps_s=self.stamps_s)
         except InvalidInputError as error:
             raise _about(self.path, error) from error
 
 
 def read_for(choice: ImportChoice) -> tuple[object, ...]:
     """What of a choice decides what is read."""
-    stamps = (choice.time, choice.time_unit_s) if choice.time else (choice.rate_hz,)
-    return (choice.series, choice.others, choice.start_s, choice.duration_s, *stamps)
+    rate = (choice.time, choice.time_unit_s) if choice.time else (choice.rate_hz,)
+    return (choice.series, choice.others, choice.start_s, choice.duration_s, *rate)
 
 
 def read_part(
@@ -498,9 +500,9 @@ def _read(
             landmarks_s=None,
             **part,
         )
-    stamps = read([choice.time], 0, series.n_samples)[0]
+    timestamps = read([choice.time], 0, series.n_samples)[0]
     # 64-bit also where the file has fewer digits: their differences are what counts.
-    since_s = (stamps.astype(np.float64) - float(stamps[0])) * choice.time_unit_s
+    since_s = (timestamps.astype(np.float64) - float(timestamps[0])) * choice.time_unit_s
     start, end = np.searchsorted(
         since_s, (choice.start_s - _LITTLE_S, choice.start_s + choice.duration_s - _LITTLE_S)
     ).tolist()

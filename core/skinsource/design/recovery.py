@@ -186,7 +186,7 @@ def find(folder: Path) -> Found:
     folder
         The user's data folder.
     """
-    left: list[UnsavedWork] = []
+    works: list[UnsavedWork] = []
     aside: list[Path] = []
     for place in _places(folder / FOLDER):
         copies = []
@@ -197,11 +197,11 @@ def find(folder: Path) -> Found:
                 moved = set_aside(copy)
                 aside += [moved] if moved else []
         if copies:
-            left.append(_left_over(place, copies))
+            works.append(_left_over(place, copies))
         else:
             _remove_empty(place)
-    left.sort(key=lambda work: work.kept_s, reverse=True)
-    return Found(tuple(left), tuple(aside))
+    works.sort(key=lambda work: work.kept_s, reverse=True)
+    return Found(tuple(works), tuple(aside))
 
 
 def mark_opening(copy: Path) -> None:
@@ -232,13 +232,13 @@ def set_aside(copy: Path) -> Path | None:
     return None
 
 
-def discard(left: UnsavedWork) -> None:
+def discard(work: UnsavedWork) -> None:
     """Delete what was left; what cannot be deleted is offered again."""
-    for copy in left.copies:
+    for copy in work.copies:
         for path in (copy, copy.with_suffix(PICTURE), _mark(copy)):
             with suppress(OSError):
                 path.unlink()
-    _remove_empty(left.copies[0].parent)
+    _remove_empty(work.copies[0].parent)
 
 
 def age_text(seconds: float) -> str:
@@ -253,10 +253,10 @@ def age_text(seconds: float) -> str:
 def _places(root: Path) -> list[Path]:
     """Folders of studios that have ended."""
     try:
-        inside = sorted(path for path in root.iterdir() if path.is_dir() and path.name != ASIDE)
+        folders = sorted(path for path in root.iterdir() if path.is_dir() and path.name != ASIDE)
     except OSError:
         return []
-    ended = [place for place in inside if _has_ended(place)]
+    ended = [place for place in folders if _has_ended(place)]
     for place in ended:
         for part in place.glob(".*.part"):
             with suppress(OSError):

@@ -117,7 +117,7 @@ class Drive:
 
 
 def drive_played(
-    chain: Chain, sample_rate_hz: float, place: int, drawn: Callable[[Part], Floats]
+    signal_path: Chain, sample_rate_hz: float, place: int, drawn: Callable[[Part], Floats]
 ) -> Drive:
     """Sum up what ``chain`` plays; its length is that of the samples.
 
@@ -132,28 +132,31 @@ def drive_played(
         A part cannot be sampled, or a sample is not a usable number; the message names the place.
     """
     try:
-        pieces = [drawn(part) for part in chain.parts]
+        pieces = [drawn(part) for part in signal_path.parts]
     except InvalidInputError as error:
-        raise InvalidInputError(f"Input at place {place}, {chain.title}: {error}") from error
-    for part, piece in zip(chain.parts, pieces, strict=True):
+        raise InvalidInputError(f"Input at place {place}, {signal_path.title}: {error}") from error
+    for part, piece in zip(signal_path.parts, pieces, strict=True):
         _check(piece, part.title, place)
-    samples = _mixed(chain, sample_rate_hz, pieces)
+    samples = _mixed(signal_path, sample_rate_hz, pieces)
     if len(pieces) != 1 or samples is not pieces[0]:
-        _check(samples, chain.title, place)
+        _check(samples, signal_path.title, place)
     return drive_of(samples)
 
 
-def _mixed(chain: Chain, sample_rate_hz: float, pieces: list[Floats]) -> Floats:
+def _mixed(signal_path: Chain, sample_rate_hz: float, pieces: list[Floats]) -> Floats:
     """Sum of the pieces of a chain, times their gains and the curve, (n_times,)."""
-    if len(pieces) == 1 and chain.parts[0].gain == 1.0 and not chain.curve:
+    if len(pieces) == 1 and signal_path.parts[0].gain == 1.0 and not signal_path.curve:
         return pieces[0]
-    placed = list(zip(chain.parts, pieces, strict=True))
+    placed = list(zip(signal_path.parts, pieces, strict=True))
     total = np.zeros(max((part.start + piece.size for part, piece in placed), default=0))
     for part, piece in placed:
         total[part.start : part.start + piece.size] += part.gain * piece
-    if chain.curve:
-        time_s, factor = np.array(chain.curve).T
-        own_s = np.arange(chain.curve_start, chain.curve_start + total.size) / sample_rate_hz
+    if signal_path.curve:
+        time_s, factor = np.array(signal_path.curve).T
+        own_s = (
+            np.arange(signal_path.curve_start, signal_path.curve_start + total.size)
+            / sample_rate_hz
+        )
         total *= np.interp(own_s, time_s, factor)
     return total
 
@@ -260,15 +263,20 @@ def placed_chain(
     entries = []
     for clip in clips:
         if not clip.muted:
-            at, shift_s = placed(clip.waveform, clip.effects, clip.onset_s, sample_rate_hz)
-            entries.append((at, shift_s, clip.gain, clip))
+            first_sample, shift_s = placed(
+                clip.waveform, clip.effects, clip.onset_s, sample_rate_hz
+            )
+            entries.append((first_sample, shift_s, clip.gain, clip))
     _put_in_order(entries)
     first = entries[0][0] if entries else 0
     parts = tuple(
         Part(
-            clip.waveform, tuple(effect for effect in clip.effects if effect.on), at - first, *rest
+            clip.waveform,
+            tuple(effect for effect in clip.effects if effect.on),
+            first_sample - first,
+            *rest,
         )
-        for at, *rest, clip in entries
+        for first_sample, *rest, clip in entries
     )
     return first, Chain(parts, gain_curve, first if gain_curve else 0)
 
@@ -283,12 +291,12 @@ def drive_of_clips(
     InvalidInputError
         See `drive_played`, which names ``place``.
     """
-    first, chain = placed_chain(clips, gain_curve, sample_rate_hz)
+    first, signal_path = placed_chain(clips, gain_curve, sample_rate_hz)
 
     def drawn(part: Part) -> Floats:
         return played(part.waveform, part.effects, sample_rate_hz, part.shift_s)
 
-    return first, drive_played(chain, sample_rate_hz, place, drawn)
+    return first, drive_played(signal_path, sample_rate_hz, place, drawn)
 
 
 def _put_in_order(entries: list[tuple[int, float, float, Clip]]) -> None:
@@ -297,8 +305,8 @@ def _put_in_order(entries: list[tuple[int, float, float, Clip]]) -> None:
     Sums of three numbers depend on their order in the last digit.
     """
     entries.sort(key=_where)
-    alike = len(entries) - len(set(map(_where, entries)))
-    if alike:
+    n_equal = len(entries) - len(set(map(_where, entries)))
+    if n_equal:
         entries.sort(key=lambda entry: (*_where(entry), repr(entry[3])))
 
 
@@ -375,8 +383,8 @@ def unplayable_text(unplayable: Sequence[UnplayableInput]) -> str:
     """One sentence on inputs that cannot be played; empty where there are none."""
     if not unplayable:
         return ""
-    words, more = unplayable[0].sentence, len(unplayable) - 1
+    text, more = unplayable[0].sentence, len(unplayable) - 1
     if more == 0:
-        return words
+        return text
     others = "1 more input" if more == 1 else f"{more} more inputs"
-    return f"{words.removesuffix('.')}; {others} cannot be played either."
+    return f"{text.removesuffix('.')}; {others} cannot be played either."

@@ -24,7 +24,7 @@ PanelFields = tuple[tuple[str, tuple[tuple[str, Plain], ...]], ...]
 
 
 def _choice_of(label: str, options: tuple[labels.Word, ...]) -> ChoiceSpec:
-    return ChoiceSpec(label=label, options=tuple((word.name, word.title) for word in options))
+    return ChoiceSpec(label=label, options=tuple((option.name, option.title) for option in options))
 
 
 AXES = _choice_of("Axes", labels.AXES)
@@ -166,12 +166,14 @@ class View:
             raise InvalidInputError(
                 f"View.snapshots have the numbers {numbers}, expected different ones"
             )
-        if not _is_table(self.panels) or not all(_is_table(held) for _, held in self.panels):
+        if not _is_table(self.panels) or not all(
+            _is_table(settings) for _, settings in self.panels
+        ):
             raise InvalidInputError(
                 f"View.panels is {quoted(self.panels)}, expected pairs of a panel's name and its "
                 "fields, each once"
             )
-        in_order = tuple((name, tuple(sorted(held))) for name, held in sorted(self.panels))
+        in_order = tuple((name, tuple(sorted(settings))) for name, settings in sorted(self.panels))
         # What is as it was keeps its identity, by which panels find their settings again.
         if in_order != self.panels:
             object.__setattr__(self, "panels", in_order)
@@ -181,8 +183,8 @@ class View:
 
         It is that of the snapshot that ``design`` is: what is edited is shown as it is.
         """
-        held = shown(self.snapshots, design) if self.levels_matched else None
-        return 1.0 if held is None else held.gain
+        snapshot = shown(self.snapshots, design) if self.levels_matched else None
+        return 1.0 if snapshot is None else snapshot.gain
 
     @property
     def selected_input(self) -> int | None:

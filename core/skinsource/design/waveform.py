@@ -112,10 +112,10 @@ CYCLES = NumberSpec(
 )
 
 
-def lists_to_tuples(recipe: object, *names: str) -> None:
+def lists_to_tuples(model: object, *names: str) -> None:
     """Turn lists and arrays in these fields into tuples, as scripts may hand them over."""
     for name in names:
-        object.__setattr__(recipe, name, _as_tuples(getattr(recipe, name)))
+        object.__setattr__(model, name, _as_tuples(getattr(model, name)))
 
 
 def _as_tuples(value: Any) -> Any:

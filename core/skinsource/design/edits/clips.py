@@ -39,8 +39,8 @@ def select_clips(design: Design, view: View, ids: Iterable[int]) -> Edit:
 
 def toggle_clip(design: Design, view: View, id: int) -> Edit:
     """Add a clip to the selected ones, or take it out."""
-    left = tuple(clip_id for clip_id in view.selected_clips if clip_id != id)
-    return select_clips(design, view, left if id in view.selected_clips else (*left, id))
+    remaining = tuple(clip_id for clip_id in view.selected_clips if clip_id != id)
+    return select_clips(design, view, remaining if id in view.selected_clips else (*remaining, id))
 
 
 def select_all_clips(design: Design, view: View) -> Edit:
@@ -93,16 +93,16 @@ def remove_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refus
     chosen = present_clips(design, ids)
     if not chosen:
         return NO_CLIP
-    gone = {clip.id for clip in chosen}
-    inputs = tuple(_without(track, gone) for track in design.inputs)
+    removed = {clip.id for clip in chosen}
+    inputs = tuple(_without(track, removed) for track in design.inputs)
     after = replace(design, inputs=inputs)
     last = chosen[-1]
-    beside = list(after.input(design.track_of(last.id).id).clips)
-    beside.sort(key=lambda clip: (clip.onset_s < last.onset_s, abs(clip.onset_s - last.onset_s)))
+    others = list(after.input(design.track_of(last.id).id).clips)
+    others.sort(key=lambda clip: (clip.onset_s < last.onset_s, abs(clip.onset_s - last.onset_s)))
     return Edit(
         label=f"Remove {clips_text(design, chosen)}",
         design=after,
-        view=clips_selected(after, view, tuple(clip.id for clip in beside[:1])),
+        view=clips_selected(after, view, tuple(clip.id for clip in others[:1])),
     )
 
 
@@ -122,8 +122,10 @@ def move_clips(
             for clip in track.clips
             if target.get(clip.id, (track.id, clip))[0] == track.id
         ]
-        own = {clip.id for clip in track.clips}
-        clips += [clip for track_id, clip in moved if track_id == track.id and clip.id not in own]
+        own_ids = {clip.id for clip in track.clips}
+        clips += [
+            clip for track_id, clip in moved if track_id == track.id and clip.id not in own_ids
+        ]
         if len(clips) > MAX_CLIPS:
             return TOO_MANY_CLIPS
         inputs.append(replace_clips(track, clips))
@@ -200,8 +202,8 @@ def toggle_mute_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | 
 
 def present_clips(design: Design, ids: Iterable[int]) -> tuple[Clip, ...]:
     """Those clips that ``design`` has, track by track."""
-    wanted = set(ids)
-    return tuple(clip for clip in design.clips if clip.id in wanted)
+    wanted_ids = set(ids)
+    return tuple(clip for clip in design.clips if clip.id in wanted_ids)
 
 
 def clips_text(design: Design, chosen: tuple[Clip, ...]) -> str:
@@ -281,8 +283,8 @@ def _onset(time_s: float) -> float:
     return min(max(short(time_s), ONSET.minimum), ONSET.maximum)
 
 
-def _without(track: Input, gone: set[int]) -> Input:
-    return replace_clips(track, [clip for clip in track.clips if clip.id not in gone])
+def _without(track: Input, removed: set[int]) -> Input:
+    return replace_clips(track, [clip for clip in track.clips if clip.id not in removed])
 
 
 # Clips that go to an input place, from whatever track they are on.
@@ -302,8 +304,8 @@ def move_clips_to_place(
     target = _track_at(design, view, location)
     if target is None:
         if len(design.inputs) >= MAX_INPUTS:
-            words = f"A design holds at most {MAX_INPUTS} inputs; remove one first."
-            return Refusal(sentence=words)
+            sentence = f"A design holds at most {MAX_INPUTS} inputs; remove one first."
+            return Refusal(sentence=sentence)
         amplitude = design.track_of(chosen[-1].id).amplitude
         try:
             design = design.adding(Input(location=location, amplitude=amplitude))
@@ -317,9 +319,9 @@ def move_clips_to_place(
     moved = {clip.id for clip in chosen}
     inputs = []
     for track in design.inputs:
-        own = {clip.id for clip in track.clips}
+        own_ids = {clip.id for clip in track.clips}
         clips = [clip for clip in track.clips if track.id == target or clip.id not in moved]
-        clips += [clip for clip in chosen if track.id == target and clip.id not in own]
+        clips += [clip for clip in chosen if track.id == target and clip.id not in own_ids]
         if len(clips) > MAX_CLIPS:
             return TOO_MANY_CLIPS
         inputs.append(replace_clips(track, clips))
@@ -329,9 +331,9 @@ def move_clips_to_place(
 
 
 def _track_at(design: Design, view: View, location: int) -> int | None:
-    there = [track.id for track in design.inputs if track.location == location]
-    selected = [id for id in view.selected_inputs if id in there]
-    return next(iter(selected[-1:] or there), None)
+    track_ids = [track.id for track in design.inputs if track.location == location]
+    selected = [id for id in view.selected_inputs if id in track_ids]
+    return next(iter(selected[-1:] or track_ids), None)
 
 
 # Copying pieces of a design, and putting them in: here, on other tracks, in another studio.
@@ -371,10 +373,10 @@ def cut_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     chosen = present_clips(design, ids)
     if not chosen:
         return NO_CLIP
-    gone = {clip.id for clip in chosen}
+    removed = {clip.id for clip in chosen}
     inputs = tuple(
-        replace(track, clips=left)
-        if len(left := tuple(c for c in track.clips if c.id not in gone)) < len(track.clips)
+        replace(track, clips=remaining)
+        if len(remaining := tuple(c for c in track.clips if c.id not in removed)) < len(track.clips)
         else track
         for track in design.inputs
     )
@@ -408,15 +410,15 @@ def _lies_on_its_like(after: Design, before: Design) -> bool:
     old = {clip.id for clip in before.clips}
     for track in after.inputs:
         # Of thousands of clips hardly any two begin together.
-        there: dict[float, list[Clip]] = {}
+        by_onset: dict[float, list[Clip]] = {}
         for clip in track.clips:
             if clip.id in old:
-                there.setdefault(clip.onset_s, []).append(clip)
+                by_onset.setdefault(clip.onset_s, []).append(clip)
         new = (clip for clip in track.clips if clip.id not in old)
         if any(
             replace(clip, id=like.id) == like
             for clip in new
-            for like in there.get(clip.onset_s, ())
+            for like in by_onset.get(clip.onset_s, ())
         ):
             return True
     return False
@@ -451,19 +453,19 @@ def place_fragment(
         they came from.  It goes before ``input_id``.
     """
     at_s = view.playhead_s if at_s is None else at_s
-    words = f"Place {name}"
+    label = f"Place {name}"
     if location is not None:
         try:
             first, *others = fragment.lanes
             fragment = replace(fragment, lanes=(replace(first, location=location), *others))
         except InvalidInputError as error:
             return refused(error)
-        return _put_in(design, view, fragment, at_s, words, len(design.inputs))
+        return _put_in(design, view, fragment, at_s, label, len(design.inputs))
     if input_id is None:
-        return _put_in(design, view, fragment, at_s, words, _selected_place(design, view))
+        return _put_in(design, view, fragment, at_s, label, _selected_place(design, view))
     if input_id not in design.ids:
         return Refusal(sentence="That track is no longer there; choose another one.")
-    return _put_in(design, view, fragment, at_s, words, design.index_of(input_id))
+    return _put_in(design, view, fragment, at_s, label, design.index_of(input_id))
 
 
 def _selected_place(design: Design, view: View) -> int:
@@ -473,7 +475,7 @@ def _selected_place(design: Design, view: View) -> int:
 
 
 def _put_in(
-    design: Design, view: View, fragment: Fragment, at_s: float, words: str, place: int
+    design: Design, view: View, fragment: Fragment, at_s: float, label: str, place: int
 ) -> Edit | Refusal:
     """Put a fragment on the tracks from ``place`` on, and on new ones behind the last."""
     after = design
@@ -492,7 +494,7 @@ def _put_in(
             ]
     except (InvalidInputError, TypeError) as error:
         return refused(InvalidInputError(str(error)))
-    return with_new_clips(after, view, words, new)
+    return with_new_clips(after, view, label, new)
 
 
 def fragment_text(fragment: Fragment) -> str:
@@ -500,7 +502,7 @@ def fragment_text(fragment: Fragment) -> str:
     return text.to_text(models.encode(fragment), FORMAT)
 
 
-def fragment_from(words: str) -> Fragment:
+def fragment_from(text_: str) -> Fragment:
     """The fragment that `fragment_text` wrote.
 
     Raises
@@ -508,7 +510,7 @@ def fragment_from(words: str) -> Fragment:
     FileFormatError
         The text is something else, or damaged.
     """
-    fragment: Fragment = models.decode(text.from_text(words, FORMAT), (Fragment,), Address())
+    fragment: Fragment = models.decode(text.from_text(text_, FORMAT), (Fragment,), Address())
     return fragment
 
 

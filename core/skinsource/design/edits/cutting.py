@@ -66,25 +66,25 @@ def split_clips(design: Design, view: View, ids: Iterable[int], at_s: float) -> 
         return after
     known = {clip.id for clip in design.clips}
     later = tuple(clip.id for clip in after.clips if clip.id not in known)
-    words = clips_text(design, tuple(clip for clip in chosen if clip.id in cut))
-    return Edit(label=f"Split {words}", design=after, view=clips_selected(after, view, later))
+    text = clips_text(design, tuple(clip for clip in chosen if clip.id in cut))
+    return Edit(label=f"Split {text}", design=after, view=clips_selected(after, view, later))
 
 
 def join_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Put parts of one clip together again where they follow each other."""
-    wanted = {clip.id for clip in present_clips(design, ids)}
-    if not wanted:
+    chosen_ids = {clip.id for clip in present_clips(design, ids)}
+    if not chosen_ids:
         return NO_CLIP
     inputs, joined = [], []
     for track in design.inputs:
         clips = {clip.id: clip for clip in track.clips}
-        in_time = sorted((c for c in track.clips if c.id in wanted), key=lambda c: c.onset_s)
+        in_time = sorted((c for c in track.clips if c.id in chosen_ids), key=lambda c: c.onset_s)
         for right in in_time:
             for left in [clips[c.id] for c in in_time if c.id in clips and c.id != right.id]:
-                together = _joined(left, clips[right.id])
-                if together is not None:
+                joined_clip = _joined(left, clips[right.id])
+                if joined_clip is not None:
                     del clips[right.id]
-                    clips[left.id] = together
+                    clips[left.id] = joined_clip
                     joined.append(left.id)
                     break
         inputs.append(replace_clips(track, list(clips.values())))
@@ -94,8 +94,8 @@ def join_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal
             "parts that follow each other."
         )
     after = replace(design, inputs=tuple(inputs))
-    there = {clip.id for clip in after.clips}
-    left_over = tuple(clip_id for clip_id in view.selected_clips if clip_id in there)
+    remaining = {clip.id for clip in after.clips}
+    left_over = tuple(clip_id for clip_id in view.selected_clips if clip_id in remaining)
     return Edit(
         label="Join clips",
         design=after,
@@ -118,10 +118,10 @@ def trim_clip(design: Design, view: View, id: int, start_s: float, end_s: float)
     start_s = min(max(start_s, origin_s, 0.0), origin_s + whole_s - shortest_s)
     end_s = min(max(end_s, start_s + shortest_s), origin_s + whole_s)
     left_out_s, length_s = short(max(start_s - origin_s, 0.0)), short(end_s - start_s)
-    kept: tuple[Effect, ...] = ()
+    trim: tuple[Effect, ...] = ()
     if left_out_s > SAME_S or length_s < whole_s - SAME_S:
-        kept = (Trim(start_s=left_out_s, duration_s=length_s),)
-    changes = {"onset_s": short(max(start_s, 0.0)), "effects": (*inner, *kept, *fades)}
+        trim = (Trim(start_s=left_out_s, duration_s=length_s),)
+    changes = {"onset_s": short(max(start_s, 0.0)), "effects": (*inner, *trim, *fades)}
     return _changed(design, view, "Trim", clip, changes)
 
 
@@ -145,8 +145,8 @@ def stretch_clip(
         changed = replace(old, factor=_nearest(factor), to_s=0.0)
     except InvalidInputError as error:
         return refused(error)
-    kept = () if abs(factor - 1.0) < SAME_S else (changed,)
-    effects = (*inner, *kept, *fades)
+    stretch = () if abs(factor - 1.0) < SAME_S else (changed,)
+    effects = (*inner, *stretch, *fades)
     from_end_s = max(end_s - played_s(clip.waveform, effects), 0.0)
     if abs(start_s - clip.onset_s) > SAME_S and abs(from_end_s - start_s) > SAME_S:
         # The factor goes no farther: the end stays, whose start was moved.
@@ -260,7 +260,7 @@ def _joined(left: Clip, right: Clip) -> Clip | None:
     (*inner, first), (*others, second) = left.effects, right.effects
     if not (isinstance(first, Trim) and isinstance(second, Trim) and first.on and second.on):
         return None
-    alike = (left.waveform, left.gain, left.muted, inner) == (
+    same_content = (left.waveform, left.gain, left.muted, inner) == (
         right.waveform,
         right.gain,
         right.muted,
@@ -268,14 +268,14 @@ def _joined(left: Clip, right: Clip) -> Clip | None:
     )
     follows = abs(left.end_s - right.onset_s) < SAME_S
     goes_on = abs(first.start_s + first.duration_s - second.start_s) < SAME_S
-    if not (alike and follows and goes_on):
+    if not (same_content and follows and goes_on):
         return None
     whole_s = played_s(left.waveform, tuple(inner))
     length_s = short(second.start_s + second.duration_s - first.start_s)
-    kept: tuple[Effect, ...] = ()
+    trim: tuple[Effect, ...] = ()
     if first.start_s > SAME_S or length_s < whole_s - SAME_S:
-        kept = (replace(first, duration_s=length_s),)
-    return replace(left, effects=(*inner, *kept))
+        trim = (replace(first, duration_s=length_s),)
+    return replace(left, effects=(*inner, *trim))
 
 
 def _without_fades(effects: tuple[Effect, ...]) -> tuple[tuple[Effect, ...], tuple[Effect, ...]]:
@@ -313,8 +313,8 @@ _NO_TIME = Refusal(sentence="Choose a stretch of time: a start, and an end after
 
 def insert_time(design: Design, view: View, at_s: float, length_s: float) -> Edit | Refusal:
     """Let everything from a time on come later; clips that play then are cut in two."""
-    both = _is_number(at_s) and _is_number(length_s)
-    if not both or not _is_stretch(at_s, at_s + length_s):
+    are_numbers = _is_number(at_s) and _is_number(length_s)
+    if not are_numbers or not _is_stretch(at_s, at_s + length_s):
         return _NO_TIME
     return _shifted(design, view, "Insert time", at_s, at_s, length_s)
 
@@ -411,11 +411,11 @@ def _curve(curve: Curve, start_s: float, end_s: float, by_s: float) -> Curve:
     ending = float(np.interp(start_s, times_s, gains)) if at_start is None else at_start
     following = float(np.interp(end_s, times_s, gains))
     before = [point for point in curve if point[0] < start_s]
-    behind = [(short(x + by_s), y) for x, y in curve if x > end_s]
+    following_points = [(short(x + by_s), y) for x, y in curve if x > end_s]
     after_s = short(end_s + by_s)
     edges = [(start_s, ending), (after_s, ending), (after_s, following)]
     # Of points that are all the same one is enough.
-    points = [point for point, _ in groupby([*before, *edges, *behind])]
+    points = [point for point, _ in groupby([*before, *edges, *following_points])]
     return tuple((min(x, LATEST_S), y) for x, y in points)
 
 

@@ -57,8 +57,8 @@ def refused(error: InvalidInputError) -> Refusal:
 
 def present(design: Design, ids: Iterable[int]) -> tuple[Input, ...]:
     """Those inputs that ``design`` has, in its order."""
-    wanted = set(ids)
-    return tuple(track for track in design.inputs if track.id in wanted)
+    wanted_ids = set(ids)
+    return tuple(track for track in design.inputs if track.id in wanted_ids)
 
 
 def tracks_text(chosen: tuple[Input, ...], limb: str) -> str:
@@ -184,10 +184,10 @@ def _played(
     waveform: Waveform, field: str, spec: SamplesSpec, rate_hz: float
 ) -> dict[str, Samples]:
     """What a waveform plays, as the samples of ``field``; nothing where it cannot be."""
-    own = getattr(waveform, field, None)
+    samples = getattr(waveform, field, None)
     try:
-        if isinstance(own, Samples):
-            played = own if spec.unit is None else replace(own, unit=spec.unit)
+        if isinstance(samples, Samples):
+            played = samples if spec.unit is None else replace(samples, unit=spec.unit)
         else:
             played = Samples(values=waveform.samples(rate_hz), sample_rate_hz=rate_hz)
         return {field: spec.checked(played)}
@@ -206,12 +206,12 @@ def nearest(value: float, spec: NumberSpec) -> float:
 
 def why_uncut(chosen: Sequence[Clip], at_s: float, same_s: float) -> str:
     """Why a time cuts none of some clips; times closer than ``same_s`` are the same."""
-    whose, where = ("The", "it") if len(chosen) == 1 else ("A", "one of them")
+    whose, which = ("The", "it") if len(chosen) == 1 else ("A", "one of them")
     reason = f"None of the selected clips plays at {at_s:.6g} s"
     for verb, attribute in (("begins", "onset_s"), ("ends", "end_s")):
         if any(abs(getattr(clip, attribute) - at_s) <= same_s for clip in chosen):
             reason = f"{whose} selected clip {verb} at {at_s:.6g} s: there is nothing to split"
-    return f"{reason}; put the playhead inside {where}."
+    return f"{reason}; put the playhead inside {which}."
 
 
 # Which inputs and clips are selected, and which after an edit.
@@ -219,13 +219,13 @@ def why_uncut(chosen: Sequence[Clip], at_s: float, same_s: float) -> str:
 
 def select_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit:
     """Select inputs, the last of them the one that stands apart."""
-    there = dict.fromkeys(input_id for input_id in ids if input_id in design.ids)
-    on_them = {clip.id for track in design.inputs if track.id in there for clip in track.clips}
+    existing = dict.fromkeys(input_id for input_id in ids if input_id in design.ids)
+    on_them = {clip.id for track in design.inputs if track.id in existing for clip in track.clips}
     clips = tuple(clip_id for clip_id in view.selected_clips if clip_id in on_them)
     return Edit(
         label="Select inputs",
         design=design,
-        view=replace(view, selected_inputs=tuple(there), selected_clips=clips),
+        view=replace(view, selected_inputs=tuple(existing), selected_clips=clips),
     )
 
 
@@ -238,8 +238,10 @@ def select_all_inputs(design: Design, view: View) -> Edit:
 
 def toggle_selected(design: Design, view: View, id: int) -> Edit:
     """Add an input to the selected ones, or take it out."""
-    left = tuple(input_id for input_id in view.selected_inputs if input_id != id)
-    return select_inputs(design, view, left if id in view.selected_inputs else (*left, id))
+    remaining = tuple(input_id for input_id in view.selected_inputs if input_id != id)
+    return select_inputs(
+        design, view, remaining if id in view.selected_inputs else (*remaining, id)
+    )
 
 
 def select_through(design: Design, view: View, start: int | None, end: int) -> Edit:
@@ -272,15 +274,15 @@ def kept_selection(view: View, before: Design, after: Design) -> View:
     """
     clip_ids = {clip.id for clip in after.clips} if view.selected_clips else set()
     if not clip_ids.issuperset(view.selected_clips):
-        left = tuple(clip_id for clip_id in view.selected_clips if clip_id in clip_ids)
-        view = replace(view, selected_clips=left)
-    there = set(after.ids)
-    if there.issuperset(view.selected_inputs):
+        remaining = tuple(clip_id for clip_id in view.selected_clips if clip_id in clip_ids)
+        view = replace(view, selected_clips=remaining)
+    existing = set(after.ids)
+    if existing.issuperset(view.selected_inputs):
         return view
-    left = tuple(input_id for input_id in view.selected_inputs if input_id in there)
-    if not left and view.selected_input in before.ids:
+    remaining = tuple(input_id for input_id in view.selected_inputs if input_id in existing)
+    if not remaining and view.selected_input in before.ids:
         place = before.index_of(view.selected_input)
-        following = [input_id for input_id in before.ids[place:] if input_id in there]
-        preceding = [input_id for input_id in before.ids[:place] if input_id in there]
-        left = tuple([*preceding[-1:], *following[:1]][-1:])
-    return replace(view, selected_inputs=left)
+        following = [input_id for input_id in before.ids[place:] if input_id in existing]
+        preceding = [input_id for input_id in before.ids[:place] if input_id in existing]
+        remaining = tuple([*preceding[-1:], *following[:1]][-1:])
+    return replace(view, selected_inputs=remaining)

@@ -38,8 +38,8 @@ def change_scaling(design: Design, view: View, scaling: Any) -> Edit | Refusal:
         after = replace(design, scaling=scaling)
     except InvalidInputError as error:
         return refused(error)
-    words = word_of(SCALINGS, scaling).title
-    return Edit(label=f"Change scaling to {words[:1].lower()}{words[1:]}", design=after, view=view)
+    title = word_of(SCALINGS, scaling).title
+    return Edit(label=f"Change scaling to {title[:1].lower()}{title[1:]}", design=after, view=view)
 
 
 def look_along(design: Design, view: View, axes: Any) -> Edit | Refusal:
@@ -127,13 +127,13 @@ def mend(design: Design, view: View, finding: Finding) -> Edit | Refusal:
     if finding.mend == "band_limit":
         return _band_limited(design, view)
     if finding.mend == "deselect":
-        kept = tuple(output for output in view.outputs if output not in finding.outputs)
-        if kept == view.outputs:
+        outputs = tuple(output for output in view.outputs if output not in finding.outputs)
+        if outputs == view.outputs:
             return Refusal(sentence="None of the selected outputs is mostly noise.")
         return Edit(
             label="Deselect outputs that are mostly noise",
             design=design,
-            view=replace(view, outputs=kept),
+            view=replace(view, outputs=outputs),
         )
     return _NOTHING
 
@@ -146,18 +146,20 @@ def _quieter(design: Design, view: View, factor: float) -> Edit | Refusal:
 
 def _band_limited(design: Design, view: View) -> Edit | Refusal:
     """A band limit at the end of the chain of each clip that is heard."""
-    heard = {track.id for track in audible_inputs(design.inputs)}
+    audible_ids = {track.id for track in audible_inputs(design.inputs)}
     band_hz = facts_of(design.limb).band_hz
     if band_hz is None:
         return _NOTHING
     try:
-        limit = BandLimit(low_hz=band_hz[0], high_hz=band_hz[1])
+        band_limit = BandLimit(low_hz=band_hz[0], high_hz=band_hz[1])
         inputs = tuple(
             replace(
                 track,
-                clips=tuple(replace(clip, effects=(*clip.effects, limit)) for clip in track.clips),
+                clips=tuple(
+                    replace(clip, effects=(*clip.effects, band_limit)) for clip in track.clips
+                ),
             )
-            if track.id in heard
+            if track.id in audible_ids
             else track
             for track in design.inputs
         )

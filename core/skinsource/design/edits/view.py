@@ -102,8 +102,8 @@ def store_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
     try:
         # What is in the window stays as loud as it is.
         new = Snapshot(number=number, design=design, gain=view.match_gain(design))
-        kept = (*_without(view, number), new)
-        after = replace(view, snapshots=kept)
+        snapshots = (*_without(view, number), new)
+        after = replace(view, snapshots=snapshots)
     except InvalidInputError as error:
         return refused(error)
     return Edit(label=f"Store snapshot {number}", design=design, view=after)
@@ -111,8 +111,8 @@ def store_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
 
 def take_snapshot(design: Design, view: View, other: Design) -> Edit | Refusal:
     """Keep another design, such as one of a file, under the lowest number that is free."""
-    taken = {snapshot.number for snapshot in view.snapshots}
-    free = next((number for number in NUMBERS if number not in taken), None)
+    used = {snapshot.number for snapshot in view.snapshots}
+    free = next((number for number in NUMBERS if number not in used), None)
     if free is None:
         return Refusal(
             sentence=f"All {len(NUMBERS)} snapshots are taken. Forget one first: Delete on its "
@@ -130,25 +130,29 @@ def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) ->
 
     A design that is no snapshot is kept under the number 0, so that the way back leads to it.
     """
-    wanted = next((snapshot for snapshot in view.snapshots if snapshot.number == number), None)
-    if wanted is None:
+    chosen = next((snapshot for snapshot in view.snapshots if snapshot.number == number), None)
+    if chosen is None:
         return _NONE
-    kept = view.snapshots
-    if shown(kept, design) is None:
+    snapshots = view.snapshots
+    if shown(snapshots, design) is None:
         if number == EDITED:
             return Refusal(
                 sentence="What was edited before would replace the present design unseen; store "
                 "that first."
             )
-        kept = (*_without(view, EDITED), Snapshot(number=EDITED, design=design))
+        snapshots = (*_without(view, EDITED), Snapshot(number=EDITED, design=design))
     try:
-        now = replace(wanted, gain=gain)
+        shown_now = replace(chosen, gain=gain)
         after = replace(
-            view, snapshots=(*(snapshot for snapshot in kept if snapshot.number != number), now)
+            view,
+            snapshots=(
+                *(snapshot for snapshot in snapshots if snapshot.number != number),
+                shown_now,
+            ),
         )
     except InvalidInputError as error:
         return refused(error)
-    return Edit(label=f"Show {name_of(number)}", design=wanted.design, view=after)
+    return Edit(label=f"Show {name_of(number)}", design=chosen.design, view=after)
 
 
 def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
@@ -165,11 +169,11 @@ def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
 
 def forget_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
     """Forget what is kept under a number."""
-    left = _without(view, number)
-    if len(left) == len(view.snapshots):
+    remaining = _without(view, number)
+    if len(remaining) == len(view.snapshots):
         return _NONE
     return Edit(
-        label=f"Forget {name_of(number)}", design=design, view=replace(view, snapshots=left)
+        label=f"Forget {name_of(number)}", design=design, view=replace(view, snapshots=remaining)
     )
 
 

@@ -50,13 +50,13 @@ def curve_at(points: Points, x: Floats) -> Floats:
     x = np.asarray(x, np.float64)
     if len(points) == 1:
         return np.full(x.shape, pieces.y[0])
-    at = np.searchsorted(pieces.x, x, side="right") - 1
-    left = np.clip(at, 0, len(points) - 2)
+    index = np.searchsorted(pieces.x, x, side="right") - 1
+    left = np.clip(index, 0, len(points) - 2)
     y0, y1 = pieces.y[left], pieces.y[left + 1]
     length = pieces.x[left + 1] - pieces.x[left]
     jump = length < CLOSEST
     share = np.clip((x - pieces.x[left]) / np.where(jump, 1.0, length), 0.0, 1.0)
-    values = np.where(pieces.held[left] & (at < len(points) - 1), y0, y0 + share * (y1 - y0))
+    values = np.where(pieces.held[left] & (index < len(points) - 1), y0, y0 + share * (y1 - y0))
     smooth = pieces.smooth[left] & ~jump
     if smooth.any():
         d0, d1 = pieces.slope[left] * length, pieces.slope[left + 1] * length
@@ -64,7 +64,7 @@ def curve_at(points: Points, x: Floats) -> Floats:
         # Rounding alone could pass the ends.
         cubic = np.clip(cubic, np.minimum(y0, y1), np.maximum(y0, y1))
         values = np.where(smooth, cubic, values)
-    return np.where(at >= len(points) - 1, pieces.y[-1], values)
+    return np.where(index >= len(points) - 1, pieces.y[-1], values)
 
 
 def with_point(points: Points, x: float) -> Points:
@@ -84,12 +84,12 @@ def with_point(points: Points, x: float) -> Points:
     new_points = [*points[:place], new, *points[place:]]
     if place == len(points) and segment == "smooth":
         new_points[-2] = _like(points[-1], *points[-1][:2], "straight")
-    was, now = _pieces(points), _pieces(tuple(new_points))
-    rounding = 1e-12 * float(np.abs(was.slope).max())
-    for k in np.flatnonzero(was.bent).tolist():
-        at, slope = (k if k < place else k + 1), float(was.slope[k])
-        if abs(now.slope[at] - slope) > rounding:
-            new_points[at] = SlopedPoint(*new_points[at], slope=slope)
+    before, after = _pieces(points), _pieces(tuple(new_points))
+    rounding = 1e-12 * float(np.abs(before.slope).max())
+    for k in np.flatnonzero(before.bent).tolist():
+        index, slope = (k if k < place else k + 1), float(before.slope[k])
+        if abs(after.slope[index] - slope) > rounding:
+            new_points[index] = SlopedPoint(*new_points[index], slope=slope)
     return tuple(new_points)
 
 
@@ -126,17 +126,17 @@ def with_point_put(
 
 def without_chosen(points: Points, indices: Iterable[int]) -> tuple[Points, int]:
     """The points without some, and the one that is chosen then: the one before the first gone."""
-    gone = set(indices)
-    return without(points, gone), max(min(gone, default=1) - 1, 0)
+    removed = set(indices)
+    return without(points, removed), max(min(removed, default=1) - 1, 0)
 
 
 def without(points: Points, indices: Iterable[int]) -> Points:
     """The points without some; of all of them the first one stays."""
-    gone = set(indices)
-    stay = [k for k in range(len(points)) if k not in gone] or [0]
+    removed = set(indices)
+    stay = [k for k in range(len(points)) if k not in removed] or [0]
     # Those beside a gap.
-    beside = {k for k in range(1, len(stay)) if stay[k] - stay[k - 1] > 1}
-    return _settled(tuple(points[k] for k in stay), beside)
+    next_to_gap = {k for k in range(1, len(stay)) if stay[k] - stay[k - 1] > 1}
+    return _settled(tuple(points[k] for k in stay), next_to_gap)
 
 
 def with_segment(points: Points, index: int, segment: Segment) -> Points:

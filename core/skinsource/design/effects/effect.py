@@ -134,32 +134,32 @@ def _overlapped(fine: Floats, factor: float) -> Floats:
     # One piece begins before the start, so that the start itself is whole.
     overlapped = np.zeros(n + 2 * _PIECE)
     # Pieces lie on samples; by how much the last one is late is made up for by the next.
-    taken, late = -_STEP, 0.0
-    overlapped[:_PIECE] += window * padded[taken + margin :][:_PIECE]
+    source, lag = -_STEP, 0.0
+    overlapped[:_PIECE] += window * padded[source + margin :][:_PIECE]
     for number in range(1, n // _STEP + 2):
         # The middle of a piece lies where the factor says.
         place = min(int(np.rint(number * _STEP / factor)), fine.size) - _STEP
-        wanted = padded[min(taken + _STEP, fine.size) + margin :][:_PIECE]
+        continuation = padded[min(source + _STEP, fine.size) + margin :][:_PIECE]
         near = padded[place + margin - _SEARCH :][: _PIECE + 2 * _SEARCH]
-        ideal = place + _best(wanted, near) - late
-        taken = int(np.clip(np.rint(ideal), place - _SEARCH, place + _SEARCH))
-        late = float(np.clip(taken - ideal, -0.5, 0.5))
+        ideal = place + _best(continuation, near) - lag
+        source = int(np.clip(np.rint(ideal), place - _SEARCH, place + _SEARCH))
+        lag = float(np.clip(source - ideal, -0.5, 0.5))
         start = number * _STEP
-        overlapped[start : start + _PIECE] += window * padded[taken + margin :][:_PIECE]
+        overlapped[start : start + _PIECE] += window * padded[source + margin :][:_PIECE]
     return overlapped[_STEP : _STEP + n]
 
 
-def _best(wanted: Floats, near: Floats) -> float:
+def _best(continuation: Floats, near: Floats) -> float:
     """How far from the middle of ``near`` the piece lies that is most like ``wanted``."""
-    if not wanted.any():
+    if not continuation.any():
         return 0.0
-    alike = scipy.signal.correlate(near, wanted, mode="valid", method="fft")
+    similarity = scipy.signal.correlate(near, continuation, mode="valid", method="fft")
     energy = np.concatenate(([0.0], np.cumsum(near * near)))
     energy = energy[_PIECE:] - energy[:-_PIECE]
-    far = np.abs(np.arange(alike.size) - _SEARCH) / _SEARCH
+    far = np.abs(np.arange(similarity.size) - _SEARCH) / _SEARCH
     enough = energy > 1e-12 * energy.max(initial=0.0)
-    score = np.where(enough, alike / np.sqrt(np.where(enough, energy, 1.0)), -np.inf)
-    score = score / np.sqrt(wanted @ wanted) - _FAR * far
+    score = np.where(enough, similarity / np.sqrt(np.where(enough, energy, 1.0)), -np.inf)
+    score = score / np.sqrt(continuation @ continuation) - _FAR * far
     best = int(np.argmax(score))
     return best - _SEARCH + _top(score[max(best - 1, 0) : best + 2])
 

@@ -120,8 +120,8 @@ class Fade(KeepsTime):
 
     def values_at(self, times_s: Floats, duration_s: float) -> Floats:
         """Levels at own times of what plays for ``duration_s``, of the shape of the times."""
-        both = self.in_s + self.out_s
-        fits = min(1.0, duration_s / both) if both else 1.0
+        total_s = self.in_s + self.out_s
+        fits = min(1.0, duration_s / total_s) if total_s else 1.0
         levels = np.ones(np.shape(times_s))
         for length, since in (
             (self.in_s * fits, times_s),
@@ -338,8 +338,8 @@ class BandLimit(KeepsTime):
         energy = np.abs(spectrum) ** 2
         # All but the first, and the last of an even number, stand for two.
         energy[1 : -1 if size % 2 == 0 else None] *= 2.0
-        kept = energy @ self.gains_at(frequencies_hz) ** 2 / energy.sum()
-        return float(np.clip(1.0 - kept, 0.0, 1.0))
+        share_inside = energy @ self.gains_at(frequencies_hz) ** 2 / energy.sum()
+        return float(np.clip(1.0 - share_inside, 0.0, 1.0))
 
     def _spectrum(self, samples: Floats, sample_rate_hz: float) -> tuple[Complexes, int]:
         """Spectrum with room for what rings, and its number of samples."""

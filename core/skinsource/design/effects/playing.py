@@ -68,12 +68,12 @@ def placed(
     taking_part, durations_s = _stages(waveform, effects)
     position = onset_s * sample_rate_hz
     if not taking_part:
-        first, behind = on_grid(position)
-        return first, behind / sample_rate_hz
+        first, rest = on_grid(position)
+        return first, rest / sample_rate_hz
     *_, own_s = _shifts_s(taking_part, durations_s, sample_rate_hz, 0.0)
-    own = own_s * sample_rate_hz
-    first, behind = on_grid(position + own)
-    position = behind - own  # from the sample `first` on; more than one before it, less than one
+    start = own_s * sample_rate_hz
+    first, rest = on_grid(position + start)
+    position = rest - start  # from the sample `first` on; more than one before it, less than one
     if abs(position - round(position)) < NEAR:
         return first + round(position), 0.0
     return (

@@ -140,9 +140,9 @@ class Reverse(KeepsTime):
         last = round((duration_s + shift_s + before_s) * sample_rate_hz)
         n = floor((duration_s + shift_s) * sample_rate_hz + NEAR) + 1
         backwards = np.zeros(n)
-        taken = last - np.arange(n)
-        there = (taken >= 0) & (taken < samples.size)
-        backwards[there] = samples[taken[there]]
+        sources = last - np.arange(n)
+        exists = (sources >= 0) & (sources < samples.size)
+        backwards[exists] = samples[sources[exists]]
         backwards[: samples_until(shift_s * sample_rate_hz)] = 0.0
         return backwards
 
@@ -310,8 +310,8 @@ class Trim:
     def shift_before(self, shift_s: float, duration_s: float, sample_rate_hz: float) -> float:
         """Shift of the samples that it takes: their time 0 lies ``start_s`` before its own."""
         del duration_s
-        _, behind = parted((shift_s - self.start_s) * sample_rate_hz)
-        return behind / sample_rate_hz
+        _, shift = parted((shift_s - self.start_s) * sample_rate_hz)
+        return shift / sample_rate_hz
 
     def applied(
         self,

@@ -72,13 +72,13 @@ class Preset:
             raise InvalidInputError("Preset.name is empty; give it one that says what it is for")
 
 
-def tags_of(words: str) -> tuple[str, ...]:
+def tags_of(text_: str) -> tuple[str, ...]:
     """Tags as they are typed: between commas, each once, without blanks around them.
 
     >>> tags_of("tap, texture,, tap ")
     ('tap', 'texture')
     """
-    tags = (" ".join(part.split()) for part in words.split(","))
+    tags = (" ".join(part.split()) for part in text_.split(","))
     return tuple(dict.fromkeys(tag for tag in tags if tag))
 
 
@@ -100,7 +100,7 @@ def preset_text(preset: Preset) -> str:
     return text.to_text(models.encode(preset), FORMAT) + "\n"
 
 
-def preset_from(words: str) -> Preset:
+def preset_from(text_: str) -> Preset:
     """The preset that `preset_text` wrote.
 
     Raises
@@ -108,7 +108,7 @@ def preset_from(words: str) -> Preset:
     FileFormatError, InvalidInputError
         The text is something else, is damaged, or was written in another version.
     """
-    preset: Preset = models.decode(text.from_text(words, FORMAT), (Preset,), Address())
+    preset: Preset = models.decode(text.from_text(text_, FORMAT), (Preset,), Address())
     return preset
 
 
@@ -192,8 +192,8 @@ def read_preset_folder(folder: Path) -> PresetFolder:
     except (FileNotFoundError, NotADirectoryError):
         return PresetFolder()
     except OSError as error:
-        words = f"{named(folder)}: cannot be looked through ({reason_of(error)})."
-        return PresetFolder(faults=(Fault(path=folder, sentence=words),))
+        problem = f"{named(folder)}: cannot be looked through ({reason_of(error)})."
+        return PresetFolder(faults=(Fault(path=folder, sentence=problem),))
     entries, faults = [], []
     for path in paths[:MOST_FILES]:
         try:
@@ -201,8 +201,8 @@ def read_preset_folder(folder: Path) -> PresetFolder:
         except SkinSourceError as error:
             faults.append(Fault(path=path, sentence=why(error)))
     if len(paths) > MOST_FILES:
-        words = f"{named(folder)}: holds {len(paths)} presets, the first {MOST_FILES} are read."
-        faults.append(Fault(path=folder, sentence=words))
+        problem = f"{named(folder)}: holds {len(paths)} presets, the first {MOST_FILES} are read."
+        faults.append(Fault(path=folder, sentence=problem))
     entries.sort(key=lambda entry: (_by_number(entry.preset.name), entry.path))
     return PresetFolder(entries=tuple(entries), faults=tuple(faults))
 
@@ -220,16 +220,16 @@ def _by_number(name: str) -> tuple[tuple[int, str], ...]:
 # Finding presets by words.
 
 
-def matching(entries: Iterable[Entry], words: str, tag: str = "") -> tuple[Entry, ...]:
+def matching(entries: Iterable[Entry], query: str, tag: str = "") -> tuple[Entry, ...]:
     """Entries that hold every one of ``words``, and have the ``tag`` where one is given.
 
     A word is looked for in name, tags, description and source, in capitals or not.  First come
     those with all words in their names, then those with all in names and tags, then the others;
     otherwise they stay in their order.
     """
-    wanted = words.casefold().split()
+    terms = query.casefold().split()
     ranked = [
-        (_rank(entry, wanted), entry) for entry in entries if not tag or tag in entry.preset.tags
+        (_rank(entry, terms), entry) for entry in entries if not tag or tag in entry.preset.tags
     ]
     matches = sorted(((rank, entry) for rank, entry in ranked if rank < _NONE), key=_first)
     return tuple(entry for _, entry in matches)
@@ -242,13 +242,13 @@ def _first(pair: tuple[int, Entry]) -> int:
     return pair[0]
 
 
-def _rank(entry: Entry, wanted: list[str]) -> int:
+def _rank(entry: Entry, terms: list[str]) -> int:
     preset = entry.preset
     name = preset.name.casefold()
     tagged = "\n".join((name, *preset.tags)).casefold()
     everything = "\n".join((tagged, preset.description, preset.source)).casefold()
     for rank, searched in enumerate((name, tagged, everything)):
-        if all(word in searched for word in wanted):
+        if all(term in searched for term in terms):
             return rank
     return _NONE
 
@@ -351,36 +351,38 @@ def whole_design(design: Design) -> Fragment | None:
     A fragment has no mute, no solo and no gain curve of tracks: clips of silent tracks become
     muted, and a gain curve becomes an `Envelope` of each clip below it.
     """
-    heard = audible_indices(design.inputs)
+    audible = audible_indices(design.inputs)
     inputs = tuple(
-        replace(track, clips=tuple(_alone(track, clip, index in heard) for clip in track.clips))
+        replace(track, clips=tuple(_alone(track, clip, index in audible) for clip in track.clips))
         for index, track in enumerate(design.inputs)
     )
     return fragment_of(replace(design, inputs=inputs), (clip.id for clip in design.clips))
 
 
-def _alone(track: Input, clip: Clip, heard: bool) -> Clip:
+def _alone(track: Input, clip: Clip, audible: bool) -> Clip:
     """The clip with what its track does to it."""
     if track.gain_curve and len(clip.effects) == MAX_EFFECTS:
         # There is no room for another one but around it.
-        inside = replace(clip, onset_s=0.0, gain=1.0, muted=False, id=0)
-        clip = replace(clip, waveform=Layers((inside,)), effects=())
+        inner = replace(clip, onset_s=0.0, gain=1.0, muted=False, id=0)
+        clip = replace(clip, waveform=Layers((inner,)), effects=())
     effects = clip.effects
     if track.gain_curve:
         effects = (*effects, Envelope(_points(track.gain_curve, clip)))
-    if effects is clip.effects and (heard or clip.muted):
+    if effects is clip.effects and (audible or clip.muted):
         return clip
-    return replace(clip, effects=effects, muted=clip.muted or not heard)
+    return replace(clip, effects=effects, muted=clip.muted or not audible)
 
 
 def _points(curve: tuple[tuple[float, float], ...], clip: Clip) -> tuple[Breakpoint, ...]:
     """The gain curve over the own time of a clip: as far as the first point behind its end."""
-    own: list[Breakpoint] = [(time_s - clip.onset_s, gain, "straight") for time_s, gain in curve]
-    before = sum(point[0] <= 0.0 for point in own)
-    behind = next((k for k, point in enumerate(own) if point[0] >= clip.duration_s), len(own))
-    whole = Envelope(tuple((time_s, gain, "straight") for time_s, gain in curve))
-    start = float(whole.values_at(np.array([clip.onset_s]))[0])
-    return ((0.0, start, "straight"), *own[before : behind + 1])
+    shifted: list[Breakpoint] = [
+        (time_s - clip.onset_s, gain, "straight") for time_s, gain in curve
+    ]
+    before = sum(point[0] <= 0.0 for point in shifted)
+    last = next((k for k, point in enumerate(shifted) if point[0] >= clip.duration_s), len(shifted))
+    track_envelope = Envelope(tuple((time_s, gain, "straight") for time_s, gain in curve))
+    start = float(track_envelope.values_at(np.array([clip.onset_s]))[0])
+    return ((0.0, start, "straight"), *shifted[before : last + 1])
 
 
 # What the clips of a fragment sound like together.

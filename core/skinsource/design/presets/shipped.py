@@ -74,11 +74,11 @@ _ROUGH = (
 )
 
 
-def _roughness(modulator_hz: float, words: str) -> Preset:
+def _roughness(modulator_hz: float, sentence: str) -> Preset:
     return preset(
         f"Roughness {modulator_hz:g} Hz",
         "roughness, modulated, AM, texture",
-        f"200 Hz, swelling {modulator_hz:g} times a second down to silence. {words}",
+        f"200 Hz, swelling {modulator_hz:g} times a second down to silence. {sentence}",
         AmplitudeModulated(200.0, modulator_hz, duration_s=0.6, window="tukey"),
         source=_ROUGH,
     )
@@ -148,11 +148,11 @@ _BURST = Tone(200.0, duration_s=0.1)
 _FINGERTIPS = (2, 3, 4, 5)
 
 
-def _moving(name: str, tags: str, words: str, motion: Motion) -> Preset:
+def _moving(name: str, tags: str, sentence: str, motion: Motion) -> Preset:
     return preset_of_tracks(
         name,
         f"motion, several places, {tags}",
-        f"{words} {motion.law} Edit > Motion… makes others.",
+        f"{sentence} {motion.law} Edit > Motion… makes others.",
         motion.tracks(),
         source=motion.source,
     )
@@ -221,21 +221,21 @@ _TEXTURE = (
 )
 
 
-def _tone(hz: float, words: str, source: str, tags: str = "") -> Preset:
+def _tone(hz: float, sentence: str, source: str, tags: str = "") -> Preset:
     return preset(
         f"Tone {hz:g} Hz",
         f"tone, steady, {tags}",
-        f"Half a second of a sine of {hz:g} Hz with soft edges. {words}",
+        f"Half a second of a sine of {hz:g} Hz with soft edges. {sentence}",
         Tone(hz, duration_s=_LENGTH_S),
         source=source,
     )
 
 
-def _texture(name: str, seed: int, low_hz: float, high_hz: float, words: str) -> Preset:
+def _texture(name: str, seed: int, low_hz: float, high_hz: float, sentence: str) -> Preset:
     return preset(
         name,
         "noise, texture, steady",
-        f"Noise of {low_hz:g} to {high_hz:g} Hz for half a second. {words}",
+        f"Noise of {low_hz:g} to {high_hz:g} Hz for half a second. {sentence}",
         Noise(seed, _LENGTH_S, low_hz, high_hz),
         source=_TEXTURE,
     )
@@ -272,11 +272,11 @@ def _at(*times: tuple[float, Waveform, float]) -> tuple[Clip, ...]:
     )
 
 
-def _impact(name: str, words: str, hz: float, decay_s: float, duration_s: float) -> Preset:
+def _impact(name: str, sentence: str, hz: float, decay_s: float, duration_s: float) -> Preset:
     return preset(
         name,
         "impact, contact, damped",
-        f"{words} {hz:g} Hz that decay with {decay_s * 1e3:g} ms.",
+        f"{sentence} {hz:g} Hz that decay with {decay_s * 1e3:g} ms.",
         DampedSine(hz, decay_s, duration_s),
         source=_IMPACT,
     )
@@ -322,9 +322,9 @@ TOUCHES: tuple[Preset, ...] = (
         "Three beats at 60 a minute, each of a strong low thud and a weaker one 0.3 s later.",
         *_at(
             *(
-                (k + late, waveform, gain)
+                (k + delay_s, waveform, gain)
                 for k in range(3)
-                for late, waveform, gain in ((0.0, _LOW, 1.0), (0.3, _HIGH, 0.6))
+                for delay_s, waveform, gain in ((0.0, _LOW, 1.0), (0.3, _HIGH, 0.6))
             )
         ),
     ),

@@ -42,8 +42,8 @@ class Drawn:
 
     def __post_init__(self) -> None:
         if isinstance(self.samples, np.ndarray | list | tuple):
-            made = Samples(values=np.asarray(self.samples), sample_rate_hz=SAMPLE_RATE_HZ)
-            object.__setattr__(self, "samples", made)
+            samples = Samples(values=np.asarray(self.samples), sample_rate_hz=SAMPLE_RATE_HZ)
+            object.__setattr__(self, "samples", samples)
         fields.check(self)
 
     @property
@@ -90,8 +90,8 @@ class Recording:
 
     def __post_init__(self) -> None:
         if isinstance(self.samples, np.ndarray | list | tuple):
-            made = Samples(values=np.asarray(self.samples), sample_rate_hz=SAMPLE_RATE_HZ)
-            object.__setattr__(self, "samples", made)
+            samples = Samples(values=np.asarray(self.samples), sample_rate_hz=SAMPLE_RATE_HZ)
+            object.__setattr__(self, "samples", samples)
         fields.check(self)
 
     @property
@@ -218,11 +218,11 @@ class Layers:
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
         """Drive, (n_times,); its peak follows from the parts."""
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
-        heard = [self._placed(part, n, sample_rate_hz, shift_s) for part in self._in_order()]
-        if not heard:
+        parts = [self._placed(part, n, sample_rate_hz, shift_s) for part in self._in_order()]
+        if not parts:
             return np.zeros(n)
-        together = np.multiply if self.mode == "product" else np.add
-        total: Floats = reduce(together, heard)
+        combine = np.multiply if self.mode == "product" else np.add
+        total: Floats = reduce(combine, parts)
         return total
 
     def _in_order(self) -> list[Clip]:
@@ -233,8 +233,8 @@ class Layers:
         )
 
     def _placed(self, part: Clip, n: int, sample_rate_hz: float, shift_s: float) -> Floats:
-        first, own = part.sampled(sample_rate_hz, shift_s)
+        first, samples = part.sampled(sample_rate_hz, shift_s)
         aligned = np.zeros(n)
-        within = own[: max(n - first, 0)]
+        within = samples[: max(n - first, 0)]
         aligned[first : first + within.size] = part.gain * within
         return aligned

@@ -436,7 +436,7 @@ class PeriodicBurst(Protocol):
 
 
 def harmonic_burst(
-    recipe: PeriodicBurst,
+    model: PeriodicBurst,
     series: Callable[[Floats], Complexes],
     sample_rate_hz: float,
     shift_s: float,
@@ -460,14 +460,14 @@ def harmonic_burst(
     InvalidInputError
         The frequency is not below half the sample rate.
     """
-    check_below_half_rate("frequency_hz", recipe.frequency_hz, sample_rate_hz)
+    check_below_half_rate("frequency_hz", model.frequency_hz, sample_rate_hz)
     wave = sampled_series(
         series,
-        recipe.frequency_hz,
-        recipe.phase_rad,
-        count_of(recipe.duration_s, sample_rate_hz, shift_s),
+        model.frequency_hz,
+        model.phase_rad,
+        count_of(model.duration_s, sample_rate_hz, shift_s),
         sample_rate_hz,
         shift_s,
         mean=mean,
     )
-    return burst(wave, recipe.window, sample_rate_hz, shift_s)
+    return burst(wave, model.window, sample_rate_hz, shift_s)
