@@ -1,8 +1,8 @@
 """The signal path from the clips of a track to a drive that is sampled.
 
 `placed_chain` describes what the clips of a track play as a `Chain` of parts; `drive_played`
-samples it as a `Drive`.  A `Voice` is a chain at an input place, with its start and amplitude: this
-is all that the engine knows of a design's inputs.
+samples it as a `Drive`.  A `Voice` is a signal path at an input place, with its start and
+amplitude: this is all that the engine knows of a design's inputs.
 """
 
 import math
@@ -60,7 +60,7 @@ class Part:
 class Chain:
     """The way from waveforms to a drive: a sum of parts, times a gain curve.
 
-    Equal chains give the same samples at one sample rate.
+    Equal signal paths give the same samples at one sample rate.
 
     Attributes
     ----------

@@ -1,6 +1,10 @@
-"""What an edit leads to."""
+"""Edits and refusals, and what all edits share: changing fields, kinds and selections.
 
-from collections.abc import Iterable, Sequence
+The selected input or clip that was selected last is the leading one: where a panel shows one value
+of several, it is that of the leading one.
+"""
+
+from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
@@ -22,16 +26,14 @@ from skinsource.specs.spec import ChoiceSpec, Spec
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Edit:
-    """Another design and another view, both at once.
+    """The design and the view after an edit.
 
     Attributes
     ----------
     label
-        What was done, as the history names it: "Mute input at 7 (II pad)".
-    design, view
-        What there is afterwards.
+        Name of the edit in the history: "Mute input at 7 (II pad)".
     said
-        What is told once it is done, of what may not be seen.
+        Message about what the user may not see in the window; mostly empty.
     """
 
     label: str
@@ -42,7 +44,7 @@ class Edit:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Refusal:
-    """Nothing is done; ``sentence`` says why, and what to do instead."""
+    """An edit that is not done; ``sentence`` says why, and what to do instead."""
 
     sentence: str
 
@@ -51,27 +53,25 @@ NOTHING_CHOSEN = Refusal(sentence="No input is selected; click one, on the hand 
 
 
 def refused(error: InvalidInputError) -> Refusal:
-    """Nothing is done, for a value that is not allowed."""
+    """Return the refusal of a value that is not allowed."""
     return Refusal(sentence=sentence(str(error)))
 
 
 def present(design: Design, ids: Iterable[int]) -> tuple[Input, ...]:
-    """Those inputs that ``design`` has, in its order."""
+    """Return those inputs that ``design`` has, in its order."""
     wanted_ids = set(ids)
     return tuple(track for track in design.inputs if track.id in wanted_ids)
 
 
 def tracks_text(chosen: tuple[Input, ...], limb: str) -> str:
-    """What the history calls them: "input at 7 (II pad)", or "3 inputs"."""
-    return (
-        f"input at {location_text(chosen[0].location, limb)}"
-        if len(chosen) == 1
-        else (f"{len(chosen)} inputs")
-    )
+    """Return the name of inputs in the history: "input at 7 (II pad)", or "3 inputs"."""
+    if len(chosen) != 1:
+        return f"{len(chosen)} inputs"
+    return f"input at {location_text(chosen[0].location, limb)}"
 
 
 def location_text(location: int, limb: str = "") -> str:
-    """Number and short name of an input place of a limb, "7 (II pad)"."""
+    """Return number and short name of an input place of a limb: "7 (II pad)"."""
     short = input_name(location, limb).short_name
     return str(location) if short == f"place {location}" else f"{location} ({short})"
 
@@ -83,7 +83,7 @@ def changed(
     changes: dict[int, dict[str, Any]],
     clip_changes: dict[int, dict[str, Any]] | None = None,
 ) -> Edit | Refusal:
-    """Change fields of inputs, and of clips of them, by id; refused where one is not allowed."""
+    """Change fields of inputs and of their clips, by id."""
     chosen = present(design, changes)
     if not chosen:
         return NOTHING_CHOSEN
@@ -121,14 +121,11 @@ def _with_clips(track: Input, changes: dict[int, dict[str, Any]]) -> Input:
 
 
 def _replaced(track: Input, changes: dict[str, Any]) -> Input:
-    # What does not change keeps its identity.
+    # An unchanged input stays the same object.
     if not changes:
         return track
     after = replace(track, **changes)
     return track if after == track else after
-
-
-# From one kind of waveform to another.
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -137,7 +134,7 @@ class KindSpec(ChoiceSpec):
 
 
 def kind_spec() -> KindSpec:
-    """What an input may play."""
+    """Return the choice of what an input plays."""
     return KindSpec(
         label="Waveform",
         options=tuple((kind.__name__, kind.title) for kind in kinds()),
@@ -146,15 +143,15 @@ def kind_spec() -> KindSpec:
 
 
 def kind_name(waveform: Waveform) -> str:
-    """Option of `kind_spec` that a waveform is."""
+    """Return the option of `kind_spec` for a waveform."""
     return type(waveform).__name__
 
 
 def as_kind(waveform: Waveform, kind: type[Waveform], rate_hz: float) -> Waveform:
-    """A waveform of another kind that shares what it can with ``waveform``.
+    """Return a waveform of another kind that keeps the fields that both kinds have.
 
-    A number that the other kind does not allow becomes the nearest one that it does.  A kind that
-    holds samples gets those that ``waveform`` plays at ``rate_hz``, the rate of the limb.
+    A number that the other kind does not allow becomes the nearest allowed one.  A kind that holds
+    samples gets those that ``waveform`` plays at ``rate_hz``, the rate of the limb.
     """
     if kind is type(waveform):
         return waveform
@@ -166,14 +163,14 @@ def as_kind(waveform: Waveform, kind: type[Waveform], rate_hz: float) -> Wavefor
             change = _played(waveform, field, spec, rate_hz)
         elif type(present.get(field)) is type(spec):
             change = _shared(waveform, field, spec)
-        # What does not go together with the rest stays as it is in a new one.
+        # A field that does not fit the other fields keeps its default.
         with suppress(InvalidInputError):
             result = replace(result, **change)
     return result
 
 
 def _shared(waveform: Waveform, field: str, spec: Spec) -> dict[str, Any]:
-    """The value of a field of both kinds, as the new one allows it."""
+    """Return the value of a field that both kinds have, as the new kind allows it."""
     value = getattr(waveform, field)
     if isinstance(spec, NumberSpec):
         return {field: nearest(value, spec)}
@@ -183,7 +180,7 @@ def _shared(waveform: Waveform, field: str, spec: Spec) -> dict[str, Any]:
 def _played(
     waveform: Waveform, field: str, spec: SamplesSpec, rate_hz: float
 ) -> dict[str, Samples]:
-    """What a waveform plays, as the samples of ``field``; nothing where it cannot be."""
+    """Return what a waveform plays as the samples of ``field``; empty where it cannot."""
     samples = getattr(waveform, field, None)
     try:
         if isinstance(samples, Samples):
@@ -196,29 +193,13 @@ def _played(
 
 
 def nearest(value: float, spec: NumberSpec) -> float:
-    """The allowed number nearest to ``value``."""
+    """Return the allowed number nearest to ``value``."""
     within = min(max(value, spec.minimum), spec.maximum)
     return round(within) if spec.whole else float(within)
 
 
-# Why clips cannot be cut in two at a time.
-
-
-def why_uncut(chosen: Sequence[Clip], at_s: float, same_s: float) -> str:
-    """Why a time cuts none of some clips; times closer than ``same_s`` are the same."""
-    whose, which = ("The", "it") if len(chosen) == 1 else ("A", "one of them")
-    reason = f"None of the selected clips plays at {at_s:.6g} s"
-    for verb, attribute in (("begins", "onset_s"), ("ends", "end_s")):
-        if any(abs(getattr(clip, attribute) - at_s) <= same_s for clip in chosen):
-            reason = f"{whose} selected clip {verb} at {at_s:.6g} s: there is nothing to split"
-    return f"{reason}; put the playhead inside {which}."
-
-
-# Which inputs and clips are selected, and which after an edit.
-
-
 def select_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit:
-    """Select inputs, the last of them the one that stands apart."""
+    """Select inputs; the last one is the leading one."""
     existing = dict.fromkeys(input_id for input_id in ids if input_id in design.ids)
     on_them = {clip.id for track in design.inputs if track.id in existing for clip in track.clips}
     clips = tuple(clip_id for clip_id in view.selected_clips if clip_id in on_them)
@@ -230,14 +211,14 @@ def select_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit:
 
 
 def select_all_inputs(design: Design, view: View) -> Edit:
-    """Select every input; the one that stood apart still does."""
+    """Select every input; the leading one stays."""
     last = () if view.selected_input is None else (view.selected_input,)
     others = (input_id for input_id in design.ids if input_id not in last)
     return select_inputs(design, view, (*others, *last))
 
 
 def toggle_selected(design: Design, view: View, id: int) -> Edit:
-    """Add an input to the selected ones, or take it out."""
+    """Add an input to the selected ones, or remove it from them."""
     remaining = tuple(input_id for input_id in view.selected_inputs if input_id != id)
     return select_inputs(
         design, view, remaining if id in view.selected_inputs else (*remaining, id)
@@ -245,7 +226,7 @@ def toggle_selected(design: Design, view: View, id: int) -> Edit:
 
 
 def select_through(design: Design, view: View, start: int | None, end: int) -> Edit:
-    """Select all inputs from ``start`` to ``end`` as they are listed; ``end`` stands apart."""
+    """Select all inputs from ``start`` to ``end`` in the list; ``end`` is the leading one."""
     if end not in design.ids:
         return select_inputs(design, view, view.selected_inputs)
     if start not in design.ids:
@@ -256,21 +237,21 @@ def select_through(design: Design, view: View, start: int | None, end: int) -> E
 
 
 def clips_of(track: Input, view: View) -> tuple[Clip, ...]:
-    """Clips of an input that edits of it are about: the selected ones, or else its first."""
+    """Return the clips of an input that edits change: the selected ones, or else its first."""
     return tuple(clip for clip in track.clips if clip.id in view.selected_clips) or track.clips[:1]
 
 
 def clip_of(track: Input, view: View) -> Clip | None:
-    """The one of them that stands apart: selected last; None where there is no clip."""
-    order = {id: place for place, id in enumerate(view.selected_clips)}
+    """Return the leading one of `clips_of`, which was selected last; None without clips."""
+    order = {id: rank for rank, id in enumerate(view.selected_clips)}
     return max(clips_of(track, view), key=lambda clip: order.get(clip.id, 0), default=None)
 
 
 def kept_selection(view: View, before: Design, after: Design) -> View:
     """Return ``view`` with those selected inputs and clips that ``after`` still has.
 
-    Where no input is left, the neighbour of the one that stood apart is selected: the next that is
-    still there, or else the one before.
+    If no selected input is left, the one next to the leading one is selected: the next in the
+    list, or else the one before.
     """
     clip_ids = {clip.id for clip in after.clips} if view.selected_clips else set()
     if not clip_ids.issuperset(view.selected_clips):
@@ -281,8 +262,8 @@ def kept_selection(view: View, before: Design, after: Design) -> View:
         return view
     remaining = tuple(input_id for input_id in view.selected_inputs if input_id in existing)
     if not remaining and view.selected_input in before.ids:
-        place = before.index_of(view.selected_input)
-        following = [input_id for input_id in before.ids[place:] if input_id in existing]
-        preceding = [input_id for input_id in before.ids[:place] if input_id in existing]
+        index = before.index_of(view.selected_input)
+        following = [input_id for input_id in before.ids[index:] if input_id in existing]
+        preceding = [input_id for input_id in before.ids[:index] if input_id in existing]
         remaining = tuple([*preceding[-1:], *following[:1]][-1:])
     return replace(view, selected_inputs=remaining)

@@ -1,4 +1,4 @@
-"""Which outputs are looked at closely."""
+"""Change selected outputs, markers, the loop, the gain curve of a track and snapshots."""
 
 from collections.abc import Iterable
 from dataclasses import replace
@@ -14,7 +14,7 @@ from skinsource.design.view import View
 
 
 def select_outputs(design: Design, view: View, outputs: Iterable[int]) -> Edit | Refusal:
-    """Select outputs, in this order; none are allowed."""
+    """Select outputs in this order; an empty selection is allowed."""
     chosen = tuple(outputs)
     try:
         after = replace(view, outputs=chosen)
@@ -25,13 +25,11 @@ def select_outputs(design: Design, view: View, outputs: Iterable[int]) -> Edit |
     return Edit(label=f"Select {len(chosen) or 'no'} outputs", design=design, view=after)
 
 
-# What stands on the ruler: markers, the loop; and the gain curve of a track, which lies below.
-
-_GONE = Refusal(sentence="That marker is no longer there.")
+_NO_MARKER = Refusal(sentence="That marker is no longer there.")
 
 
 def add_marker(design: Design, view: View, time_s: float, name: str = "") -> Edit | Refusal:
-    """Set a marker at a time."""
+    """Add a marker at a time."""
     if len(design.markers) >= MAX_MARKERS:
         return Refusal(sentence=f"A design holds at most {MAX_MARKERS} markers; remove one first.")
     try:
@@ -43,25 +41,25 @@ def add_marker(design: Design, view: View, time_s: float, name: str = "") -> Edi
 
 
 def move_marker(design: Design, view: View, index: int, time_s: float) -> Edit | Refusal:
-    """Put a marker, the ``index``-th of the design, at another time."""
-    return _changed(design, view, "Move marker", index, time_s=time_s)
+    """Move the ``index``-th marker of the design to another time."""
+    return _with_marker(design, view, "Move marker", index, time_s=time_s)
 
 
 def rename_marker(design: Design, view: View, index: int, name: str) -> Edit | Refusal:
-    """Give a marker another name."""
-    return _changed(design, view, "Rename marker", index, name=name)
+    """Rename a marker."""
+    return _with_marker(design, view, "Rename marker", index, name=name)
 
 
 def remove_marker(design: Design, view: View, index: int) -> Edit | Refusal:
-    """Take a marker away."""
+    """Remove a marker."""
     if index not in range(len(design.markers)):
-        return _GONE
+        return _NO_MARKER
     markers = (*design.markers[:index], *design.markers[index + 1 :])
     return Edit(label="Remove marker", design=replace(design, markers=markers), view=view)
 
 
 def set_loop(design: Design, view: View, loop_s: tuple[float, float] | None) -> Edit | Refusal:
-    """Choose what is played again and again, begin and end; None: nothing is."""
+    """Set begin and end of the loop that is played again and again; None: no loop."""
     try:
         after = replace(design, loop_s=loop_s)
     except InvalidInputError as error:
@@ -72,35 +70,37 @@ def set_loop(design: Design, view: View, loop_s: tuple[float, float] | None) -> 
 def set_gain_curve(
     design: Design, view: View, id: int, points: tuple[tuple[float, float], ...]
 ) -> Edit | Refusal:
-    """Give a track a gain curve, breakpoints of s and factor; none: it changes nothing."""
+    """Set the gain curve of a track, breakpoints of s and factor; empty: no curve."""
     return changed(design, view, "Change gain curve of", {id: {"gain_curve": points}})
 
 
-def _changed(design: Design, view: View, label: str, index: int, **changes: Any) -> Edit | Refusal:
+def _with_marker(
+    design: Design, view: View, label: str, index: int, **changes: Any
+) -> Edit | Refusal:
     if index not in range(len(design.markers)):
-        return _GONE
+        return _NO_MARKER
     try:
-        moved = replace(design.markers[index], **changes)
+        marker = replace(design.markers[index], **changes)
     except InvalidInputError as error:
         return refused(error)
-    markers = (*design.markers[:index], moved, *design.markers[index + 1 :])
+    markers = (*design.markers[:index], marker, *design.markers[index + 1 :])
     return Edit(label=label, design=replace(design, markers=markers), view=view)
 
 
-# Snapshots of the design, and going from one to another.
-
-_NONE = Refusal(sentence="Nothing is stored to compare with; store a snapshot with Ctrl+1 to 4.")
+_NO_SNAPSHOT = Refusal(
+    sentence="Nothing is stored to compare with; store a snapshot with Ctrl+1 to 4."
+)
 
 
 def store_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
-    """Keep the design as it is now under a number; what was kept under it goes."""
+    """Store the design under a number, in place of the snapshot that has it."""
     if number not in NUMBERS:
         return Refusal(
             sentence=f"No snapshot has the number {quoted(number)}; choose {NUMBERS[0]} to "
             f"{NUMBERS[-1]}."
         )
     try:
-        # What is in the window stays as loud as it is.
+        # The gain keeps the design in the window as loud as it is.
         new = Snapshot(number=number, design=design, gain=view.match_gain(design))
         snapshots = (*_without(view, number), new)
         after = replace(view, snapshots=snapshots)
@@ -110,7 +110,7 @@ def store_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
 
 
 def take_snapshot(design: Design, view: View, other: Design) -> Edit | Refusal:
-    """Keep another design, such as one of a file, under the lowest number that is free."""
+    """Store another design, such as one of a file, under the lowest free number."""
     used = {snapshot.number for snapshot in view.snapshots}
     free = next((number for number in NUMBERS if number not in used), None)
     if free is None:
@@ -126,13 +126,13 @@ def take_snapshot(design: Design, view: View, other: Design) -> Edit | Refusal:
 
 
 def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) -> Edit | Refusal:
-    """Put a snapshot in place of the design, as it was stored; the view shows it with ``gain``.
+    """Replace the design by a snapshot as it was stored; the view shows it with ``gain``.
 
-    A design that is no snapshot is kept under the number 0, so that the way back leads to it.
+    A design that is no snapshot is stored under the number 0, so that the user can go back to it.
     """
     chosen = next((snapshot for snapshot in view.snapshots if snapshot.number == number), None)
     if chosen is None:
-        return _NONE
+        return _NO_SNAPSHOT
     snapshots = view.snapshots
     if shown(snapshots, design) is None:
         if number == EDITED:
@@ -156,7 +156,7 @@ def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) ->
 
 
 def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
-    """Give the design the amplitudes that it is shown with to match another one."""
+    """Multiply the amplitudes by the gain with which the design is shown to match another one."""
     gain = view.match_gain(design)
     if gain == 1.0:
         return Refusal(sentence="The design is shown with the amplitudes that it has.")
@@ -168,17 +168,17 @@ def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
 
 
 def forget_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
-    """Forget what is kept under a number."""
+    """Remove the snapshot with a number."""
     remaining = _without(view, number)
     if len(remaining) == len(view.snapshots):
-        return _NONE
+        return _NO_SNAPSHOT
     return Edit(
         label=f"Forget {name_of(number)}", design=design, view=replace(view, snapshots=remaining)
     )
 
 
 def match_levels(design: Design, view: View, on: bool) -> Edit | Refusal:
-    """Show snapshots as loud as each other, or as loud as they were stored."""
+    """Show snapshots at matched levels, or as loud as they were stored."""
     try:
         after = replace(view, levels_matched=on)
     except InvalidInputError as error:
