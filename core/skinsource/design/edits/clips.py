@@ -14,7 +14,7 @@ from skinsource.base.work import counted
 from skinsource.design.clips import GAIN as CLIP_GAIN
 from skinsource.design.clips import LABEL, MUTED, ONSET, Clip, Fragment, Lane, numbered
 from skinsource.design.design import MAX_CLIPS, MAX_INPUTS, Design, Input
-from skinsource.design.edits.edit import Edit, Refusal, location_text, refused, with_clips
+from skinsource.design.edits.edit import Edit, Refusal, change_clips, location_text, refusal_of
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.specs import codec, models
@@ -58,7 +58,7 @@ def move_playhead(design: Design, view: View, time_s: float) -> Edit | Refusal:
     try:
         after = replace(view, playhead_s=time_s)
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     return Edit(label="Move playhead", design=design, view=after)
 
 
@@ -86,7 +86,7 @@ def add_clip(
     try:
         new = Clip(waveform=waveform, onset_s=onset_s)
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     return _with_new_clips(design, view, "Add clip", [(input_id, new)])
 
 
@@ -160,9 +160,9 @@ def set_clips(
     if name not in _FIELDS:
         return Refusal(sentence=f"Of clips, one can set {', '.join(_FIELDS)}.")
     try:
-        after = with_clips(design, {clip.id: {name: value} for clip in chosen})
+        after = change_clips(design, {clip.id: {name: value} for clip in chosen})
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     verb = f"Change {_FIELDS[name].label.lower()} of"
     if name == "muted":
         verb = "Mute" if value else "Unmute"
@@ -318,7 +318,7 @@ def move_clips_to_place(
         try:
             design = design.adding(Input(location=location, amplitude=amplitude))
         except InvalidInputError as error:
-            return refused(error)
+            return refusal_of(error)
         target = design.ids[-1]
     verb = "Copy" if copies else "Move"
     label = f"{verb} {clips_text(design, chosen)} to {location_text(location, design.limb)}"
@@ -447,7 +447,7 @@ def place_fragment(
             first, *others = fragment.lanes
             fragment = replace(fragment, lanes=(replace(first, location=location), *others))
         except InvalidInputError as error:
-            return refused(error)
+            return refusal_of(error)
         return _with_fragment(design, view, fragment, at_s, label, len(design.inputs))
     if input_id is None:
         return _with_fragment(design, view, fragment, at_s, label, _selected_row(design, view))
@@ -481,7 +481,7 @@ def _with_fragment(
                 (track_id, replace(clip, onset_s=short(at_s + clip.onset_s))) for clip in lane.clips
             ]
     except (InvalidInputError, TypeError) as error:
-        return refused(InvalidInputError(str(error)))
+        return refusal_of(InvalidInputError(str(error)))
     return _with_new_clips(after, view, label, new)
 
 

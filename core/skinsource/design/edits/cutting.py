@@ -23,13 +23,7 @@ from skinsource.design.edits.clips import (
     replace_clips,
     short,
 )
-from skinsource.design.edits.edit import (
-    Edit,
-    Refusal,
-    kept_selection,
-    refused,
-    with_clips,
-)
+from skinsource.design.edits.edit import Edit, Refusal, change_clips, kept_selection, refusal_of
 from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.level import Fade
 from skinsource.design.effects.playing import played_s
@@ -154,7 +148,7 @@ def stretch_clip(
     try:
         changed = replace(old, factor=_allowed_factor(factor), to_s=0.0)
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     stretch = () if abs(factor - 1.0) < SAME_S else (changed,)
     effects = (*inner, *stretch, *fades)
     from_end_s = max(end_s - played_s(clip.waveform, effects), 0.0)
@@ -180,7 +174,7 @@ def fade_clip(design: Design, view: View, id: int, in_s: float, out_s: float) ->
         elif in_s or out_s:
             effects.append(Fade(in_s=in_s, out_s=out_s))
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     return _with_clip(design, view, "Fade", clip, {"effects": tuple(effects)})
 
 
@@ -211,7 +205,7 @@ def parts_by_id(clips: Sequence[Clip], at_s: float) -> dict[int, tuple[Clip, Cli
                 f"{ONSET.maximum:g} s; cut it before that."
             )
         is_full = any(len(clip.effects) == MAX_EFFECTS for clip in clips)
-        return _TOO_MANY_EFFECTS if is_full else refused(error)
+        return _TOO_MANY_EFFECTS if is_full else refusal_of(error)
     return {id: parts for id, parts in parts_of_clip.items() if parts is not None}
 
 
@@ -253,7 +247,7 @@ def with_parts(design: Design, cut: dict[int, tuple[Clip, Clip]]) -> Design | Re
     try:
         return replace(design, inputs=tuple(inputs))
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
 
 
 def _join(left: Clip, right: Clip) -> Clip | None:
@@ -298,9 +292,9 @@ def _with_clip(
     design: Design, view: View, verb: str, clip: Clip, changes: dict[str, Any]
 ) -> Edit | Refusal:
     try:
-        after = with_clips(design, {clip.id: changes})
+        after = change_clips(design, {clip.id: changes})
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     return Edit(label=f"{verb} {clips_text(design, (clip,))}", design=after, view=view)
 
 
@@ -349,7 +343,7 @@ def _shifted(
             loop_s=_shifted_loop(design.loop_s, start_s, end_s, by_s),
         )
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     return Edit(label=label, design=after, view=kept_selection(view, design, after))
 
 

@@ -52,12 +52,12 @@ class Refusal:
 NOTHING_CHOSEN = Refusal(sentence="No input is selected; click one, on the hand or in the list.")
 
 
-def refused(error: InvalidInputError) -> Refusal:
+def refusal_of(error: InvalidInputError) -> Refusal:
     """Return the refusal of a value that is not allowed."""
     return Refusal(sentence=sentence(str(error)))
 
 
-def present(design: Design, ids: Iterable[int]) -> tuple[Input, ...]:
+def present_inputs(design: Design, ids: Iterable[int]) -> tuple[Input, ...]:
     """Return those inputs that ``design`` has, in its order."""
     wanted_ids = set(ids)
     return tuple(track for track in design.inputs if track.id in wanted_ids)
@@ -76,7 +76,7 @@ def location_text(location: int, limb: str = "") -> str:
     return str(location) if short == f"place {location}" else f"{location} ({short})"
 
 
-def changed(
+def change_inputs(
     design: Design,
     view: View,
     verb: str,
@@ -84,7 +84,7 @@ def changed(
     clip_changes: dict[int, dict[str, Any]] | None = None,
 ) -> Edit | Refusal:
     """Change fields of inputs and of their clips, by id."""
-    chosen = present(design, changes)
+    chosen = present_inputs(design, changes)
     if not chosen:
         return NOTHING_CHOSEN
     try:
@@ -94,11 +94,11 @@ def changed(
         )
         after = replace(design, inputs=inputs)
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     return Edit(label=f"{verb} {tracks_text(chosen, design.limb)}", design=after, view=view)
 
 
-def with_clips(design: Design, changes: dict[int, dict[str, Any]]) -> Design:
+def change_clips(design: Design, changes: dict[int, dict[str, Any]]) -> Design:
     """Return ``design`` with changed fields of clips, by id.
 
     Raises

@@ -24,14 +24,14 @@ from skinsource.design.edits.edit import (
     KindSpec,
     Refusal,
     as_kind,
-    changed,
+    change_clips,
+    change_inputs,
     clip_of,
     clips_of,
     location_text,
     nearest,
-    present,
-    refused,
-    with_clips,
+    present_inputs,
+    refusal_of,
 )
 from skinsource.design.effects import effect_kinds
 from skinsource.design.effects.effect import Effect
@@ -133,7 +133,7 @@ def set_envelope(
     try:
         envelope = Envelope(points)
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     places = [k for k, effect in enumerate(clip.effects) if isinstance(effect, Envelope)]
     if places:
         effects = with_part(clip.effects, places[-1], envelope)
@@ -172,7 +172,7 @@ def _with_effect_field(
     try:
         effects = with_part(clip.effects, index, replace(effect, **{name: value}))
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     return _with_effects(design, view, verb, (clip,), {clip.id: effects})
 
 
@@ -184,11 +184,11 @@ def _with_effects(
     effects_by_clip: dict[int, tuple[Effect, ...]],
 ) -> Edit | Refusal:
     try:
-        after = with_clips(
+        after = change_clips(
             design, {id: {"effects": effects} for id, effects in effects_by_clip.items()}
         )
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     return Edit(label=f"{verb} {clips_text(design, chosen)}", design=after, view=view)
 
 
@@ -354,7 +354,7 @@ def drag_field(
                 own_value = at_start.get(target.key, target).value(name)
                 values.append((target, _moved_value(own_value, origin, value, spec)))
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     return _with_values(design, view, name, values)
 
 
@@ -405,7 +405,7 @@ class _Target:
 
 
 def _targets(design: Design, view: View, ids: Iterable[int], name: str) -> list[_Target]:
-    chosen = present(design, ids)
+    chosen = present_inputs(design, ids)
     if name in _OF_TRACK:
         return [_Target(track, None) for track in chosen]
     pairs = [_Target(track, clip) for track in chosen for clip in clips_of(track, view)]
@@ -425,10 +425,10 @@ def _with_values(
             else:
                 clip_changes[target.clip.id] = target.changes(name, value)
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     target, value = values[0]
     verb = change_text(target.spec(name), target.value(name), value)
-    return changed(design, view, verb, changes, clip_changes)
+    return change_inputs(design, view, verb, changes, clip_changes)
 
 
 def _with_waveforms(
@@ -437,14 +437,14 @@ def _with_waveforms(
     changes: dict[int, dict[str, Any]] = {}
     clip_changes: dict[int, dict[str, Any]] = {}
     try:
-        for track in present(design, ids):
+        for track in present_inputs(design, ids):
             # An input without a clip gets one.
             changes[track.id] = {} if track.clips else {"clips": (Clip(waveform=waveform(Clip())),)}
             for clip in clips_of(track, view):
                 clip_changes[clip.id] = {"waveform": waveform(clip)}
     except InvalidInputError as error:
-        return refused(error)
-    return changed(design, view, "Change waveform of", changes, clip_changes)
+        return refusal_of(error)
+    return change_inputs(design, view, "Change waveform of", changes, clip_changes)
 
 
 def _moved_value(own_value: float, origin: float, value: float, spec: NumberSpec) -> float:
@@ -504,7 +504,7 @@ def equalise_on_skin(
         "waveform": replace(train, gains_db=gains_db),
         "label": label if len(label) <= LABEL.longest else note[: LABEL.longest],
     }
-    return changed(design, view, "Equalise wavelets of", {track.id: {}}, {clip_id: change})
+    return change_inputs(design, view, "Equalise wavelets of", {track.id: {}}, {clip_id: change})
 
 
 _NO_BAND = Refusal(
@@ -521,7 +521,7 @@ def draw_clip(
         after = design.with_clip(clip_id, waveform=waveform)
         place = location_text(design.track_of(clip_id).location, design.limb)
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     return Edit(label=f"Draw at {place}", design=after, view=view)
 
 
@@ -534,7 +534,7 @@ def bound_clip(design: Design, view: View, clip_id: int, sample_rate_hz: float) 
         drawn = design.clip(clip_id).waveform.samples(sample_rate_hz)
         bounded = bounded_to_band(drawn, sample_rate_hz, band_hz)
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     if bounded.removed == 0.0 and np.array_equal(bounded.samples, drawn):
         return Refusal(sentence="Nothing of the clip lies outside the measured band.")
     outcome = draw_clip(design, view, clip_id, bounded.samples, sample_rate_hz)
@@ -569,7 +569,7 @@ def set_glide_curve(
             return _NO_GLIDE
         waveform = replace(glide, points=with_curve(glide.points, column, curve))
     except InvalidInputError as error:
-        return refused(error)
-    return changed(
+        return refusal_of(error)
+    return change_inputs(
         design, view, f"Draw {column} of", {track.id: {}}, {clip_id: {"waveform": waveform}}
     )

@@ -22,12 +22,12 @@ from skinsource.design.edits.edit import (
     NOTHING_CHOSEN,
     Edit,
     Refusal,
-    changed,
+    change_inputs,
     clip_of,
     kept_selection,
     location_text,
-    present,
-    refused,
+    present_inputs,
+    refusal_of,
     tracks_text,
 )
 from skinsource.design.motions import Motion
@@ -60,7 +60,7 @@ def place_input(design: Design, view: View, location: int, besides: bool = False
     try:
         new = track(location)
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     if view.selected_input in design.ids:
         selected = design.input(view.selected_input)
         clip = clip_of(selected, view)
@@ -92,9 +92,9 @@ def add_input(design: Design, view: View) -> Edit | Refusal:
 
 def move_inputs(design: Design, view: View, ids: Iterable[int], location: int) -> Edit | Refusal:
     """Put inputs at another place."""
-    chosen = present(design, ids)
+    chosen = present_inputs(design, ids)
     changes = {track.id: {"location": location} for track in chosen}
-    outcome = changed(design, view, "Move", changes)
+    outcome = change_inputs(design, view, "Move", changes)
     if isinstance(outcome, Refusal):
         return outcome
     # The label does not name the origin: during a drag that is the previous step.
@@ -104,7 +104,7 @@ def move_inputs(design: Design, view: View, ids: Iterable[int], location: int) -
 
 def duplicate_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Add a copy of each input at the end, and select the copies."""
-    chosen = present(design, ids)
+    chosen = present_inputs(design, ids)
     if not chosen:
         return NOTHING_CHOSEN
     if len(design.inputs) + len(chosen) > MAX_INPUTS:
@@ -118,7 +118,7 @@ def duplicate_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | R
 
 def remove_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Remove inputs; if no selected input is left, the next one is selected."""
-    chosen = present(design, ids)
+    chosen = present_inputs(design, ids)
     if not chosen:
         return NOTHING_CHOSEN
     after = replace(design, inputs=tuple(track for track in design.inputs if track not in chosen))
@@ -143,12 +143,12 @@ def clear_inputs(design: Design, view: View) -> Edit | Refusal:
 def mute_inputs(design: Design, view: View, ids: Iterable[int], muted: bool) -> Edit | Refusal:
     """Mute inputs, or unmute them."""
     verb = "Mute" if muted else "Unmute"
-    return changed(design, view, verb, {input_id: {"muted": muted} for input_id in ids})
+    return change_inputs(design, view, verb, {input_id: {"muted": muted} for input_id in ids})
 
 
 def toggle_mute(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Mute inputs; if all of them are muted, unmute them."""
-    chosen = present(design, ids)
+    chosen = present_inputs(design, ids)
     muted = not all(track.muted for track in chosen)
     return mute_inputs(design, view, (track.id for track in chosen), muted)
 
@@ -156,12 +156,12 @@ def toggle_mute(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusa
 def solo_inputs(design: Design, view: View, ids: Iterable[int], solo: bool) -> Edit | Refusal:
     """Make inputs solo, or end their solo."""
     verb = "Solo" if solo else "End solo of"
-    return changed(design, view, verb, {input_id: {"solo": solo} for input_id in ids})
+    return change_inputs(design, view, verb, {input_id: {"solo": solo} for input_id in ids})
 
 
 def toggle_solo(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Make inputs solo; if all of them are solo, end their solo."""
-    chosen = present(design, ids)
+    chosen = present_inputs(design, ids)
     solo = not all(track.solo for track in chosen)
     return solo_inputs(design, view, (track.id for track in chosen), solo)
 
@@ -206,7 +206,7 @@ def group_clips(
         )
         after = replace(design, inputs=inputs)
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     view = clips_selected(after, view, (group.id,))
     return Edit(label=f"Group {clips_text(design, chosen)}", design=after, view=view)
 
@@ -232,7 +232,7 @@ def ungroup_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refu
             inputs.append(replace_clips(track, clips))
         after = replace(design, inputs=tuple(inputs))
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     known = {clip.id for clip in design.clips} - set(groups)
     new_ids = tuple(clip.id for clip in after.clips if clip.id not in known)
     text = "clip" if len(groups) == 1 else f"{len(groups)} clips"
@@ -264,7 +264,7 @@ def place_waveform(
     try:
         after = design.adding(track(location, waveform, onset_s=onset_s))
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     label = f"Place {waveform.title.lower()} at {location_text(location, design.limb)}"
     return Edit(label=label, design=after, view=_select_added(view, design, after))
 
@@ -286,7 +286,7 @@ def add_motion(design: Design, view: View, motion: Motion) -> Edit | Refusal:
         for new in tracks:
             after = after.adding(new)
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     label = f"Add {motion.title.lower()} at {counted(len(tracks), 'place')}"
     return Edit(label=label, design=after, view=_select_added(view, design, after))
 
@@ -301,7 +301,7 @@ def put_inputs_before(design: Design, view: View, ids: Iterable[int], index: int
 
     The number of all inputs moves them to the end.
     """
-    chosen = present(design, ids)
+    chosen = present_inputs(design, ids)
     if not chosen:
         return NOTHING_CHOSEN
     before = [track for track in design.inputs[: max(index, 0)] if track not in chosen]
@@ -315,7 +315,7 @@ def put_inputs_before(design: Design, view: View, ids: Iterable[int], index: int
 
 def shift_inputs(design: Design, view: View, ids: Iterable[int], down: bool) -> Edit | Refusal:
     """Move each input one row up or down in the list, within the list."""
-    chosen = present(design, ids)
+    chosen = present_inputs(design, ids)
     if not chosen:
         return NOTHING_CHOSEN
     order = list(design.inputs[::-1] if down else design.inputs)

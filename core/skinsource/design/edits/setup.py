@@ -8,7 +8,7 @@ from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import ALL_AXES, Axes
 from skinsource.base.quoting import quoted
 from skinsource.design.design import Design, audible_inputs
-from skinsource.design.edits.edit import Edit, Refusal, refused
+from skinsource.design.edits.edit import Edit, Refusal, refusal_of
 from skinsource.design.effects.level import BandLimit
 from skinsource.design.labels import SCALINGS, word_of
 from skinsource.design.view import View
@@ -37,7 +37,7 @@ def change_scaling(design: Design, view: View, scaling: Any) -> Edit | Refusal:
     try:
         after = replace(design, scaling=scaling)
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     title = word_of(SCALINGS, scaling).title
     return Edit(label=f"Change scaling to {title[:1].lower()}{title[1:]}", design=after, view=view)
 
@@ -86,7 +86,7 @@ def _with_view(design: Design, view: View, label: str, **changes: Any) -> Edit |
     try:
         return Edit(label=label, design=design, view=replace(view, **changes))
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
 
 
 _NEEDS_PROBE = (
@@ -161,5 +161,5 @@ def _band_limited(design: Design, view: View) -> Edit | Refusal:
         )
         after = replace(design, inputs=inputs)
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     return Edit(label="Limit clips to the measured band", design=after, view=view)

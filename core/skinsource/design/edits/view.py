@@ -9,7 +9,7 @@ from skinsource.base.quoting import quoted
 from skinsource.design.clips import Marker
 from skinsource.design.comparing import EDITED, NUMBERS, Snapshot, gain_text, louder, name_of, shown
 from skinsource.design.design import MAX_MARKERS, Design
-from skinsource.design.edits.edit import Edit, Refusal, changed, refused
+from skinsource.design.edits.edit import Edit, Refusal, change_inputs, refusal_of
 from skinsource.design.view import View
 
 
@@ -19,7 +19,7 @@ def select_outputs(design: Design, view: View, outputs: Iterable[int]) -> Edit |
     try:
         after = replace(view, outputs=chosen)
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     if len(chosen) == 1:
         return Edit(label=f"Select output {chosen[0]}", design=design, view=after)
     return Edit(label=f"Select {len(chosen) or 'no'} outputs", design=design, view=after)
@@ -35,7 +35,7 @@ def add_marker(design: Design, view: View, time_s: float, name: str = "") -> Edi
     try:
         new = Marker(time_s=time_s, name=name)
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     after = replace(design, markers=(*design.markers, new))
     return Edit(label="Add marker", design=after, view=view)
 
@@ -63,7 +63,7 @@ def set_loop(design: Design, view: View, loop_s: tuple[float, float] | None) -> 
     try:
         after = replace(design, loop_s=loop_s)
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     return Edit(label="Remove loop" if loop_s is None else "Set loop", design=after, view=view)
 
 
@@ -71,7 +71,7 @@ def set_gain_curve(
     design: Design, view: View, id: int, points: tuple[tuple[float, float], ...]
 ) -> Edit | Refusal:
     """Set the gain curve of a track, breakpoints of s and factor; empty: no curve."""
-    return changed(design, view, "Change gain curve of", {id: {"gain_curve": points}})
+    return change_inputs(design, view, "Change gain curve of", {id: {"gain_curve": points}})
 
 
 def _with_marker(
@@ -82,7 +82,7 @@ def _with_marker(
     try:
         marker = replace(design.markers[index], **changes)
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     markers = (*design.markers[:index], marker, *design.markers[index + 1 :])
     return Edit(label=label, design=replace(design, markers=markers), view=view)
 
@@ -105,7 +105,7 @@ def store_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
         snapshots = (*_without(view, number), new)
         after = replace(view, snapshots=snapshots)
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     return Edit(label=f"Store snapshot {number}", design=design, view=after)
 
 
@@ -121,7 +121,7 @@ def take_snapshot(design: Design, view: View, other: Design) -> Edit | Refusal:
     try:
         after = replace(view, snapshots=(*view.snapshots, Snapshot(number=free, design=other)))
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     return Edit(label=f"Store snapshot {free}", design=design, view=after)
 
 
@@ -151,7 +151,7 @@ def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) ->
             ),
         )
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     return Edit(label=f"Show {name_of(number)}", design=chosen.design, view=after)
 
 
@@ -182,7 +182,7 @@ def match_levels(design: Design, view: View, on: bool) -> Edit | Refusal:
     try:
         after = replace(view, levels_matched=on)
     except InvalidInputError as error:
-        return refused(error)
+        return refusal_of(error)
     return Edit(label="Match levels", design=design, view=after)
 
 
