@@ -1,4 +1,4 @@
-"""What the user designs: plain immutable values, no arrays, no files."""
+"""Designs and their inputs: plain immutable values, without arrays or files."""
 
 from dataclasses import dataclass, replace
 from typing import Any
@@ -25,9 +25,9 @@ from skinsource.specs.numbers import (
 )
 from skinsource.specs.spec import ChoiceSpec, SwitchSpec, TextSpec
 
-#: More inputs than places are allowed; a hundred of them are a mistake.
+#: Several inputs can share a place; more than a hundred would be a mistake.
 MAX_INPUTS = 100
-#: Clips of one track.
+#: Most clips of one track.
 MAX_CLIPS = 1000
 MAX_MARKERS = 1000
 
@@ -38,7 +38,7 @@ AMPLITUDE = NumberSpec(
     step=0.05,
     hint="A negative amplitude turns the polarity",
 )
-#: Of an input whose amplitude is a plain factor, see `skinsource.design.amplitudes.is_gain`.
+#: For an input whose amplitude is a plain factor, see `skinsource.design.amplitudes.is_gain`.
 AMPLITUDE_GAIN = replace(
     AMPLITUDE,
     label="Gain",
@@ -50,7 +50,7 @@ AUTHOR = TextSpec(label="Author", longest=200, one_line=True)
 NOTES = TextSpec(label="Notes", longest=20_000)
 LICENCE = TextSpec(label="Licence", longest=2_000)
 
-# Which places there are is a matter of the limb, which says so when it is asked for one.
+# The limb checks whether it has a place when it is asked for one.
 PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_PLACES, whole=True)
 CLIPS = ListSpec(label="Clips", of=ModelSpec(label="Clip", kinds=lambda: (Clip,)), most=MAX_CLIPS)
 GAIN_CURVE = CurveSpec(
@@ -63,8 +63,7 @@ GAIN_CURVE = CurveSpec(
 )
 MUTED = SwitchSpec(label="Mute", hint="A muted input is silent")
 SOLO = SwitchSpec(label="Solo", hint="Where any input is solo, only solo inputs are heard")
-_MOST = 2**31 - 1
-COLOUR = NumberSpec(label="Colour", minimum=0, maximum=_MOST, whole=True)
+COLOUR = NumberSpec(label="Colour", minimum=0, maximum=2**31 - 1, whole=True)
 
 LIMB = TextSpec(label="Limb", longest=200, one_line=True)
 LIMB_DIGEST = TextSpec(label="Digest of the limb", longest=64, one_line=True)
@@ -85,29 +84,28 @@ SCALING = ChoiceSpec(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Input:
-    """A track: clips placed at an input location.
+    """A track: clips at an input location.
 
     It plays the sum of its clips that are not muted, each from its onset, times the gain curve.
-    For a single clip there is `track`.
+    `track` makes an input with a single clip.
 
     Attributes
     ----------
     location
-        Input place, from 1; the limb says which places it has, see `Limb.n_inputs`.
+        Input place, from 1 to `Limb.n_inputs` of the limb.
     clips
-        What it plays, in any order; none: it is silent.
+        What it plays, in any order; without clips it is silent.
     amplitude
         Factor; its unit follows from the design, see `skinsource.design.amplitudes.amplitude_unit`.
     gain_curve
         Breakpoints, s and factor, straight between them and level before the first and after the
-        last; none: nothing is changed.
+        last; empty: no change.
     muted, solo
-        A muted input is silent.  Where any input is solo, only solo inputs are heard.
+        A muted input is silent.  If any input is solo, only solo inputs are audible.
     colour
-        Number of its colour; kept for its life, so that the others keep theirs.
+        Number of its colour, which never changes, so that removing one input changes no colours.
     id
-        What tells it from the other inputs of its design, 1, 2, 3, …; 0: not given yet, the
-        design gives it one.
+        Number that is unique among the inputs of a design, from 1; 0: the design gives it one.
     """
 
     location: int = fields.field(PLACE)
@@ -132,22 +130,22 @@ class Design:
     limb
         Name of the limb, see `skinsource.load_limb`; it need not be available here.
     limb_digest
-        Of an imported limb: SHA-256 of all its numbers, as `skinsource.limbs.own_limbs.facts_of`
-        says. Empty: whatever has the name is meant.
+        SHA-256 of all numbers of an imported limb, see `skinsource.limbs.own_limbs.facts_of`.
+        Empty: any limb of the name will do.
     inputs
-        In the order in which they are listed.  Those without an id get one, and so do their clips.
+        In the order of the list.  Inputs and clips without an id get one.
     scaling
-        ``"upstream"``, ``"relative"`` or ``"probe"``, see `skinsource.predict`.  Probe scaling is
-        where designs start: a clip that is added changes nothing of what the others cause.
+        ``"upstream"``, ``"relative"`` or ``"probe"``, see `skinsource.predict`.  The default is
+        probe scaling, because there a new clip does not change the effect of the others.
     actuation
-        Actuators through which it is predicted, and what makes their volts; None: drives are what
-        the contactor does.
+        Actuators of the prediction, and the equaliser that makes their voltages; None: drives are
+        the motion of the contactor.
     markers
         Names for times.
     loop_s
-        Begin and end of what is played again and again; None: nothing is.
+        Begin and end of the loop that is played again and again; None: no loop.
     title, author, notes, licence
-        Words about the design; nothing is computed from them.
+        Texts about the design; nothing is computed from them.
     """
 
     limb: str = fields.field(LIMB)
@@ -167,7 +165,7 @@ class Design:
         object.__setattr__(self, "inputs", _with_ids(self.inputs))
 
     def _repr_html_(self) -> str:
-        """What a notebook shows."""
+        """Return the HTML that a notebook shows."""
         amplitudes = [amplitude_text(self, track) for track in self.inputs]
         return displaying.html_of(self, audible_indices(self.inputs), amplitudes)
 
@@ -178,7 +176,7 @@ class Design:
 
     @property
     def actuated(self) -> Actuation | None:
-        """What it is predicted through; None where that is off."""
+        """The actuators of the prediction; None where they are switched off."""
         return self.actuation if self.actuation is not None and self.actuation.on else None
 
     def input(self, id: int) -> Input:
@@ -186,7 +184,7 @@ class Design:
         return self.inputs[self.index_of(id)]
 
     def index_of(self, id: int) -> int:
-        """Where in `inputs` the input with this id is."""
+        """The index in `inputs` of the input with this id."""
         for index, track in enumerate(self.inputs):
             if track.id == id:
                 return index
@@ -207,8 +205,8 @@ class Design:
 
     def track_of(self, clip_id: int) -> Input:
         """The input that the clip with this id is on."""
-        wanted = self.clip(clip_id)
-        return next(track for track in self.inputs if any(clip is wanted for clip in track.clips))
+        clip = self.clip(clip_id)
+        return next(track for track in self.inputs if any(other is clip for other in track.clips))
 
     def with_input(self, index: int, **changes: Any) -> "Design":
         """Return a copy in which input ``index`` has ``changes`` applied."""
@@ -224,7 +222,7 @@ class Design:
         return self.with_input(self.index_of(track.id), clips=clips)
 
     def adding(self, new: Input) -> "Design":
-        """Return a copy with one more input, with ids and a colour of its own."""
+        """Return a copy with one more input, which gets its own colour and ids."""
         used = {present.colour for present in self.inputs}
         colour = next(k for k in range(MAX_INPUTS + 1) if k not in used)
         clips = tuple(replace(clip, id=0) for clip in new.clips)
@@ -259,7 +257,7 @@ def track(
 
 
 def _with_ids(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
-    """Return ``inputs`` and their clips with ids where there were none; refuse doubles."""
+    """Give ids to inputs and clips without one; check that no id comes twice."""
     ids_given = [track.id for track in inputs]
     ids = numbered(ids_given, "inputs")
     of_clips = [clip.id for track in inputs for clip in track.clips]
@@ -275,12 +273,12 @@ def _with_ids(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
 
 
 def _with_id(clip: Clip, id: int) -> Clip:
-    # What has an id keeps its identity.
+    # A clip that has an id stays the same object.
     return clip if clip.id == id else replace(clip, id=id)
 
 
 def audible_indices(inputs: tuple[Input, ...]) -> tuple[int, ...]:
-    """Places in ``inputs`` of those that are heard: the solo ones, if any, but no muted ones."""
+    """Return the indices of the audible inputs: the solo ones, if any, without muted ones."""
     any_solo = any(track.solo for track in inputs)
     return tuple(
         index
@@ -290,11 +288,11 @@ def audible_indices(inputs: tuple[Input, ...]) -> tuple[int, ...]:
 
 
 def audible_inputs(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
-    """Inputs that are heard."""
+    """Return the audible inputs."""
     return tuple(inputs[index] for index in audible_indices(inputs))
 
 
 def amplitude_spec(design: Design) -> NumberSpec:
-    """Specification of amplitudes that says what they mean, and in which unit."""
+    """Return the specification of amplitudes with their unit and meaning in a design."""
     unit, meaning = amplitude_unit(design), amplitude_meaning(design)
     return replace(AMPLITUDE, unit=unit, hint=f"{meaning}. {AMPLITUDE.hint}")

@@ -1,4 +1,4 @@
-"""What a design looks like in a notebook."""
+"""Show a design in a notebook: HTML with a drawing of its tracks (SVG) and a table of its clips."""
 
 from collections.abc import Collection, Sequence
 from html import escape
@@ -17,8 +17,6 @@ from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
 from skinsource.limbs.scaling import Scaling
 
-# Tracks as a drawing (SVG): what each plays over time.
-
 _LABEL_PX, _LANE_PX, _LANES_PX, _AXIS_PX, _EDGE_PX = 130, 460, 36, 18, 8
 _COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 _INK, _DIM, _QUIET = "#222222", "#888888", "#BBBBBB"
@@ -27,31 +25,31 @@ _MOST_TICKS = 8
 
 
 class Track(Protocol):
-    """What is drawn of an input."""
+    """The fields of an input that are drawn."""
 
     @property
     def location(self) -> int:
-        """Where it is."""
+        """Input place."""
 
     @property
     def clips(self) -> tuple[Clip, ...]:
-        """What it plays."""
+        """Clips that it plays."""
 
     @property
     def gain_curve(self) -> tuple[tuple[float, float], ...]:
-        """What that is multiplied with."""
+        """Gain over time."""
 
 
-def tracks_svg(
+def _tracks_svg(
     tracks: Sequence[Track],
     audible: Sequence[bool],
     labels: Sequence[str],
     end_s: float,
     sample_rate_hz: float,
 ) -> str:
-    """Draw a lane for each track up to ``end_s``; those that are not heard are pale.
+    """Draw a lane for each track up to ``end_s``; inaudible tracks are pale.
 
-    Tracks are drawn as the limb gets them, at its sample rate.
+    Drives are drawn at the sample rate of the limb.
     """
     width = _LABEL_PX + _LANE_PX + 2 * _EDGE_PX
     height = _LANES_PX * len(tracks) + _AXIS_PX + _EDGE_PX
@@ -60,8 +58,8 @@ def tracks_svg(
         f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="11" role="img">',
         f'<rect width="{width}" height="{height}" fill="white"/>',
     ]
-    for row, (track, is_heard, label) in enumerate(zip(tracks, audible, labels, strict=True)):
-        colour = _COLOURS[row % len(_COLOURS)] if is_heard else _QUIET
+    for row, (track, is_audible, label) in enumerate(zip(tracks, audible, labels, strict=True)):
+        colour = _COLOURS[row % len(_COLOURS)] if is_audible else _QUIET
         parts += _lane(track, label, _LANES_PX * (row + 0.5), colour, end_s, sample_rate_hz)
     parts += _axis(_LANES_PX * len(tracks), end_s)
     return "".join([*parts, "</svg>"])
@@ -94,7 +92,7 @@ def _lane(
 
 
 def _outline(samples: Floats, start: float, scale: float) -> list[tuple[float, float]]:
-    """Points of a curve: where several samples share a pixel, the lowest and the highest."""
+    """Return points of a curve; of samples in one pixel the lowest and the highest."""
     x = start + np.arange(samples.size) * scale
     if scale >= 0.5:
         return list(zip(x.tolist(), samples.tolist(), strict=True))
@@ -102,7 +100,7 @@ def _outline(samples: Floats, start: float, scale: float) -> list[tuple[float, f
     low, high = np.minimum.reduceat(samples, first), np.maximum.reduceat(samples, first)
     columns = np.floor(x[first]).tolist()
     pairs = zip(columns, low.tolist(), high.tolist(), strict=True)
-    return [(at, value) for at, *values in pairs for value in values]
+    return [(column, value) for column, *values in pairs for value in values]
 
 
 def _axis(top: float, end_s: float) -> list[str]:
@@ -120,25 +118,23 @@ def _axis(top: float, end_s: float) -> list[str]:
     return [*elements, f'<text x="{_EDGE_PX}" y="{top + 13}" fill="{_DIM}">Time ({unit})</text>']
 
 
-# A design as HTML: its words, a drawing of its tracks, and a table of its clips.
-
 _MOST_TRACKS, _MOST_CLIPS = 20, 40
 
 
 class DesignDisplay(Protocol):
-    """What is shown of a design, which shows itself by this."""
+    """The fields of a design that are shown; a protocol, because designs import this module."""
 
     @property
     def title(self) -> str:
-        """What it is called."""
+        """Title of the design."""
 
     @property
     def limb(self) -> str:
-        """On whom it is felt."""
+        """Name of the limb."""
 
     @property
     def scaling(self) -> Scaling:
-        """What its amplitudes are."""
+        """Scaling of amplitudes."""
 
     @property
     def inputs(self) -> Sequence[Track]:
@@ -146,20 +142,18 @@ class DesignDisplay(Protocol):
 
     @property
     def clips(self) -> Sequence[Clip]:
-        """What all of them play."""
+        """Clips of all tracks."""
 
 
 def html_of(design: DesignDisplay, audible: Collection[int], amplitudes: Sequence[str]) -> str:
-    """Return a piece of HTML that needs nothing else.
+    """Return HTML that needs no other files.
 
     Parameters
     ----------
-    design
-        What is shown.
-    heard
-        Which of its inputs are heard, counted from 0.
+    audible
+        Indices of the audible inputs, from 0.
     amplitudes
-        How strong each of its inputs is, in words.
+        Amplitude of each input as a text.
     """
     title = escape(design.title) or "Design"
     limb = escape(_limb(design.limb))
@@ -172,7 +166,7 @@ def html_of(design: DesignDisplay, audible: Collection[int], amplitudes: Sequenc
     rate_hz = facts_of(design.limb).sample_rate_hz
     labels = [_place(track.location, design.limb) for track in inputs]
     shown = [index in audible for index in range(len(inputs))]
-    parts.append(tracks_svg(inputs, shown, labels, max(end_s, 0.02), rate_hz))
+    parts.append(_tracks_svg(inputs, shown, labels, max(end_s, 0.02), rate_hz))
     parts.append(_table(design, amplitudes))
     return "".join(parts)
 

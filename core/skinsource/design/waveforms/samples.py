@@ -1,4 +1,4 @@
-"""A waveform drawn by hand."""
+"""Waveforms of given samples: drawings, recordings, formulas, and layers of clips."""
 
 from dataclasses import dataclass
 from functools import lru_cache, reduce
@@ -19,13 +19,13 @@ from skinsource.specs.samples import Samples
 from skinsource.specs.spec import ChoiceSpec, TextSpec
 
 SAMPLES = SamplesSpec(label="Samples", hint="What was drawn")
-#: A single swell of 0.1 s: something to draw on.
+#: A single swell of 0.1 s, with which a drawing starts.
 SWELL = Samples(values=window("hanning", 130), sample_rate_hz=SAMPLE_RATE_HZ)
 
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """Samples as they were drawn; nothing is scaled, 1 is the peak of other waveforms.
+    """Samples as they were drawn, without scaling; 1 is the peak of other waveforms.
 
     The signal is the band-limited one that the samples describe.  ``samples(sample_rate_hz)``
     gives them bit by bit at their own rate, and otherwise the signal, see `Samples`.
@@ -33,7 +33,7 @@ class Drawn:
     Attributes
     ----------
     samples
-        `Samples` without a unit; of an array or a list at 1300 Hz they are made.
+        `Samples` without a unit; an array or a list is converted, with 1300 Hz.
     """
 
     title: ClassVar[str] = "Drawn"
@@ -52,8 +52,6 @@ class Drawn:
         return self.samples.duration_s
 
 
-# A recording.
-
 RECORDING_SAMPLES = SamplesSpec(label="Samples", unit=None, hint="What was recorded")
 NAME = TextSpec(label="Name", longest=200, one_line=True, hint="Where it comes from")
 SOURCE_RATE = OptionalSpec(
@@ -65,21 +63,21 @@ SOURCE_RATE = OptionalSpec(
 
 @dataclass(frozen=True, slots=True)
 class Recording:
-    """Samples that something else made; nothing is scaled, so the peak is what was recorded.
+    """Samples of a recording, without scaling, so that the peak is the recorded one.
 
     The signal is the band-limited one that the samples describe.  ``samples(sample_rate_hz)``
-    gives them bit by bit at their own rate, and otherwise the signal, see `Samples`.  Where it is
-    cut off hard, resampling lets the first and last 0.1 s ring.
+    gives them bit by bit at their own rate, and otherwise the signal, see `Samples`.  Resampling
+    a recording with hard ends makes its first and last 0.1 s ring.
 
     Attributes
     ----------
     samples
-        `Samples` of any unit; of an array or a list at 1300 Hz they are made.  To begin with,
-        a swell of 0.1 s stands for them.
+        `Samples` of any unit; an array or a list is converted, with 1300 Hz.  The default is a
+        swell of 0.1 s.
     name
-        Where they come from: "tap.wav, channel 1".
+        Their origin: "tap.wav, channel 1".
     source_rate_hz
-        Sample rate that they had there, or ``None`` where nobody knows.
+        Sample rate of the origin, or ``None`` if it is not known.
     """
 
     title: ClassVar[str] = "Recording"
@@ -100,8 +98,6 @@ class Recording:
         return self.samples.duration_s
 
 
-# A signal that a text describes.
-
 TEXT = TextSpec(
     label="Formula",
     longest=reading.LONGEST,
@@ -110,17 +106,16 @@ TEXT = TextSpec(
     hint="Of t in s, such as sin(2*pi*100*t) * hann(). Functions: "
     + ", ".join(function.usage for function in functions.FUNCTIONS.values()),
 )
-# So much is tried when it is made, at one rate for all limbs; the rest when it is played.
+# A new formula is checked over this time at 1300 Hz; the rest is checked when it is played.
 _TRIED_S = 10.0
 
 
 @dataclass(frozen=True, slots=True)
 class Formula:
-    """What a text says, for a duration; see `skinsource.signals.formula` for the language.
+    """A formula for a duration; see `skinsource.signals.formula` for the language.
 
-    It plays as written: its peak is what the formula gives, neither scaled nor limited.
-    It is a function of time alone, sampled at any rate; what it holds above half the rate
-    folds down, as it does with any formula that is sampled.
+    It plays as written: the peak of the formula is neither scaled nor limited.  It is a function
+    of time alone, sampled at any rate; frequencies above half the rate alias.
 
     Attributes
     ----------
@@ -146,7 +141,7 @@ class Formula:
         Raises
         ------
         FormulaError
-            A result is no finite number.
+            A result is not finite.
         """
         count = count_of(self.duration_s, sample_rate_hz, shift_s)
         return _played(self.text, count, sample_rate_hz, shift_s, self.duration_s)
@@ -154,7 +149,7 @@ class Formula:
 
 @lru_cache(maxsize=256)
 def _try(text: str, duration_s: float) -> None:
-    """Raise what playing it raises; what was tried, as of many clips alike, is good for ever."""
+    """Raise what playing raises; the cache serves many clips with the same formula."""
     count = count_of(min(duration_s, _TRIED_S), SAMPLE_RATE_HZ, 0.0)
     _played(text, count, SAMPLE_RATE_HZ, 0.0, duration_s)
 
@@ -165,11 +160,9 @@ def _played(
     return playing.played(reading.read(text), count, sample_rate_hz, shift_s, duration_s)
 
 
-# Several clips as one waveform.
-
 Mode = Literal["sum", "product"]
 
-#: Clips in one group; groups may stand in groups.
+#: Most clips in one group; groups can be nested.
 MAX_PARTS = 100
 
 PARTS = ListSpec(
@@ -192,12 +185,12 @@ class Layers:
 
     .. math:: x(t) = \sum_k g_k x_k(t - t_k) \quad\text{or}\quad \prod_k g_k x_k(t - t_k)
 
-    Each part is sampled at its own instants.  A muted one takes no part, but its length counts.
+    Each part is sampled at its own instants.  A muted part is left out, but its length counts.
 
     Attributes
     ----------
     parts
-        Clips; their onsets count from the start of the whole.
+        Clips; their onsets count from the start of the layers.
     mode
         ``"sum"`` or ``"product"``; the product is 0 where a part does not play.
     """
@@ -212,7 +205,7 @@ class Layers:
 
     @property
     def duration_s(self) -> float:
-        """To the end of the last part."""
+        """Time to the end of the last part."""
         return max(part.end_s for part in self.parts)
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
@@ -226,7 +219,7 @@ class Layers:
         return total
 
     def _in_order(self) -> list[Clip]:
-        # The order in which they are listed plays no part, not even for rounding.
+        # The result must not depend on the order of the parts, not even by rounding.
         return sorted(
             (part for part in self.parts if not part.muted),
             key=lambda part: (part.onset_s, part.gain, repr(part)),
