@@ -102,6 +102,7 @@ class Clip:
 #: Most clips of one lane, and most lanes of a fragment.
 MAX_CLIPS, MAX_TRACKS = 1000, 100
 
+# The limb checks whether it has a place when it is asked for one.
 PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_PLACES, whole=True)
 AMPLITUDE = NumberSpec(label="Amplitude", minimum=-1000.0, maximum=1000.0)
 OFFSET = NumberSpec(label="Tracks below the first", minimum=0, maximum=MAX_TRACKS, whole=True)

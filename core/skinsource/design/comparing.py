@@ -183,24 +183,22 @@ def mean_and_spread_over(
     return audible.mean(axis=0), audible.std(axis=0, ddof=1)
 
 
+def _outputs_in(region: str, side: str = "") -> tuple[int, ...]:
+    """Return the outputs of a region, on one side if it is given."""
+    return tuple(
+        output.number for output in OUTPUTS if output.region == region and side in ("", output.side)
+    )
+
+
 #: Outputs by region.  No sensor lies on the palm itself.
 REGION_OUTPUTS: dict[str, tuple[int, ...]] = {
-    **{
-        f"Digit {digit}": tuple(
-            output.number for output in OUTPUTS if output.region == f"digit {digit}"
-        )
-        for digit in DIGITS
-    },
+    **{f"Digit {digit}": _outputs_in(f"digit {digit}") for digit in DIGITS},
     "Digits": tuple(output.number for output in OUTPUTS if output.region.startswith("digit")),
-    "Back of the hand": tuple(output.number for output in OUTPUTS if output.region == "hand"),
-    "Wrist": tuple(
-        output.number for output in OUTPUTS if (output.region, output.side) == ("wrist", "dorsal")
-    ),
-    "Wrist, palm side": tuple(
-        output.number for output in OUTPUTS if (output.region, output.side) == ("wrist", "volar")
-    ),
-    "Forearm": tuple(output.number for output in OUTPUTS if output.region == "forearm"),
-    "Elbow": tuple(output.number for output in OUTPUTS if output.region == "elbow"),
+    "Back of the hand": _outputs_in("hand"),
+    "Wrist": _outputs_in("wrist", "dorsal"),
+    "Wrist, palm side": _outputs_in("wrist", "volar"),
+    "Forearm": _outputs_in("forearm"),
+    "Elbow": _outputs_in("elbow"),
 }
 
 

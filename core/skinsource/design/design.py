@@ -5,11 +5,10 @@ from typing import Any
 
 from skinsource.actuators.actuation import Actuation
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import MOST_PLACES
 from skinsource.base.quoting import quoted
 from skinsource.design import displaying, labels
 from skinsource.design.amplitudes import amplitude_meaning, amplitude_text, amplitude_unit
-from skinsource.design.clips import ID, LATEST_S, Clip, Marker, numbered
+from skinsource.design.clips import ID, LATEST_S, MAX_CLIPS, PLACE, Clip, Marker, numbered
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.scaling import Scaling
@@ -27,8 +26,6 @@ from skinsource.specs.spec import ChoiceSpec, SwitchSpec, TextSpec
 
 #: Several inputs can share a place; more than a hundred would be a mistake.
 MAX_INPUTS = 100
-#: Most clips of one track.
-MAX_CLIPS = 1000
 MAX_MARKERS = 1000
 
 AMPLITUDE = NumberSpec(
@@ -50,8 +47,6 @@ AUTHOR = TextSpec(label="Author", longest=200, one_line=True)
 NOTES = TextSpec(label="Notes", longest=20_000)
 LICENCE = TextSpec(label="Licence", longest=2_000)
 
-# The limb checks whether it has a place when it is asked for one.
-PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_PLACES, whole=True)
 CLIPS = ListSpec(label="Clips", of=ModelSpec(label="Clip", kinds=lambda: (Clip,)), most=MAX_CLIPS)
 GAIN_CURVE = CurveSpec(
     label="Gain curve",

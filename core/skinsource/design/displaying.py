@@ -10,34 +10,18 @@ from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import sentence
 from skinsource.base.work import counted
+from skinsource.design.amplitudes import Driven, Track
 from skinsource.design.clips import Clip
 from skinsource.design.labels import SCALINGS, limb_word, word_of
 from skinsource.design.signal_path import drive_of_clips
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.limbs.scaling import Scaling
 
 _LABEL_PX, _LANE_PX, _LANES_PX, _AXIS_PX, _EDGE_PX = 130, 460, 36, 18, 8
 _COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 _INK, _DIM, _QUIET = "#222222", "#888888", "#BBBBBB"
 _TICKS_S = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 300.0, 3600.0)
 _MOST_TICKS = 8
-
-
-class Track(Protocol):
-    """The fields of an input that are drawn."""
-
-    @property
-    def location(self) -> int:
-        """Input place."""
-
-    @property
-    def clips(self) -> tuple[Clip, ...]:
-        """Clips that it plays."""
-
-    @property
-    def gain_curve(self) -> tuple[tuple[float, float], ...]:
-        """Gain over time."""
 
 
 def _tracks_svg(
@@ -121,20 +105,12 @@ def _axis(top: float, end_s: float) -> list[str]:
 _MOST_TRACKS, _MOST_CLIPS = 20, 40
 
 
-class DesignDisplay(Protocol):
+class DesignDisplay(Driven, Protocol):
     """The fields of a design that are shown; a protocol, because designs import this module."""
 
     @property
     def title(self) -> str:
         """Title of the design."""
-
-    @property
-    def limb(self) -> str:
-        """Name of the limb."""
-
-    @property
-    def scaling(self) -> Scaling:
-        """Scaling of amplitudes."""
 
     @property
     def inputs(self) -> Sequence[Track]:

@@ -14,8 +14,8 @@ from typing import Any, ClassVar, Protocol, runtime_checkable
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import quoted
 from skinsource.base.work import counted
-from skinsource.design.clips import Clip
-from skinsource.design.design import AMPLITUDE, PLACE, Input
+from skinsource.design.clips import PLACE, Clip
+from skinsource.design.design import AMPLITUDE, Input
 from skinsource.design.effects.level import Fade
 from skinsource.design.effects.time import Trim
 from skinsource.design.waveform import Waveform

@@ -12,8 +12,8 @@ from typing import Any
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.work import counted
 from skinsource.design.clips import GAIN as CLIP_GAIN
-from skinsource.design.clips import LABEL, MUTED, ONSET, Clip, Fragment, Lane, numbered
-from skinsource.design.design import MAX_CLIPS, MAX_INPUTS, Design, Input
+from skinsource.design.clips import LABEL, MAX_CLIPS, MUTED, ONSET, Clip, Fragment, Lane, numbered
+from skinsource.design.design import MAX_INPUTS, Design, Input
 from skinsource.design.edits.edit import Edit, Refusal, change_clips, location_text, refusal_of
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.clips import LATEST_S, MAX_EFFECTS, ONSET, Clip, Marker, numbered
-from skinsource.design.design import MAX_CLIPS, Design, Input
+from skinsource.design.clips import LATEST_S, MAX_CLIPS, MAX_EFFECTS, ONSET, Clip, Marker, numbered
+from skinsource.design.design import Design, Input
 from skinsource.design.edits.clips import (
     NO_CLIP,
     NO_TIME,

@@ -23,6 +23,13 @@ SAMPLES = SamplesSpec(label="Samples", hint="What was drawn")
 SWELL = Samples(values=window("hanning", 130), sample_rate_hz=SAMPLE_RATE_HZ)
 
 
+def _convert_samples(waveform: "Drawn | Recording") -> None:
+    """Convert an array or a list to samples at 1300 Hz."""
+    if isinstance(waveform.samples, np.ndarray | list | tuple):
+        samples = Samples(values=np.asarray(waveform.samples), sample_rate_hz=SAMPLE_RATE_HZ)
+        object.__setattr__(waveform, "samples", samples)
+
+
 @dataclass(frozen=True, slots=True)
 class Drawn:
     """Samples as they were drawn, without scaling; 1 is the peak of other waveforms.
@@ -41,9 +48,7 @@ class Drawn:
     samples: Samples = fields.field(SAMPLES, SWELL)
 
     def __post_init__(self) -> None:
-        if isinstance(self.samples, np.ndarray | list | tuple):
-            samples = Samples(values=np.asarray(self.samples), sample_rate_hz=SAMPLE_RATE_HZ)
-            object.__setattr__(self, "samples", samples)
+        _convert_samples(self)
         fields.check(self)
 
     @property
@@ -87,9 +92,7 @@ class Recording:
     source_rate_hz: float | None = fields.field(SOURCE_RATE, None)
 
     def __post_init__(self) -> None:
-        if isinstance(self.samples, np.ndarray | list | tuple):
-            samples = Samples(values=np.asarray(self.samples), sample_rate_hz=SAMPLE_RATE_HZ)
-            object.__setattr__(self, "samples", samples)
+        _convert_samples(self)
         fields.check(self)
 
     @property
