@@ -14,7 +14,14 @@ from skinsource.base.work import counted
 from skinsource.design.clips import GAIN as CLIP_GAIN
 from skinsource.design.clips import LABEL, MAX_CLIPS, MUTED, ONSET, Clip, Fragment, Lane, numbered
 from skinsource.design.design import MAX_INPUTS, Design, Input
-from skinsource.design.edits.edit import Edit, Refusal, change_clips, location_text, refusal_of
+from skinsource.design.edits.edit import (
+    Edit,
+    Refusal,
+    change_clips,
+    location_text,
+    refusal_of,
+    refusing,
+)
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
 from skinsource.specs import codec, models
@@ -53,12 +60,10 @@ def select_all_clips(design: Design, view: View) -> Edit:
     return select_clips(design, view, (*others, *last))
 
 
+@refusing
 def move_playhead(design: Design, view: View, time_s: float) -> Edit | Refusal:
     """Move the playhead to a time."""
-    try:
-        after = replace(view, playhead_s=time_s)
-    except InvalidInputError as error:
-        return refusal_of(error)
+    after = replace(view, playhead_s=time_s)
     return Edit(label="Move playhead", design=design, view=after)
 
 
@@ -77,16 +82,14 @@ _FIELDS: dict[str, Spec] = {
 }
 
 
+@refusing
 def add_clip(
     design: Design, view: View, input_id: int, onset_s: float, waveform: Waveform
 ) -> Edit | Refusal:
     """Put a waveform on a track, and select it."""
     if input_id not in design.ids:
         return _NO_TRACK
-    try:
-        new = Clip(waveform=waveform, onset_s=onset_s)
-    except InvalidInputError as error:
-        return refusal_of(error)
+    new = Clip(waveform=waveform, onset_s=onset_s)
     return _with_new_clips(design, view, "Add clip", [(input_id, new)])
 
 
@@ -150,6 +153,7 @@ def repeat_clips(design: Design, view: View, ids: Iterable[int], times: int) -> 
     return _with_new_clips(design, view, f"Repeat {clips_text(design, chosen)}", copies)
 
 
+@refusing
 def set_clips(
     design: Design, view: View, ids: Iterable[int], name: str, value: Any
 ) -> Edit | Refusal:
@@ -159,10 +163,7 @@ def set_clips(
         return NO_CLIP
     if name not in _FIELDS:
         return Refusal(sentence=f"Of clips, one can set {', '.join(_FIELDS)}.")
-    try:
-        after = change_clips(design, {clip.id: {name: value} for clip in chosen})
-    except InvalidInputError as error:
-        return refusal_of(error)
+    after = change_clips(design, {clip.id: {name: value} for clip in chosen})
     verb = f"Change {_FIELDS[name].label.lower()} of"
     if name == "muted":
         verb = "Mute" if value else "Unmute"
@@ -298,6 +299,7 @@ def _without_clips(design: Design, removed: tuple[Clip, ...]) -> Design:
     return replace(design, inputs=inputs)
 
 
+@refusing
 def move_clips_to_place(
     design: Design, view: View, ids: Iterable[int], location: int, copies: bool = False
 ) -> Edit | Refusal:
@@ -315,10 +317,7 @@ def move_clips_to_place(
             sentence = f"A design holds at most {MAX_INPUTS} inputs; remove one first."
             return Refusal(sentence=sentence)
         amplitude = design.track_of(chosen[-1].id).amplitude
-        try:
-            design = design.adding(Input(location=location, amplitude=amplitude))
-        except InvalidInputError as error:
-            return refusal_of(error)
+        design = design.adding(Input(location=location, amplitude=amplitude))
         target = design.ids[-1]
     verb = "Copy" if copies else "Move"
     label = f"{verb} {clips_text(design, chosen)} to {location_text(location, design.limb)}"
@@ -412,6 +411,7 @@ def _has_clip_on_its_equal(after: Design, before: Design) -> bool:
     return False
 
 
+@refusing
 def place_fragment(
     design: Design,
     view: View,
@@ -443,11 +443,8 @@ def place_fragment(
     at_s = view.playhead_s if at_s is None else at_s
     label = f"Place {name}"
     if location is not None:
-        try:
-            first, *others = fragment.lanes
-            fragment = replace(fragment, lanes=(replace(first, location=location), *others))
-        except InvalidInputError as error:
-            return refusal_of(error)
+        first, *others = fragment.lanes
+        fragment = replace(fragment, lanes=(replace(first, location=location), *others))
         return _with_fragment(design, view, fragment, at_s, label, len(design.inputs))
     if input_id is None:
         return _with_fragment(design, view, fragment, at_s, label, _selected_row(design, view))

@@ -23,7 +23,14 @@ from skinsource.design.edits.clips import (
     replace_clips,
     short,
 )
-from skinsource.design.edits.edit import Edit, Refusal, change_clips, kept_selection, refusal_of
+from skinsource.design.edits.edit import (
+    Edit,
+    Refusal,
+    change_clips,
+    kept_selection,
+    refusal_of,
+    refusing,
+)
 from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.level import Fade
 from skinsource.design.effects.playing import played_s
@@ -129,6 +136,7 @@ def trim_clip(design: Design, view: View, id: int, start_s: float, end_s: float)
     return _with_clip(design, view, "Trim", clip, changes)
 
 
+@refusing
 def stretch_clip(
     design: Design, view: View, id: int, start_s: float, end_s: float
 ) -> Edit | Refusal:
@@ -145,10 +153,7 @@ def stretch_clip(
     if inner and isinstance(inner[-1], Stretch) and inner[-1].on:
         old, inner = inner[-1], inner[:-1]
         factor *= old.factor_of(played_s(clip.waveform, inner))
-    try:
-        changed = replace(old, factor=_allowed_factor(factor), to_s=0.0)
-    except InvalidInputError as error:
-        return refusal_of(error)
+    changed = replace(old, factor=_allowed_factor(factor), to_s=0.0)
     stretch = () if abs(factor - 1.0) < SAME_S else (changed,)
     effects = (*inner, *stretch, *fades)
     from_end_s = max(end_s - played_s(clip.waveform, effects), 0.0)
@@ -159,6 +164,7 @@ def stretch_clip(
     return _with_clip(design, view, "Stretch", clip, changes)
 
 
+@refusing
 def fade_clip(design: Design, view: View, id: int, in_s: float, out_s: float) -> Edit | Refusal:
     """Set how long a clip fades in and out; 0: it does not."""
     clip = _one_clip(design, id, in_s, out_s)
@@ -168,13 +174,10 @@ def fade_clip(design: Design, view: View, id: int, in_s: float, out_s: float) ->
     out_s = short(min(max(out_s, 0.0), clip.duration_s - in_s))
     effects: list[Any] = list(clip.effects)
     last = effects[-1] if effects and isinstance(effects[-1], Fade) and effects[-1].on else None
-    try:
-        if last is not None:
-            effects[-1:] = [replace(last, in_s=in_s, out_s=out_s)] if in_s or out_s else []
-        elif in_s or out_s:
-            effects.append(Fade(in_s=in_s, out_s=out_s))
-    except InvalidInputError as error:
-        return refusal_of(error)
+    if last is not None:
+        effects[-1:] = [replace(last, in_s=in_s, out_s=out_s)] if in_s or out_s else []
+    elif in_s or out_s:
+        effects.append(Fade(in_s=in_s, out_s=out_s))
     return _with_clip(design, view, "Fade", clip, {"effects": tuple(effects)})
 
 
@@ -231,6 +234,7 @@ def parts_of(clip: Clip, at_s: float) -> tuple[Clip, Clip] | None:
     )
 
 
+@refusing
 def with_parts(design: Design, cut: dict[int, tuple[Clip, Clip]]) -> Design | Refusal:
     """Return the design with clips replaced by pairs; the later of each pair gets a new id."""
     known = [clip.id for clip in design.clips]
@@ -244,10 +248,7 @@ def with_parts(design: Design, cut: dict[int, tuple[Clip, Clip]]) -> Design | Re
         if len(clips) > MAX_CLIPS:
             return Refusal(sentence=f"A track holds at most {MAX_CLIPS} clips.")
         inputs.append(replace_clips(track, clips))
-    try:
-        return replace(design, inputs=tuple(inputs))
-    except InvalidInputError as error:
-        return refusal_of(error)
+    return replace(design, inputs=tuple(inputs))
 
 
 def _join(left: Clip, right: Clip) -> Clip | None:
@@ -288,13 +289,11 @@ def _allowed_factor(factor: float) -> float:
     return min(max(short(factor), spec.minimum), spec.maximum)
 
 
+@refusing
 def _with_clip(
     design: Design, view: View, verb: str, clip: Clip, changes: dict[str, Any]
 ) -> Edit | Refusal:
-    try:
-        after = change_clips(design, {clip.id: changes})
-    except InvalidInputError as error:
-        return refusal_of(error)
+    after = change_clips(design, {clip.id: changes})
     return Edit(label=f"{verb} {clips_text(design, (clip,))}", design=after, view=view)
 
 
@@ -320,6 +319,7 @@ def remove_time(design: Design, view: View, start_s: float, end_s: float) -> Edi
     return _shifted(design, view, "Remove time", start_s, end_s, start_s - end_s)
 
 
+@refusing
 def _shifted(
     design: Design, view: View, label: str, start_s: float, end_s: float, by_s: float
 ) -> Edit | Refusal:
@@ -333,17 +333,12 @@ def _shifted(
             return time_s
         return None if time_s < end_s - SAME_S else short(max(time_s + by_s, 0.0))
 
-    try:
-        after = replace(
-            cut,
-            inputs=tuple(
-                _shifted_track(track, shift, start_s, end_s, by_s) for track in cut.inputs
-            ),
-            markers=_shifted_markers(design.markers, shift),
-            loop_s=_shifted_loop(design.loop_s, start_s, end_s, by_s),
-        )
-    except InvalidInputError as error:
-        return refusal_of(error)
+    after = replace(
+        cut,
+        inputs=tuple(_shifted_track(track, shift, start_s, end_s, by_s) for track in cut.inputs),
+        markers=_shifted_markers(design.markers, shift),
+        loop_s=_shifted_loop(design.loop_s, start_s, end_s, by_s),
+    )
     return Edit(label=label, design=after, view=kept_selection(view, design, after))
 
 

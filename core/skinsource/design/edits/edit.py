@@ -4,10 +4,11 @@ The selected input or clip that was selected last is the leading one: where a pa
 of several, it is that of the leading one.
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import Any
+from functools import wraps
+from typing import Any, ParamSpec, TypeVar
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import sentence
@@ -22,6 +23,9 @@ from skinsource.specs.models import specs_of
 from skinsource.specs.numbers import NumberSpec, SamplesSpec
 from skinsource.specs.samples import Samples
 from skinsource.specs.spec import ChoiceSpec, Spec
+
+P = ParamSpec("P")
+R = TypeVar("R")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,6 +61,19 @@ def refusal_of(error: InvalidInputError) -> Refusal:
     return Refusal(sentence=sentence(str(error)))
 
 
+def refusing(edit: Callable[P, R]) -> Callable[P, R | Refusal]:
+    """Return an edit that gives a `Refusal` where it would raise an `InvalidInputError`."""
+
+    @wraps(edit)
+    def refusing_edit(*args: P.args, **kwargs: P.kwargs) -> R | Refusal:
+        try:
+            return edit(*args, **kwargs)
+        except InvalidInputError as error:
+            return refusal_of(error)
+
+    return refusing_edit
+
+
 def present_inputs(design: Design, ids: Iterable[int]) -> tuple[Input, ...]:
     """Return those inputs that ``design`` has, in its order."""
     wanted_ids = set(ids)
@@ -76,6 +93,7 @@ def location_text(location: int, limb: str = "") -> str:
     return str(location) if short == f"place {location}" else f"{location} ({short})"
 
 
+@refusing
 def change_inputs(
     design: Design,
     view: View,
@@ -87,14 +105,11 @@ def change_inputs(
     chosen = present_inputs(design, changes)
     if not chosen:
         return NOTHING_CHOSEN
-    try:
-        inputs = tuple(
-            _with_clips(_replaced(track, changes.get(track.id, {})), clip_changes or {})
-            for track in design.inputs
-        )
-        after = replace(design, inputs=inputs)
-    except InvalidInputError as error:
-        return refusal_of(error)
+    inputs = tuple(
+        _with_clips(_replaced(track, changes.get(track.id, {})), clip_changes or {})
+        for track in design.inputs
+    )
+    after = replace(design, inputs=inputs)
     return Edit(label=f"{verb} {tracks_text(chosen, design.limb)}", design=after, view=view)
 
 

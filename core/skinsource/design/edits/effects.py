@@ -31,7 +31,7 @@ from skinsource.design.edits.edit import (
     location_text,
     nearest,
     present_inputs,
-    refusal_of,
+    refusing,
 )
 from skinsource.design.effects import effect_kinds
 from skinsource.design.effects.effect import Effect
@@ -122,6 +122,7 @@ def change_effect_field(
     return _with_effect_field(design, view, verb, clip, index, name, value)
 
 
+@refusing
 def set_envelope(
     design: Design, view: View, id: int, points: tuple[Breakpoint, ...]
 ) -> Edit | Refusal:
@@ -130,10 +131,7 @@ def set_envelope(
     if not chosen:
         return NO_CLIP
     [clip] = chosen
-    try:
-        envelope = Envelope(points)
-    except InvalidInputError as error:
-        return refusal_of(error)
+    envelope = Envelope(points)
     places = [k for k, effect in enumerate(clip.effects) if isinstance(effect, Envelope)]
     if places:
         effects = with_part(clip.effects, places[-1], envelope)
@@ -165,17 +163,16 @@ def _with_effect(design: Design, id: int, index: int) -> Clip | None:
     return None
 
 
+@refusing
 def _with_effect_field(
     design: Design, view: View, verb: str, clip: Clip, index: int, name: str, value: Any
 ) -> Edit | Refusal:
     effect: Any = clip.effects[index]
-    try:
-        effects = with_part(clip.effects, index, replace(effect, **{name: value}))
-    except InvalidInputError as error:
-        return refusal_of(error)
+    effects = with_part(clip.effects, index, replace(effect, **{name: value}))
     return _with_effects(design, view, verb, (clip,), {clip.id: effects})
 
 
+@refusing
 def _with_effects(
     design: Design,
     view: View,
@@ -183,12 +180,9 @@ def _with_effects(
     chosen: tuple[Clip, ...],
     effects_by_clip: dict[int, tuple[Effect, ...]],
 ) -> Edit | Refusal:
-    try:
-        after = change_clips(
-            design, {id: {"effects": effects} for id, effects in effects_by_clip.items()}
-        )
-    except InvalidInputError as error:
-        return refusal_of(error)
+    after = change_clips(
+        design, {id: {"effects": effects} for id, effects in effects_by_clip.items()}
+    )
     return Edit(label=f"{verb} {clips_text(design, chosen)}", design=after, view=view)
 
 
@@ -322,6 +316,7 @@ def change_field(
     return _with_values(design, view, name, [(target, value) for target in targets])
 
 
+@refusing
 def drag_field(
     design: Design,
     view: View,
@@ -345,16 +340,13 @@ def drag_field(
         return change_field(design, view, ids, name, value)
     at_start = {target.key: target for target in _targets(start, view, start.ids, name)}
     origin = at_start.get(dragged.key, dragged).value(name)
-    try:
-        dragged.spec(name).checked(value)
-        values = [(dragged, value)]
-        for target in targets:
-            spec = target.spec(name)
-            if target is not dragged and isinstance(spec, NumberSpec):
-                own_value = at_start.get(target.key, target).value(name)
-                values.append((target, _moved_value(own_value, origin, value, spec)))
-    except InvalidInputError as error:
-        return refusal_of(error)
+    dragged.spec(name).checked(value)
+    values = [(dragged, value)]
+    for target in targets:
+        spec = target.spec(name)
+        if target is not dragged and isinstance(spec, NumberSpec):
+            own_value = at_start.get(target.key, target).value(name)
+            values.append((target, _moved_value(own_value, origin, value, spec)))
     return _with_values(design, view, name, values)
 
 
@@ -412,38 +404,34 @@ def _targets(design: Design, view: View, ids: Iterable[int], name: str) -> list[
     return [target for target in pairs if name in fields_of(target.track, target.clip)]
 
 
+@refusing
 def _with_values(
     design: Design, view: View, name: str, values: list[tuple[_Target, Any]]
 ) -> Edit | Refusal:
     changes: dict[int, dict[str, Any]] = {}
     clip_changes: dict[int, dict[str, Any]] = {}
-    try:
-        for target, value in values:
-            changes[target.track.id] = {}
-            if target.clip is None:
-                changes[target.track.id] = target.changes(name, value)
-            else:
-                clip_changes[target.clip.id] = target.changes(name, value)
-    except InvalidInputError as error:
-        return refusal_of(error)
+    for target, value in values:
+        changes[target.track.id] = {}
+        if target.clip is None:
+            changes[target.track.id] = target.changes(name, value)
+        else:
+            clip_changes[target.clip.id] = target.changes(name, value)
     target, value = values[0]
     verb = change_text(target.spec(name), target.value(name), value)
     return change_inputs(design, view, verb, changes, clip_changes)
 
 
+@refusing
 def _with_waveforms(
     design: Design, view: View, ids: Iterable[int], waveform: Callable[[Clip], Waveform]
 ) -> Edit | Refusal:
     changes: dict[int, dict[str, Any]] = {}
     clip_changes: dict[int, dict[str, Any]] = {}
-    try:
-        for track in present_inputs(design, ids):
-            # An input without a clip gets one.
-            changes[track.id] = {} if track.clips else {"clips": (Clip(waveform=waveform(Clip())),)}
-            for clip in clips_of(track, view):
-                clip_changes[clip.id] = {"waveform": waveform(clip)}
-    except InvalidInputError as error:
-        return refusal_of(error)
+    for track in present_inputs(design, ids):
+        # An input without a clip gets one.
+        changes[track.id] = {} if track.clips else {"clips": (Clip(waveform=waveform(Clip())),)}
+        for clip in clips_of(track, view):
+            clip_changes[clip.id] = {"waveform": waveform(clip)}
     return change_inputs(design, view, "Change waveform of", changes, clip_changes)
 
 
@@ -512,29 +500,25 @@ _NO_BAND = Refusal(
 )
 
 
+@refusing
 def draw_clip(
     design: Design, view: View, clip_id: int, samples: Floats, sample_rate_hz: float
 ) -> Edit | Refusal:
     """Replace the waveform of a clip by drawn samples, (n_times,); its effects stay."""
-    try:
-        waveform = Drawn(Samples(values=samples, sample_rate_hz=sample_rate_hz))
-        after = design.with_clip(clip_id, waveform=waveform)
-        place = location_text(design.track_of(clip_id).location, design.limb)
-    except InvalidInputError as error:
-        return refusal_of(error)
+    waveform = Drawn(Samples(values=samples, sample_rate_hz=sample_rate_hz))
+    after = design.with_clip(clip_id, waveform=waveform)
+    place = location_text(design.track_of(clip_id).location, design.limb)
     return Edit(label=f"Draw at {place}", design=after, view=view)
 
 
+@refusing
 def bound_clip(design: Design, view: View, clip_id: int, sample_rate_hz: float) -> Edit | Refusal:
     """Remove frequencies outside the measured band from a clip's waveform, as samples."""
-    try:
-        band_hz = facts_of(design.limb).band_hz
-        if band_hz is None:
-            return _NO_BAND
-        drawn = design.clip(clip_id).waveform.samples(sample_rate_hz)
-        bounded = bounded_to_band(drawn, sample_rate_hz, band_hz)
-    except InvalidInputError as error:
-        return refusal_of(error)
+    band_hz = facts_of(design.limb).band_hz
+    if band_hz is None:
+        return _NO_BAND
+    drawn = design.clip(clip_id).waveform.samples(sample_rate_hz)
+    bounded = bounded_to_band(drawn, sample_rate_hz, band_hz)
     if bounded.removed == 0.0 and np.array_equal(bounded.samples, drawn):
         return Refusal(sentence="Nothing of the clip lies outside the measured band.")
     outcome = draw_clip(design, view, clip_id, bounded.samples, sample_rate_hz)
@@ -548,6 +532,7 @@ def bound_clip(design: Design, view: View, clip_id: int, sample_rate_hz: float) 
 _NO_GLIDE = Refusal(sentence="The clip does not play a glide; choose that waveform first.")
 
 
+@refusing
 def set_glide_curve(
     design: Design, view: View, clip_id: int, column: Column, curve: Curve
 ) -> Edit | Refusal:
@@ -562,14 +547,11 @@ def set_glide_curve(
     curve
         (time, value), times never falling; the last one ends the glide.
     """
-    try:
-        clip, track = design.clip(clip_id), design.track_of(clip_id)
-        glide = clip.waveform
-        if not isinstance(glide, Glide) or column not in ("frequency", "amplitude"):
-            return _NO_GLIDE
-        waveform = replace(glide, points=with_curve(glide.points, column, curve))
-    except InvalidInputError as error:
-        return refusal_of(error)
+    clip, track = design.clip(clip_id), design.track_of(clip_id)
+    glide = clip.waveform
+    if not isinstance(glide, Glide) or column not in ("frequency", "amplitude"):
+        return _NO_GLIDE
+    waveform = replace(glide, points=with_curve(glide.points, column, curve))
     return change_inputs(
         design, view, f"Draw {column} of", {track.id: {}}, {clip_id: {"waveform": waveform}}
     )

@@ -5,7 +5,6 @@ from dataclasses import replace
 from itertools import count
 from typing import Any
 
-from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import quoted
 from skinsource.base.work import counted
 from skinsource.design.clips import Clip
@@ -27,7 +26,7 @@ from skinsource.design.edits.edit import (
     kept_selection,
     location_text,
     present_inputs,
-    refusal_of,
+    refusing,
     tracks_text,
 )
 from skinsource.design.motions import Motion
@@ -49,6 +48,7 @@ def usual_location(limb: str) -> int:
     return min(_USUAL_LOCATION, facts_of(limb).n_inputs)
 
 
+@refusing
 def place_input(design: Design, view: View, location: int, besides: bool = False) -> Edit | Refusal:
     """Add an input at a place and select it; with ``besides`` the selected inputs stay selected.
 
@@ -57,10 +57,7 @@ def place_input(design: Design, view: View, location: int, besides: bool = False
     """
     if len(design.inputs) >= MAX_INPUTS:
         return _TOO_MANY_INPUTS
-    try:
-        new = track(location)
-    except InvalidInputError as error:
-        return refusal_of(error)
+    new = track(location)
     if view.selected_input in design.ids:
         selected = design.input(view.selected_input)
         clip = clip_of(selected, view)
@@ -178,6 +175,7 @@ def _with_fresh_seed(waveform: Waveform, design: Design) -> Waveform:
     return replace(model, seed=next(k for k in count() if k not in used))
 
 
+@refusing
 def group_clips(
     design: Design, view: View, ids: Iterable[int], mode: Mode = "sum"
 ) -> Edit | Refusal:
@@ -194,23 +192,21 @@ def group_clips(
     start_s = min(clip.onset_s for clip in chosen)
     parts = tuple(replace(clip, onset_s=short(clip.onset_s - start_s), id=0) for clip in chosen)
     first = chosen[0]
-    try:
-        group = Clip(waveform=Layers(parts=parts, mode=mode), onset_s=start_s, id=first.id)
-        clips = [
-            group if clip.id == first.id else clip
-            for clip in owner.clips
-            if clip.id == first.id or clip.id not in chosen_ids
-        ]
-        inputs = tuple(
-            replace_clips(track, clips) if track is owner else track for track in design.inputs
-        )
-        after = replace(design, inputs=inputs)
-    except InvalidInputError as error:
-        return refusal_of(error)
+    group = Clip(waveform=Layers(parts=parts, mode=mode), onset_s=start_s, id=first.id)
+    clips = [
+        group if clip.id == first.id else clip
+        for clip in owner.clips
+        if clip.id == first.id or clip.id not in chosen_ids
+    ]
+    inputs = tuple(
+        replace_clips(track, clips) if track is owner else track for track in design.inputs
+    )
+    after = replace(design, inputs=inputs)
     view = clips_selected(after, view, (group.id,))
     return Edit(label=f"Group {clips_text(design, chosen)}", design=after, view=view)
 
 
+@refusing
 def ungroup_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
     """Put the parts of groups back on their track; groups with effects stay."""
     groups = {clip.id: clip.waveform for clip in present_clips(design, ids) if _is_plain_sum(clip)}
@@ -220,19 +216,16 @@ def ungroup_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refu
             "can be ungrouped."
         )
     inputs = []
-    try:
-        for track in design.inputs:
-            clips: list[Clip] = []
-            for clip in track.clips:
-                if clip.id not in groups or not isinstance(clip.waveform, Layers):
-                    clips.append(clip)
-                    continue
-                parts = [_ungrouped(part, clip) for part in clip.waveform.parts]
-                clips += [replace(parts[0], id=clip.id), *parts[1:]]
-            inputs.append(replace_clips(track, clips))
-        after = replace(design, inputs=tuple(inputs))
-    except InvalidInputError as error:
-        return refusal_of(error)
+    for owner in design.inputs:
+        clips: list[Clip] = []
+        for clip in owner.clips:
+            if clip.id not in groups or not isinstance(clip.waveform, Layers):
+                clips.append(clip)
+                continue
+            parts = [_ungrouped(part, clip) for part in clip.waveform.parts]
+            clips += [replace(parts[0], id=clip.id), *parts[1:]]
+        inputs.append(replace_clips(owner, clips))
+    after = replace(design, inputs=tuple(inputs))
     known = {clip.id for clip in design.clips} - set(groups)
     new_ids = tuple(clip.id for clip in after.clips if clip.id not in known)
     text = "clip" if len(groups) == 1 else f"{len(groups)} clips"
@@ -255,38 +248,34 @@ def _ungrouped(part: Clip, group: Clip) -> Clip:
     )
 
 
+@refusing
 def place_waveform(
     design: Design, view: View, location: int, waveform: Waveform, onset_s: float = 0.0
 ) -> Edit | Refusal:
     """Add an input that plays ``waveform`` with amplitude 1, and select it."""
     if len(design.inputs) >= MAX_INPUTS:
         return _TOO_MANY_INPUTS
-    try:
-        after = design.adding(track(location, waveform, onset_s=onset_s))
-    except InvalidInputError as error:
-        return refusal_of(error)
+    after = design.adding(track(location, waveform, onset_s=onset_s))
     label = f"Place {waveform.title.lower()} at {location_text(location, design.limb)}"
     return Edit(label=label, design=after, view=_select_added(view, design, after))
 
 
+@refusing
 def add_motion(design: Design, view: View, motion: Motion) -> Edit | Refusal:
     """Add the tracks of a motion at the end, and select them."""
     if not isinstance(motion, Motion):
         return Refusal(
             sentence=f"{quoted(motion)} is no motion; make one of skinsource.design.motions."
         )
-    try:
-        tracks = motion.tracks()
-        if len(design.inputs) + len(tracks) > MAX_INPUTS:
-            return Refusal(
-                sentence=f"{motion.title} takes {counted(len(tracks), 'input')} more, and a "
-                f"design holds at most {MAX_INPUTS}; remove some first."
-            )
-        after = design
-        for new in tracks:
-            after = after.adding(new)
-    except InvalidInputError as error:
-        return refusal_of(error)
+    tracks = motion.tracks()
+    if len(design.inputs) + len(tracks) > MAX_INPUTS:
+        return Refusal(
+            sentence=f"{motion.title} takes {counted(len(tracks), 'input')} more, and a "
+            f"design holds at most {MAX_INPUTS}; remove some first."
+        )
+    after = design
+    for new in tracks:
+        after = after.adding(new)
     label = f"Add {motion.title.lower()} at {counted(len(tracks), 'place')}"
     return Edit(label=label, design=after, view=_select_added(view, design, after))
 

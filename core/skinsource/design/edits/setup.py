@@ -4,11 +4,10 @@ from dataclasses import replace
 from typing import Any
 
 from skinsource.actuators.actuation import Actuation
-from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import ALL_AXES, Axes
 from skinsource.base.quoting import quoted
 from skinsource.design.design import Design, audible_inputs
-from skinsource.design.edits.edit import Edit, Refusal, refusal_of
+from skinsource.design.edits.edit import Edit, Refusal, refusing
 from skinsource.design.effects.level import BandLimit
 from skinsource.design.labels import SCALINGS, word_of
 from skinsource.design.view import View
@@ -27,6 +26,7 @@ def change_limb(design: Design, view: View, limb: str) -> Edit | Refusal:
     return Edit(label=f"Change limb to {facts.title}", design=after, view=view)
 
 
+@refusing
 def change_scaling(design: Design, view: View, scaling: Any) -> Edit | Refusal:
     """Change what amplitudes mean."""
     if design.actuated is not None and scaling != "probe":
@@ -34,10 +34,7 @@ def change_scaling(design: Design, view: View, scaling: Any) -> Edit | Refusal:
             sentence="Under another scaling drives are no accelerations, and nothing is predicted "
             "through an actuator. Switch off Predict through the actuator first."
         )
-    try:
-        after = replace(design, scaling=scaling)
-    except InvalidInputError as error:
-        return refusal_of(error)
+    after = replace(design, scaling=scaling)
     title = word_of(SCALINGS, scaling).title
     return Edit(label=f"Change scaling to {title[:1].lower()}{title[1:]}", design=after, view=view)
 
@@ -82,11 +79,9 @@ def _fitting_axes(axes: Axes, before: LimbFacts, after: LimbFacts) -> Axes:
     return axes_on(after.name, axes)
 
 
+@refusing
 def _with_view(design: Design, view: View, label: str, **changes: Any) -> Edit | Refusal:
-    try:
-        return Edit(label=label, design=design, view=replace(view, **changes))
-    except InvalidInputError as error:
-        return refusal_of(error)
+    return Edit(label=label, design=design, view=replace(view, **changes))
 
 
 _NEEDS_PROBE = (
@@ -140,26 +135,22 @@ def _quieter(design: Design, view: View, factor: float) -> Edit | Refusal:
     return Edit(label="Play within 40 mm/s", design=replace(design, inputs=inputs), view=view)
 
 
+@refusing
 def _band_limited(design: Design, view: View) -> Edit | Refusal:
     """Add a band limit as last effect to each clip of the audible inputs."""
     audible_ids = {track.id for track in audible_inputs(design.inputs)}
     band_hz = facts_of(design.limb).band_hz
     if band_hz is None:
         return _NO_REPAIR
-    try:
-        band_limit = BandLimit(low_hz=band_hz[0], high_hz=band_hz[1])
-        inputs = tuple(
-            replace(
-                track,
-                clips=tuple(
-                    replace(clip, effects=(*clip.effects, band_limit)) for clip in track.clips
-                ),
-            )
-            if track.id in audible_ids
-            else track
-            for track in design.inputs
+    band_limit = BandLimit(low_hz=band_hz[0], high_hz=band_hz[1])
+    inputs = tuple(
+        replace(
+            track,
+            clips=tuple(replace(clip, effects=(*clip.effects, band_limit)) for clip in track.clips),
         )
-        after = replace(design, inputs=inputs)
-    except InvalidInputError as error:
-        return refusal_of(error)
+        if track.id in audible_ids
+        else track
+        for track in design.inputs
+    )
+    after = replace(design, inputs=inputs)
     return Edit(label="Limit clips to the measured band", design=after, view=view)

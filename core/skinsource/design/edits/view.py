@@ -4,22 +4,19 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
-from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import quoted
 from skinsource.design.clips import Marker
 from skinsource.design.comparing import EDITED, NUMBERS, Snapshot, gain_text, louder, name_of, shown
 from skinsource.design.design import MAX_MARKERS, Design
-from skinsource.design.edits.edit import Edit, Refusal, change_inputs, refusal_of
+from skinsource.design.edits.edit import Edit, Refusal, change_inputs, refusing
 from skinsource.design.view import View
 
 
+@refusing
 def select_outputs(design: Design, view: View, outputs: Iterable[int]) -> Edit | Refusal:
     """Select outputs in this order; an empty selection is allowed."""
     chosen = tuple(outputs)
-    try:
-        after = replace(view, outputs=chosen)
-    except InvalidInputError as error:
-        return refusal_of(error)
+    after = replace(view, outputs=chosen)
     if len(chosen) == 1:
         return Edit(label=f"Select output {chosen[0]}", design=design, view=after)
     return Edit(label=f"Select {len(chosen) or 'no'} outputs", design=design, view=after)
@@ -28,14 +25,12 @@ def select_outputs(design: Design, view: View, outputs: Iterable[int]) -> Edit |
 _NO_MARKER = Refusal(sentence="That marker is no longer there.")
 
 
+@refusing
 def add_marker(design: Design, view: View, time_s: float, name: str = "") -> Edit | Refusal:
     """Add a marker at a time."""
     if len(design.markers) >= MAX_MARKERS:
         return Refusal(sentence=f"A design holds at most {MAX_MARKERS} markers; remove one first.")
-    try:
-        new = Marker(time_s=time_s, name=name)
-    except InvalidInputError as error:
-        return refusal_of(error)
+    new = Marker(time_s=time_s, name=name)
     after = replace(design, markers=(*design.markers, new))
     return Edit(label="Add marker", design=after, view=view)
 
@@ -58,12 +53,10 @@ def remove_marker(design: Design, view: View, index: int) -> Edit | Refusal:
     return Edit(label="Remove marker", design=replace(design, markers=markers), view=view)
 
 
+@refusing
 def set_loop(design: Design, view: View, loop_s: tuple[float, float] | None) -> Edit | Refusal:
     """Set begin and end of the loop that is played again and again; None: no loop."""
-    try:
-        after = replace(design, loop_s=loop_s)
-    except InvalidInputError as error:
-        return refusal_of(error)
+    after = replace(design, loop_s=loop_s)
     return Edit(label="Remove loop" if loop_s is None else "Set loop", design=after, view=view)
 
 
@@ -74,15 +67,13 @@ def set_gain_curve(
     return change_inputs(design, view, "Change gain curve of", {id: {"gain_curve": points}})
 
 
+@refusing
 def _with_marker(
     design: Design, view: View, label: str, index: int, **changes: Any
 ) -> Edit | Refusal:
     if index not in range(len(design.markers)):
         return _NO_MARKER
-    try:
-        marker = replace(design.markers[index], **changes)
-    except InvalidInputError as error:
-        return refusal_of(error)
+    marker = replace(design.markers[index], **changes)
     markers = (*design.markers[:index], marker, *design.markers[index + 1 :])
     return Edit(label=label, design=replace(design, markers=markers), view=view)
 
@@ -92,6 +83,7 @@ _NO_SNAPSHOT = Refusal(
 )
 
 
+@refusing
 def store_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
     """Store the design under a number, in place of the snapshot that has it."""
     if number not in NUMBERS:
@@ -99,16 +91,14 @@ def store_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
             sentence=f"No snapshot has the number {quoted(number)}; choose {NUMBERS[0]} to "
             f"{NUMBERS[-1]}."
         )
-    try:
-        # The gain keeps the design in the window as loud as it is.
-        new = Snapshot(number=number, design=design, gain=view.match_gain(design))
-        snapshots = (*_without(view, number), new)
-        after = replace(view, snapshots=snapshots)
-    except InvalidInputError as error:
-        return refusal_of(error)
+    # The gain keeps the design in the window as loud as it is.
+    new = Snapshot(number=number, design=design, gain=view.match_gain(design))
+    snapshots = (*_without(view, number), new)
+    after = replace(view, snapshots=snapshots)
     return Edit(label=f"Store snapshot {number}", design=design, view=after)
 
 
+@refusing
 def take_snapshot(design: Design, view: View, other: Design) -> Edit | Refusal:
     """Store another design, such as one of a file, under the lowest free number."""
     used = {snapshot.number for snapshot in view.snapshots}
@@ -118,13 +108,11 @@ def take_snapshot(design: Design, view: View, other: Design) -> Edit | Refusal:
             sentence=f"All {len(NUMBERS)} snapshots are taken. Forget one first: Delete on its "
             "card in the panel Compare."
         )
-    try:
-        after = replace(view, snapshots=(*view.snapshots, Snapshot(number=free, design=other)))
-    except InvalidInputError as error:
-        return refusal_of(error)
+    after = replace(view, snapshots=(*view.snapshots, Snapshot(number=free, design=other)))
     return Edit(label=f"Store snapshot {free}", design=design, view=after)
 
 
+@refusing
 def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) -> Edit | Refusal:
     """Replace the design by a snapshot as it was stored; the view shows it with ``gain``.
 
@@ -141,17 +129,14 @@ def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) ->
                 "that first."
             )
         snapshots = (*_without(view, EDITED), Snapshot(number=EDITED, design=design))
-    try:
-        shown_now = replace(chosen, gain=gain)
-        after = replace(
-            view,
-            snapshots=(
-                *(snapshot for snapshot in snapshots if snapshot.number != number),
-                shown_now,
-            ),
-        )
-    except InvalidInputError as error:
-        return refusal_of(error)
+    shown_now = replace(chosen, gain=gain)
+    after = replace(
+        view,
+        snapshots=(
+            *(snapshot for snapshot in snapshots if snapshot.number != number),
+            shown_now,
+        ),
+    )
     return Edit(label=f"Show {name_of(number)}", design=chosen.design, view=after)
 
 
@@ -177,12 +162,10 @@ def forget_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
     )
 
 
+@refusing
 def match_levels(design: Design, view: View, on: bool) -> Edit | Refusal:
     """Show snapshots at matched levels, or as loud as they were stored."""
-    try:
-        after = replace(view, levels_matched=on)
-    except InvalidInputError as error:
-        return refusal_of(error)
+    after = replace(view, levels_matched=on)
     return Edit(label="Match levels", design=design, view=after)
 
 
