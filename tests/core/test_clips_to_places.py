@@ -3,8 +3,8 @@
 from dataclasses import replace
 
 from skinsource.design import edits
-from skinsource.design.clips import Clip
-from skinsource.design.design import MAX_CLIPS, MAX_INPUTS, Design, Input
+from skinsource.design.clips import MAX_CLIPS, Clip
+from skinsource.design.design import MAX_INPUTS, Design, Input
 from skinsource.design.edits.edit import Refusal
 from skinsource.design.view import View
 from skinsource.design.waveforms.tones import Tone

@@ -1,4 +1,7 @@
-"""What an amplitude means: a matter of the scaling, of actuators, and of what the limb answers."""
+"""Meaning and unit of amplitudes.
+
+They depend on the scaling, on the actuators, and on the drive that the limb's responses answer.
+"""
 
 from functools import lru_cache
 from typing import Protocol
@@ -15,17 +18,17 @@ from skinsource.limbs.limb import Limb
 from skinsource.limbs.own_limbs import drive_unit_known, facts_of
 from skinsource.limbs.scaling import Scaling
 
-#: Arbitrary units: that of a drive of which nobody says what it is.
+#: Unit of a drive whose unit is not known.
 ARBITRARY_UNIT = "a.u."
 _UNITS: dict[Scaling, str] = {"upstream": "m/s²", "relative": "×", "probe": "m/s²"}
-# Under upstream scaling an amplitude is a peak on the skin: the drive has no unit of its own.
+# Under upstream scaling an amplitude is a peak on the skin, and the drive itself has no unit.
 _DRIVE_UNITS: dict[Scaling, str] = {"upstream": "1", "relative": "measuring pulse", "probe": "m/s²"}
 _MEANINGS: dict[Scaling, str] = {
     "upstream": "The highest acceleration on any one axis that all clips together cause",
     "relative": "A factor: 1 is the measuring pulse",
     "probe": "Acceleration of the probe, within about 3 dB",
 }
-# Where responses answer a drive of unknown unit.
+# For limbs whose responses answer a drive of unknown unit.
 _MEANINGS_OF_DRIVES: dict[Scaling, str] = {
     "upstream": _MEANINGS["upstream"],
     "relative": "A factor: 1 is one unit of the drive that the responses of this limb answer",
@@ -33,82 +36,84 @@ _MEANINGS_OF_DRIVES: dict[Scaling, str] = {
     f"known ({ARBITRARY_UNIT})",
 }
 
-# A peak of 1 that was sampled or rounded.
+# How far sampling or rounding can move a peak of 1.
 _ROUNDING = 1e-3
 
 
 class Driven(Protocol):
-    """What amplitudes of a design depend on."""
+    """The fields of a design on which the meaning of amplitudes depends."""
 
     @property
     def limb(self) -> str:
-        """Whose responses answer the drives."""
+        """Name of the limb."""
 
     @property
     def limb_digest(self) -> str:
-        """Which limb of that name is meant; empty: whatever has it."""
+        """Digest of the limb; empty: any limb of the name."""
 
     @property
     def scaling(self) -> Scaling:
-        """What an amplitude of 1 is."""
+        """Scaling of amplitudes."""
 
     @property
     def actuated(self) -> Actuation | None:
-        """Actuators that the drives go through."""
+        """Actuators of the prediction."""
 
 
 class Track(Protocol):
-    """An input, as far as its strength depends on it."""
+    """The fields of an input on which its peak depends."""
 
     @property
     def location(self) -> int:
-        """Where it is."""
+        """Input place."""
 
     @property
     def amplitude(self) -> float:
-        """What all that it plays is multiplied with."""
+        """Factor on all clips."""
 
     @property
     def clips(self) -> tuple[Clip, ...]:
-        """What it plays."""
+        """Clips that it plays."""
 
     @property
     def gain_curve(self) -> Curve:
-        """What that is multiplied with over time."""
+        """Gain over time."""
 
 
-def is_gain(design: Driven, one: Track) -> bool:
-    """Whether the amplitude of an input is a plain factor, on a recording that has its own size.
+def is_gain(design: Driven, track: Track) -> bool:
+    """Whether the amplitude of an input is a plain factor on a recording with its own size.
 
-    Under upstream scaling it is not: what is played reaches that peak on the skin, of any size.
+    Under upstream scaling it is not, because there the amplitude is the peak on the skin.
     """
     return design.scaling != "upstream" and any(
-        _has_its_own_size(clip.waveform) for clip in one.clips if not clip.muted
+        _has_its_own_size(clip.waveform) for clip in track.clips if not clip.muted
     )
 
 
-def peak_text(design: Driven, one: Track) -> str:
-    """Peak of all that an input plays, ``"4.88 m/s²"``; empty where it cannot be played."""
+def peak_text(design: Driven, track: Track) -> str:
+    """Return the peak drive of an input, ``"4.88 m/s²"``; empty if it cannot be played."""
     rate_hz = facts_of(design.limb).sample_rate_hz
     try:
-        peak = abs(one.amplitude) * _peak_of(one.clips, one.gain_curve, rate_hz, one.location)
+        peak = abs(track.amplitude) * _peak_of(
+            track.clips, track.gain_curve, rate_hz, track.location
+        )
     except InvalidInputError:
         return ""
     return f"{peak:.3g} {amplitude_unit(design)}"
 
 
-def amplitude_text(design: Driven, one: Track) -> str:
-    """How strong an input is: ``"2 m/s²"``, or ``"gain 2, peak 9.76 m/s²"``."""
-    if not is_gain(design, one):
-        return f"{one.amplitude:g} {amplitude_unit(design)}"
-    peak = peak_text(design, one)
-    return f"gain {one.amplitude:g}" + (f", peak {peak}" if peak else "")
+def amplitude_text(design: Driven, track: Track) -> str:
+    """Return the amplitude of an input: ``"2 m/s²"``, or ``"gain 2, peak 9.76 m/s²"``."""
+    if not is_gain(design, track):
+        return f"{track.amplitude:g} {amplitude_unit(design)}"
+    peak = peak_text(design, track)
+    return f"gain {track.amplitude:g}" + (f", peak {peak}" if peak else "")
 
 
 def amplitude_unit(design: Driven) -> str:
-    """Unit of an input's amplitude.
+    """Return the unit of an input's amplitude.
 
-    m/s², V at an actuator, × for a plain factor, or `ARBITRARY_UNIT`.
+    It is m/s², V at an actuator, × for a plain factor, or `ARBITRARY_UNIT`.
     """
     actuated = design.actuated
     if actuated is not None and actuated.equaliser is None:
@@ -119,7 +124,7 @@ def amplitude_unit(design: Driven) -> str:
 
 
 def amplitude_meaning(design: Driven) -> str:
-    """What an input's amplitude is, in words."""
+    """Say what an input's amplitude means."""
     if design.actuated is None:
         return (_MEANINGS if _unit_known(design) else _MEANINGS_OF_DRIVES)[design.scaling]
     volts = design.actuated.equaliser is None
@@ -129,7 +134,7 @@ def amplitude_meaning(design: Driven) -> str:
 def amplitude_note(
     limb: str, digest: str, scaling: Scaling, actuated: Actuation | None = None
 ) -> str:
-    """What amplitudes are where that does not follow from the scaling; empty where it does."""
+    """Say what amplitudes mean where the scaling alone does not; empty where it does."""
     if actuated is not None or scaling == "upstream" or drive_unit_known(limb, digest):
         return ""
     meaning = _MEANINGS_OF_DRIVES[scaling]
@@ -137,12 +142,12 @@ def amplitude_note(
 
 
 def drive_unit(design: Driven, limb: Limb | None = None) -> str:
-    """Unit of what a design plays, as it is exported.
+    """Return the unit of the exported drives of a design.
 
     Parameters
     ----------
     limb
-        That of the design, where it is open already.
+        The limb of the design, if it is open already.
     """
     actuated = design.actuated
     if actuated is not None:
@@ -154,7 +159,7 @@ def drive_unit(design: Driven, limb: Limb | None = None) -> str:
 
 
 def _has_its_own_size(waveform: Waveform) -> bool:
-    """Whether it plays a recording that was not scaled to a peak of 1."""
+    """Whether a waveform holds a recording that was not scaled to a peak of 1."""
     if isinstance(waveform, Layers):
         return any(_has_its_own_size(part.waveform) for part in waveform.parts if not part.muted)
     if not isinstance(waveform, Recording):

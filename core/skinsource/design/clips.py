@@ -1,4 +1,4 @@
-"""Clips: what a track plays from when on, and what stands beside it on the ruler."""
+"""Clips on tracks, fragments of several tracks, and markers of times."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,9 +16,7 @@ from skinsource.specs import fields
 from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec
 from skinsource.specs.spec import SwitchSpec, TextSpec
 
-# A waveform on a track: from when on, how strong, through which effects.
-
-#: Effects in the chain of one clip.
+#: Most effects of one clip.
 MAX_EFFECTS = 32
 
 ONSET = NumberSpec(
@@ -49,20 +47,19 @@ class Clip:
     Attributes
     ----------
     onset_s
-        When it starts, exactly: it is sampled at its own instants, wherever samples lie.
+        Exact start: a clip can start between two samples.
     gain
-        Factor beside the other clips of the track.
+        Factor relative to the other clips of the track.
     waveform
-        What it plays; a tone, unless told otherwise.
+        What it plays; by default a tone.
     effects
-        What is done to that, one after the other.
+        Effects on the waveform, one after the other.
     muted
-        A muted clip is silent, and takes no part in anything.
+        A muted clip is silent.
     label
-        Words of the user.
+        Text of the user.
     id
-        What tells it from the other clips of its design, 1, 2, 3, …; 0: not given yet, the design
-        gives it one.
+        Number that is unique among the clips of a design, from 1; 0: the design gives it one.
     """
 
     onset_s: float = fields.number(0.0, ONSET)
@@ -83,18 +80,18 @@ class Clip:
 
     @property
     def duration_s(self) -> float:
-        """How long it plays, after its effects."""
+        """Length after its effects."""
         return played_s(self.waveform, self.effects)
 
     @property
     def end_s(self) -> float:
-        """When it ends."""
+        """Time of its end."""
         return self.onset_s + self.duration_s
 
     def sampled(self, sample_rate_hz: float, shift_s: float = 0.0) -> tuple[int, Floats]:
-        """Sample at or before its onset, and what it plays from there on, before its gain.
+        """Return the sample at or before its onset, and its samples from there on, before its gain.
 
-        ``shift_s`` later than it says: less than a sample.
+        ``shift_s`` delays it by less than a sample.
         """
         first, own_shift_s = placed(
             self.waveform, self.effects, self.onset_s + shift_s, sample_rate_hz
@@ -102,11 +99,10 @@ class Clip:
         return first, played(self.waveform, self.effects, sample_rate_hz, own_shift_s)
 
 
-# A piece of a design: some clips of some tracks, to be put in elsewhere.
-
-#: Clips of one track, and tracks of one design.
+#: Most clips of one lane, and most lanes of a fragment.
 MAX_CLIPS, MAX_TRACKS = 1000, 100
 
+# The limb checks whether it has a place when it is asked for one.
 PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_PLACES, whole=True)
 AMPLITUDE = NumberSpec(label="Amplitude", minimum=-1000.0, maximum=1000.0)
 OFFSET = NumberSpec(label="Tracks below the first", minimum=0, maximum=MAX_TRACKS, whole=True)
@@ -117,16 +113,16 @@ CLIPS = ListSpec(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lane:
-    """Clips that lie on one track of a fragment.
+    """The clips on one track of a fragment.
 
     Attributes
     ----------
     location, amplitude
-        Those of the track that they were on, for a new one where there is none.
+        Those of the track that the clips were on, in case a new track has to be made.
     offset
-        How many tracks below the first of the fragment.
+        Number of tracks below the first track of the fragment.
     clips
-        Their onsets count from the earliest of the fragment.
+        Their onsets count from the earliest clip of the fragment.
     """
 
     location: int = fields.field(PLACE)
@@ -148,13 +144,7 @@ LANES = ListSpec(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fragment:
-    """Clips on one or more tracks, as they lie to each other.
-
-    Attributes
-    ----------
-    lanes
-        Track by track, from the top.
-    """
+    """Clips of one or more tracks, to be placed elsewhere; lanes are in the order of tracks."""
 
     lanes: tuple[Lane, ...] = fields.field(LANES)
 
@@ -163,37 +153,32 @@ class Fragment:
 
     @property
     def duration_s(self) -> float:
-        """From the earliest onset to the last end."""
+        """Time from the earliest onset to the last end."""
         return max(clip.end_s for lane in self.lanes for clip in lane.clips)
 
 
-# Ids that tell things of a design apart.
-
-
 def numbered(ids: Sequence[int], what: str) -> tuple[int, ...]:
-    """Return ``ids`` with the smallest free numbers where they are 0.
+    """Return ``ids`` with the smallest free numbers in place of 0.
 
     Raises
     ------
     InvalidInputError
-        Two of them are equal; ``what`` they belong to is named.
+        Two ids are equal; the message names ``what`` they belong to.
     """
-    given = [one for one in ids if one]
-    taken = set(given)
-    if len(taken) < len(given):
-        doubled = next(one for one in given if given.count(one) > 1)
+    given_ids = [number for number in ids if number]
+    used = set(given_ids)
+    if len(used) < len(given_ids):
+        doubled = next(number for number in given_ids if given_ids.count(number) > 1)
         raise InvalidInputError(
-            f"ids of the {what} are {quoted(given)}, {doubled} twice; expected different ones"
+            f"ids of the {what} are {quoted(given_ids)}, {doubled} twice; expected different ones"
         )
-    if len(given) == len(ids):
+    if len(given_ids) == len(ids):
         return tuple(ids)
-    free = (number for number in count(1) if number not in taken)
-    return tuple(one or next(free) for one in ids)
+    free = (number for number in count(1) if number not in used)
+    return tuple(number or next(free) for number in ids)
 
 
-# A name for a time.
-
-#: No clip begins later than 600 s, and none without effects plays longer than that.
+#: A clip begins at 600 s at the latest, and without effects lasts at most as long.
 LATEST_S = 1200.0
 
 TIME = NumberSpec(label="Time", unit="s", minimum=0.0, maximum=LATEST_S, step=0.005)
@@ -202,15 +187,7 @@ NAME = TextSpec(label="Name", longest=100, one_line=True)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Marker:
-    """A name for a time of a design.
-
-    Attributes
-    ----------
-    time_s
-        When.
-    name
-        What stands there; it may be empty.
-    """
+    """A name, which may be empty, for a time of a design."""
 
     time_s: float = fields.field(TIME)
     name: str = fields.text("", NAME)

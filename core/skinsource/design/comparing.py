@@ -1,4 +1,8 @@
-"""Designs side by side: snapshots, alike in level, and how their levels differ."""
+"""Compare designs and limbs: snapshots, matched levels, differences, and levels by region.
+
+A `Snapshot` is a design stored under a number; the view holds several, and the one that was shown
+last is the last of them.  Levels of two designs are matched by their loudest outputs.
+"""
 
 import math
 from collections.abc import Sequence
@@ -19,19 +23,17 @@ from skinsource.limbs.own_limbs import facts_of, own_limb_names
 from skinsource.specs import fields
 from skinsource.specs.numbers import ModelSpec, NumberSpec
 
-# How levels of two designs differ, and what makes them alike.
-
-#: Levels farther below the loudest output count as so far below: what cannot be felt beside it
-#: makes no difference.
+#: Levels farther below the loudest output are raised to this depth: next to the loudest output
+#: nobody can feel them.
 DEPTH_DB = 60.0
 #: Ends of scales of differences, dB.
 ENDS_DB = (1.0, 2.0, 3.0, 5.0, 6.0, 10.0, 15.0, 20.0, 30.0, 40.0, 60.0)
-#: A scale of differences tells this share of them, and all that are a third of the largest.
-_TOLD, _OF_LARGEST = 0.95, 1.0 / 3.0
+#: A scale of differences covers this share of them, and reaches this part of the largest.
+_COVERED_SHARE, _PART_OF_LARGEST = 0.95, 1.0 / 3.0
 
 
 def loudest_db(levels_db: ArrayLike) -> float:
-    """Level of the loudest output, dB; what designs are matched by."""
+    """Return the level of the loudest output in dB, by which designs are matched."""
     levels = real_array("levels_db", levels_db, "levels in dB")
     if not levels.size:
         raise InvalidInputError("levels_db is empty, expected at least one level")
@@ -39,29 +41,29 @@ def loudest_db(levels_db: ArrayLike) -> float:
 
 
 def matching_gain(loudest_db: float, reference_db: float) -> float:
-    """Factor that brings a loudest output to the level of another one; 1 where either is silent.
+    """Return the factor that gives one loudest output the level of another; 1 if one is silent.
 
     Parameters
     ----------
     loudest_db, reference_db
-        Levels of both in dB, as `loudest_db` gives them.
+        Both levels in dB, as `loudest_db` returns them.
     """
     if loudest_db <= FLOOR_DB or reference_db <= FLOOR_DB:
         return 1.0
-    # The same level gives 1 exactly: the reference itself is not changed.
+    # Equal levels give exactly 1, so that the reference itself is not changed.
     return float(10.0 ** ((reference_db - loudest_db) / 20.0))
 
 
 def gain_text(gain: float) -> str:
-    """What a factor is in dB, "+3.2 dB"; empty where it is none to a tenth of a dB."""
+    """Return a factor in dB, "+3.2 dB"; empty where it rounds to 0 dB."""
     by_db = round(20.0 * math.log10(gain), 1) if gain > 0 else 0.0
     return f"{by_db:+.1f} dB".replace("-", "\N{MINUS SIGN}") if by_db else ""
 
 
 def match_text(gain: float) -> str:
-    """What axes say of results that are shown with a factor, "−3.2 dB, matched"; or nothing."""
-    words = gain_text(gain)
-    return f"{words}, matched" if words else ""
+    """Return the note for axes of matched results, "−3.2 dB, matched"; empty without a factor."""
+    text = gain_text(gain)
+    return f"{text}, matched" if text else ""
 
 
 def difference_db(
@@ -72,7 +74,7 @@ def difference_db(
     loudest_db: float | None = None,
     depth_db: float = DEPTH_DB,
 ) -> Floats:
-    """How much louder than another design one is, in dB, same shape.
+    """Return how much louder one design is than another, in dB, of the same shape.
 
     Parameters
     ----------
@@ -81,9 +83,10 @@ def difference_db(
     gain
         Factor with which the other one is played.
     loudest_db
-        The loudest level of both; the largest of these, unless given.
+        The loudest level of both; by default the largest of these.
     depth_db
-        Levels farther below the loudest count as so far below: silence is no difference of 200 dB.
+        Levels farther below the loudest are raised to this depth, so that silence does not give
+        differences of 200 dB.
     """
     positive_number("gain", gain)
     played = other_db + 20.0 * np.log10(gain)
@@ -94,36 +97,37 @@ def difference_db(
 
 
 def end_db(*differences_db: ArrayLike) -> float:
-    """Where a scale ends that tells these differences, or spreads, in dB: a round number.
+    """Return the end of a colour scale for differences or spreads in dB: a round number.
 
-    A few large ones would leave all others without colour: 19 of 20 lie within the scale, and it
-    reaches at least to a third of the largest, so that one that stands alone is seen as it is.
-    What lies beyond has the colour of the end.
+    A few large values would leave all others without colour.  So 19 of 20 values lie within the
+    scale, and it reaches at least a third of the largest value, which keeps a single one visible.
+    Values beyond have the colour of the end.
 
     Parameters
     ----------
     differences_db
-        Of any shape and sign; NaN counts as nothing.
+        Values of any shape and sign; NaN is ignored.
     """
-    sizes = np.concatenate([np.empty(0), *(np.abs(np.ravel(one)) for one in differences_db)])
+    sizes = np.concatenate(
+        [np.empty(0), *(np.abs(np.ravel(differences)) for differences in differences_db)]
+    )
     sizes = sizes[~np.isnan(sizes)]
     if not sizes.size:
         return ENDS_DB[0]
-    told = max(float(np.quantile(sizes, _TOLD)), _OF_LARGEST * float(sizes.max()))
-    return next((end for end in ENDS_DB if told <= end), ENDS_DB[-1])
+    quantile = float(np.quantile(sizes, _COVERED_SHARE))
+    reached = max(quantile, _PART_OF_LARGEST * float(sizes.max()))
+    return next((end for end in ENDS_DB if reached <= end), ENDS_DB[-1])
 
 
-# The same design on several limbs: which ones, and what their levels have in common.
-
-#: Of so many limbs or designs side by side each is still large enough to be looked at.
+#: Most limbs or designs side by side; with more each would be too small to see.
 MOST_BESIDE = 4
 
 
 def related_limbs(limb: str) -> tuple[str, ...]:
-    """Names of the limbs that belong beside ``limb``, at most four, itself among them.
+    """Return the names of limbs to compare with ``limb``, at most four with itself.
 
-    Of a published or synthetic limb the four of its kind; of an own limb the others that a lab
-    imported with the same outputs.
+    For a published or synthetic limb these are the four of its kind, for an own limb the other own
+    limbs with the same outputs.
     """
     kind = limb.partition("-")[0]
     if limb in PUBLISHED:
@@ -133,16 +137,19 @@ def related_limbs(limb: str) -> tuple[str, ...]:
 
 
 def same_outputs(limb: str, other: str) -> bool:
-    """Whether an output of one limb is at the place that it has on the other, by its number.
+    """Whether outputs with the same number are at the same place on both limbs.
 
-    That is so of all published and synthetic limbs, and of own limbs with as many outputs that
-    have the same names.
+    This holds for all published and synthetic limbs, and for own limbs with the same number of
+    outputs and the same names of outputs.
     """
-    one, two = facts_of(limb), facts_of(other)
-    if not (one.known and two.known):
+    facts, other_facts = facts_of(limb), facts_of(other)
+    if not (facts.known and other_facts.known):
         return False
-    same = one.own == two.own and one.output_names == two.output_names
-    return same and one.n_outputs == two.n_outputs
+    return (facts.own, facts.output_names, facts.n_outputs) == (
+        other_facts.own,
+        other_facts.output_names,
+        other_facts.n_outputs,
+    )
 
 
 def mean_and_spread_over(
@@ -155,11 +162,11 @@ def mean_and_spread_over(
     levels_db : (n, n_outputs)
         Level of each output on each; two at least.
     depth_db
-        Levels farther below the loudest of all count as so far below, as in `difference_db`.
+        Levels farther below the loudest of all are raised to this depth, as in `difference_db`.
 
     Returns
     -------
-    The mean of the levels in dB, and their standard deviation, that of a sample.
+    The mean of the levels in dB, and their sample standard deviation.
 
     Raises
     ------
@@ -176,22 +183,22 @@ def mean_and_spread_over(
     return audible.mean(axis=0), audible.std(axis=0, ddof=1)
 
 
-# Levels by region, and how people differ.
+def _outputs_in(region: str, side: str = "") -> tuple[int, ...]:
+    """Return the outputs of a region, on one side if it is given."""
+    return tuple(
+        output.number for output in OUTPUTS if output.region == region and side in ("", output.side)
+    )
 
-#: Names of regions and the outputs in them.  No sensor lies on the palm itself.
+
+#: Outputs by region.  No sensor lies on the palm itself.
 REGION_OUTPUTS: dict[str, tuple[int, ...]] = {
-    **{
-        f"Digit {digit}": tuple(one.number for one in OUTPUTS if one.region == f"digit {digit}")
-        for digit in DIGITS
-    },
-    "Digits": tuple(one.number for one in OUTPUTS if one.region.startswith("digit")),
-    "Back of the hand": tuple(one.number for one in OUTPUTS if one.region == "hand"),
-    "Wrist": tuple(one.number for one in OUTPUTS if (one.region, one.side) == ("wrist", "dorsal")),
-    "Wrist, palm side": tuple(
-        one.number for one in OUTPUTS if (one.region, one.side) == ("wrist", "volar")
-    ),
-    "Forearm": tuple(one.number for one in OUTPUTS if one.region == "forearm"),
-    "Elbow": tuple(one.number for one in OUTPUTS if one.region == "elbow"),
+    **{f"Digit {digit}": _outputs_in(f"digit {digit}") for digit in DIGITS},
+    "Digits": tuple(output.number for output in OUTPUTS if output.region.startswith("digit")),
+    "Back of the hand": _outputs_in("hand"),
+    "Wrist": _outputs_in("wrist", "dorsal"),
+    "Wrist, palm side": _outputs_in("wrist", "volar"),
+    "Forearm": _outputs_in("forearm"),
+    "Elbow": _outputs_in("elbow"),
 }
 
 
@@ -206,7 +213,7 @@ def region_levels_db(rms: ArrayLike) -> dict[str, float]:
     Raises
     ------
     InvalidInputError
-        There are not the 72 outputs of the published limbs: where others lie is not known.
+        The outputs are not the 72 of the published limbs, the only ones whose regions are known.
     """
     values = finite_array("rms", rms)
     if values.shape != (N_OUTPUTS,):
@@ -222,9 +229,9 @@ def region_levels_db(rms: ArrayLike) -> dict[str, float]:
 
 
 def mean_and_spread(levels_db: Sequence[float]) -> tuple[float, float]:
-    """Return the mean of levels in dB and their standard deviation, that of a sample.
+    """Return the mean of levels in dB and their sample standard deviation.
 
-    The deviation of fewer than two is NaN.
+    The deviation of a single level is NaN.
     """
     values: Floats = finite_array("levels_db", levels_db)
     if values.ndim != 1 or not values.size:
@@ -232,11 +239,9 @@ def mean_and_spread(levels_db: Sequence[float]) -> tuple[float, float]:
     return float(values.mean()), float(values.std(ddof=1)) if values.size > 1 else float("nan")
 
 
-# Designs that are kept to be looked at side by side.
-
-#: Numbers that the user stores under.
+#: Numbers under which the user stores snapshots.
 NUMBERS: tuple[int, ...] = (1, 2, 3, 4)
-#: Stands for the design that was edited and not stored when another one was shown.
+#: Number of the edited design that was not stored when another one was shown.
 EDITED = 0
 
 NUMBER = NumberSpec(label="Number", minimum=0, maximum=max(NUMBERS), whole=True)
@@ -245,17 +250,15 @@ GAIN = NumberSpec(label="Gain", minimum=1e-12, maximum=1e12)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Snapshot:
-    """A design under a number.
+    """A design stored under a number.
 
     Attributes
     ----------
     number
-        1 to 4; 0 is what was edited when a snapshot was shown.
-    design
-        As it was stored.
+        1 to 4; 0 is the design that was edited when a snapshot was shown.
     gain
-        Factor on what is predicted and played with which it was shown last, so that its level
-        matched; the design itself never has it.
+        Factor on predictions and playback that matched its level when it was shown last; it is
+        not in the amplitudes of ``design``.
     """
 
     number: int = fields.number(EDITED, NUMBER)
@@ -264,12 +267,12 @@ class Snapshot:
 
     def __post_init__(self) -> None:
         fields.check(self)
-        # Whoever looks at it asks for this, and must get it.
+        # `played` must not fail later.
         louder(self.design, self.gain)
 
     @property
     def played(self) -> Design:
-        """A design that is as loud as this one was when it was shown last."""
+        """The design as loud as it was when it was shown last."""
         return louder(self.design, self.gain)
 
 
@@ -283,56 +286,59 @@ def louder(design: Design, gain: float) -> Design:
     """
     if gain == 1.0:
         return design
-    inputs = tuple(replace(one, amplitude=one.amplitude * gain) for one in design.inputs)
+    inputs = tuple(replace(track, amplitude=track.amplitude * gain) for track in design.inputs)
     return replace(design, inputs=inputs)
 
 
 def same_but_rounding(design: Design, other: Design) -> bool:
-    """Whether they are the same, but for the rounding of amplitudes."""
+    """Whether two designs are equal apart from the rounding of amplitudes."""
     if len(design.inputs) != len(other.inputs):
         return False
     pairs = list(zip(design.inputs, other.inputs, strict=True))
-    taken = tuple(replace(one, amplitude=than.amplitude) for one, than in pairs)
-    return replace(design, inputs=taken) == other and all(
-        math.isclose(one.amplitude, than.amplitude, rel_tol=1e-9) for one, than in pairs
+    same_amplitudes = tuple(
+        replace(track, amplitude=other_track.amplitude) for track, other_track in pairs
+    )
+    return replace(design, inputs=same_amplitudes) == other and all(
+        math.isclose(track.amplitude, other_track.amplitude, rel_tol=1e-9)
+        for track, other_track in pairs
     )
 
 
 def shown(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None:
-    """Return the snapshot that ``design`` is; None where it is none of them."""
-    # The one that was shown last stands last.
-    return next((one for one in reversed(snapshots) if one.design == design), None)
+    """Return the snapshot that holds ``design``, if any."""
+    # The one that was shown last is the last.
+    return next((snapshot for snapshot in reversed(snapshots) if snapshot.design == design), None)
 
 
 def with_edited(snapshots: Sequence[Snapshot], design: Design) -> tuple[Snapshot, ...]:
-    """Return all snapshots, and ``design`` as what is edited if it is none of them."""
+    """Return the snapshots, with ``design`` as the edited one if it is none of them."""
     if shown(snapshots, design) is not None:
         return tuple(snapshots)
-    stored = (one for one in snapshots if one.number != EDITED)
+    stored = (snapshot for snapshot in snapshots if snapshot.number != EDITED)
     return (*stored, Snapshot(number=EDITED, design=design))
 
 
 def other_than(snapshots: Sequence[Snapshot], design: Design) -> Snapshot | None:
-    """Return the snapshot that was shown last and is not ``design``; None: there is none.
+    """Return the snapshot that was shown last and is not ``design``, if any.
 
-    From a design that is no snapshot the way leads to a stored one: it takes the place of what was
-    edited before.  Where all others are the same as ``design``, it leads to one of these.
+    For a design that is no snapshot this is a stored one, because the design itself replaces the
+    one that was edited before.  If all others are equal to ``design``, it is one of those.
     """
-    here = shown(snapshots, design)
-    without = EDITED if here is None else here.number
-    others = [one for one in reversed(snapshots) if one.number != without]
-    differing = (one for one in others if one.design != design)
-    equal = (one for one in others if one.number != EDITED)
+    current = shown(snapshots, design)
+    without = EDITED if current is None else current.number
+    others = [snapshot for snapshot in reversed(snapshots) if snapshot.number != without]
+    differing = (snapshot for snapshot in others if snapshot.design != design)
+    equal = (snapshot for snapshot in others if snapshot.number != EDITED)
     return next(differing, None) or next(equal, None)
 
 
 def name_of(number: int) -> str:
-    """What the design under a number is called in a sentence."""
+    """Return the name, within a sentence, of the design under a number."""
     return "what was edited" if number == EDITED else f"snapshot {number}"
 
 
 def why_no_comparison(snapshots: Sequence[Snapshot]) -> str:
-    """Say why `other_than` found nothing, and what can be done."""
+    """Say why `other_than` returns None, and what the user can do."""
     if not snapshots:
         return "Store the design with Ctrl+1 to Ctrl+4, change it, and press X to go to and fro."
     name = name_of(snapshots[-1].number)
@@ -343,27 +349,33 @@ def why_no_comparison(snapshots: Sequence[Snapshot]) -> str:
 
 
 def reference(snapshots: Sequence[Snapshot]) -> Snapshot | None:
-    """Return the snapshot whose level the others take on: that of the lowest number.
+    """Return the snapshot whose level the others are matched to: that of the lowest number.
 
-    What was edited is never changed, therefore.
+    So the gain of the edited one, number 0, is never changed.
     """
-    return min(snapshots, key=lambda one: one.number, default=None)
+    return min(snapshots, key=lambda snapshot: snapshot.number, default=None)
 
 
 def brought_back(
-    wanted: Sequence[Snapshot], other: Sequence[Snapshot], present: Sequence[Snapshot]
+    restored: Sequence[Snapshot], other: Sequence[Snapshot], present: Sequence[Snapshot]
 ) -> tuple[Snapshot, ...]:
-    """Return ``present`` with that in place of which an edit had changed ``wanted`` to ``other``.
+    """Undo in ``present`` the edit that had changed the snapshots ``restored`` to ``other``.
 
-    What was stored since then stays, also under a number that the edit had made free.  The order is
-    that of ``wanted``, the one that was shown last stands last; what it does not hold comes after.
+    Snapshots that were stored since then stay, also under a number that the edit had freed.  The
+    order is that of ``restored``, so that the one that was shown last is last; others follow.
     """
-    then, gone, now = ({one.number: one for one in each} for each in (wanted, other, present))
-    for number in {*then, *gone}:
-        if then.get(number) == gone.get(number) or now.get(number) != gone.get(number):
+    before, after, current = (
+        {snapshot.number: snapshot for snapshot in snapshots}
+        for snapshots in (restored, other, present)
+    )
+    for number in {*before, *after}:
+        if before.get(number) == after.get(number) or current.get(number) != after.get(number):
             continue
-        now.pop(number, None)
-        if number in then:
-            now[number] = then[number]
-    numbers = [*(one for one in then if one in now), *(one for one in now if one not in then)]
-    return tuple(now[number] for number in numbers)
+        current.pop(number, None)
+        if number in before:
+            current[number] = before[number]
+    numbers = [
+        *(number for number in before if number in current),
+        *(number for number in current if number not in before),
+    ]
+    return tuple(current[number] for number in numbers)

@@ -1,15 +1,14 @@
-"""What the user designs: plain immutable values, no arrays, no files."""
+"""Designs and their inputs: plain immutable values, without arrays or files."""
 
 from dataclasses import dataclass, replace
 from typing import Any
 
 from skinsource.actuators.actuation import Actuation
 from skinsource.base.errors import InvalidInputError
-from skinsource.base.published import MOST_PLACES
 from skinsource.base.quoting import quoted
 from skinsource.design import displaying, labels
 from skinsource.design.amplitudes import amplitude_meaning, amplitude_text, amplitude_unit
-from skinsource.design.clips import ID, LATEST_S, Clip, Marker, numbered
+from skinsource.design.clips import ID, LATEST_S, MAX_CLIPS, PLACE, Clip, Marker, numbered
 from skinsource.design.waveform import Waveform
 from skinsource.design.waveforms.tones import Tone
 from skinsource.limbs.scaling import Scaling
@@ -25,10 +24,8 @@ from skinsource.specs.numbers import (
 )
 from skinsource.specs.spec import ChoiceSpec, SwitchSpec, TextSpec
 
-#: More inputs than places are allowed; a hundred of them are a mistake.
+#: Several inputs can share a place; more than a hundred would be a mistake.
 MAX_INPUTS = 100
-#: Clips of one track.
-MAX_CLIPS = 1000
 MAX_MARKERS = 1000
 
 AMPLITUDE = NumberSpec(
@@ -38,7 +35,7 @@ AMPLITUDE = NumberSpec(
     step=0.05,
     hint="A negative amplitude turns the polarity",
 )
-#: Of an input whose amplitude is a plain factor, see `skinsource.design.amplitudes.is_gain`.
+#: For an input whose amplitude is a plain factor, see `skinsource.design.amplitudes.is_gain`.
 AMPLITUDE_GAIN = replace(
     AMPLITUDE,
     label="Gain",
@@ -50,8 +47,6 @@ AUTHOR = TextSpec(label="Author", longest=200, one_line=True)
 NOTES = TextSpec(label="Notes", longest=20_000)
 LICENCE = TextSpec(label="Licence", longest=2_000)
 
-# Which places there are is a matter of the limb, which says so when it is asked for one.
-PLACE = NumberSpec(label="Place", minimum=1, maximum=MOST_PLACES, whole=True)
 CLIPS = ListSpec(label="Clips", of=ModelSpec(label="Clip", kinds=lambda: (Clip,)), most=MAX_CLIPS)
 GAIN_CURVE = CurveSpec(
     label="Gain curve",
@@ -63,8 +58,7 @@ GAIN_CURVE = CurveSpec(
 )
 MUTED = SwitchSpec(label="Mute", hint="A muted input is silent")
 SOLO = SwitchSpec(label="Solo", hint="Where any input is solo, only solo inputs are heard")
-_MOST = 2**31 - 1
-COLOUR = NumberSpec(label="Colour", minimum=0, maximum=_MOST, whole=True)
+COLOUR = NumberSpec(label="Colour", minimum=0, maximum=2**31 - 1, whole=True)
 
 LIMB = TextSpec(label="Limb", longest=200, one_line=True)
 LIMB_DIGEST = TextSpec(label="Digest of the limb", longest=64, one_line=True)
@@ -85,29 +79,28 @@ SCALING = ChoiceSpec(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Input:
-    """A track: clips placed at an input location.
+    """A track: clips at an input location.
 
     It plays the sum of its clips that are not muted, each from its onset, times the gain curve.
-    For a single clip there is `track`.
+    `track` makes an input with a single clip.
 
     Attributes
     ----------
     location
-        Input place, from 1; the limb says which places it has, see `Limb.n_inputs`.
+        Input place, from 1 to `Limb.n_inputs` of the limb.
     clips
-        What it plays, in any order; none: it is silent.
+        What it plays, in any order; without clips it is silent.
     amplitude
         Factor; its unit follows from the design, see `skinsource.design.amplitudes.amplitude_unit`.
     gain_curve
         Breakpoints, s and factor, straight between them and level before the first and after the
-        last; none: nothing is changed.
+        last; empty: no change.
     muted, solo
-        A muted input is silent.  Where any input is solo, only solo inputs are heard.
+        A muted input is silent.  If any input is solo, only solo inputs are audible.
     colour
-        Number of its colour; kept for its life, so that the others keep theirs.
+        Number of its colour, which never changes, so that removing one input changes no colours.
     id
-        What tells it from the other inputs of its design, 1, 2, 3, …; 0: not given yet, the
-        design gives it one.
+        Number that is unique among the inputs of a design, from 1; 0: the design gives it one.
     """
 
     location: int = fields.field(PLACE)
@@ -132,22 +125,22 @@ class Design:
     limb
         Name of the limb, see `skinsource.load_limb`; it need not be available here.
     limb_digest
-        Of an imported limb: SHA-256 of all its numbers, as `skinsource.limbs.own_limbs.facts_of`
-        says. Empty: whatever has the name is meant.
+        SHA-256 of all numbers of an imported limb, see `skinsource.limbs.own_limbs.facts_of`.
+        Empty: any limb of the name will do.
     inputs
-        In the order in which they are listed.  Those without an id get one, and so do their clips.
+        In the order of the list.  Inputs and clips without an id get one.
     scaling
-        ``"upstream"``, ``"relative"`` or ``"probe"``, see `skinsource.predict`.  Probe scaling is
-        where designs start: a clip that is added changes nothing of what the others cause.
+        ``"upstream"``, ``"relative"`` or ``"probe"``, see `skinsource.predict`.  The default is
+        probe scaling, because there a new clip does not change the effect of the others.
     actuation
-        Actuators through which it is predicted, and what makes their volts; None: drives are what
-        the contactor does.
+        Actuators of the prediction, and the equaliser that makes their voltages; None: drives are
+        the motion of the contactor.
     markers
         Names for times.
     loop_s
-        Begin and end of what is played again and again; None: nothing is.
+        Begin and end of the loop that is played again and again; None: no loop.
     title, author, notes, licence
-        Words about the design; nothing is computed from them.
+        Texts about the design; nothing is computed from them.
     """
 
     limb: str = fields.field(LIMB)
@@ -167,18 +160,18 @@ class Design:
         object.__setattr__(self, "inputs", _with_ids(self.inputs))
 
     def _repr_html_(self) -> str:
-        """What a notebook shows."""
-        amplitudes = [amplitude_text(self, one) for one in self.inputs]
+        """Return the HTML that a notebook shows."""
+        amplitudes = [amplitude_text(self, track) for track in self.inputs]
         return displaying.html_of(self, audible_indices(self.inputs), amplitudes)
 
     @property
     def ids(self) -> tuple[int, ...]:
         """Ids of the inputs, in their order."""
-        return tuple(one.id for one in self.inputs)
+        return tuple(track.id for track in self.inputs)
 
     @property
     def actuated(self) -> Actuation | None:
-        """What it is predicted through; None where that is off."""
+        """The actuators of the prediction; None where they are switched off."""
         return self.actuation if self.actuation is not None and self.actuation.on else None
 
     def input(self, id: int) -> Input:
@@ -186,9 +179,9 @@ class Design:
         return self.inputs[self.index_of(id)]
 
     def index_of(self, id: int) -> int:
-        """Where in `inputs` the input with this id is."""
-        for index, one in enumerate(self.inputs):
-            if one.id == id:
+        """The index in `inputs` of the input with this id."""
+        for index, track in enumerate(self.inputs):
+            if track.id == id:
                 return index
         known = ", ".join(map(str, self.ids)) or "none"
         raise InvalidInputError(f"no input has the id {quoted(id)}; there are {known}")
@@ -196,19 +189,19 @@ class Design:
     @property
     def clips(self) -> tuple[Clip, ...]:
         """The clips of all inputs, track by track."""
-        return tuple(clip for one in self.inputs for clip in one.clips)
+        return tuple(clip for track in self.inputs for clip in track.clips)
 
     def clip(self, id: int) -> Clip:
         """The clip with this id."""
-        for one in self.clips:
-            if one.id == id:
-                return one
+        for clip in self.clips:
+            if clip.id == id:
+                return clip
         raise InvalidInputError(f"no clip has the id {quoted(id)}; there are {len(self.clips)}")
 
     def track_of(self, clip_id: int) -> Input:
         """The input that the clip with this id is on."""
-        wanted = self.clip(clip_id)
-        return next(one for one in self.inputs if any(clip is wanted for clip in one.clips))
+        clip = self.clip(clip_id)
+        return next(track for track in self.inputs if any(other is clip for other in track.clips))
 
     def with_input(self, index: int, **changes: Any) -> "Design":
         """Return a copy in which input ``index`` has ``changes`` applied."""
@@ -220,14 +213,14 @@ class Design:
         """Return a copy in which the clip with this id has ``changes`` applied."""
         changed = replace(self.clip(id), **changes)
         track = self.track_of(id)
-        clips = tuple(changed if one.id == id else one for one in track.clips)
+        clips = tuple(changed if clip.id == id else clip for clip in track.clips)
         return self.with_input(self.index_of(track.id), clips=clips)
 
     def adding(self, new: Input) -> "Design":
-        """Return a copy with one more input, with ids and a colour of its own."""
-        taken = {present.colour for present in self.inputs}
-        colour = next(k for k in range(MAX_INPUTS + 1) if k not in taken)
-        clips = tuple(replace(one, id=0) for one in new.clips)
+        """Return a copy with one more input, which gets its own colour and ids."""
+        used = {present.colour for present in self.inputs}
+        colour = next(k for k in range(MAX_INPUTS + 1) if k not in used)
+        clips = tuple(replace(clip, id=0) for clip in new.clips)
         added = replace(new, colour=colour, id=0, clips=clips)
         return replace(self, inputs=(*self.inputs, added))
 
@@ -259,40 +252,42 @@ def track(
 
 
 def _with_ids(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
-    """Return ``inputs`` and their clips with ids where there were none; refuse doubles."""
-    own = [one.id for one in inputs]
-    ids = numbered(own, "inputs")
-    of_clips = [clip.id for one in inputs for clip in one.clips]
+    """Give ids to inputs and clips without one; check that no id comes twice."""
+    ids_given = [track.id for track in inputs]
+    ids = numbered(ids_given, "inputs")
+    of_clips = [clip.id for track in inputs for clip in track.clips]
     clip_ids = iter(numbered(of_clips, "clips"))
-    if all(own) and all(of_clips):
+    if all(ids_given) and all(of_clips):
         return inputs
-    found = []
-    for one, id in zip(inputs, ids, strict=True):
-        clips = tuple(_with_id(clip, next(clip_ids)) for clip in one.clips)
-        same = one.id == id and all(a is b for a, b in zip(clips, one.clips, strict=True))
-        found.append(one if same else replace(one, id=id, clips=clips))
-    return tuple(found)
+    with_ids = []
+    for track, id in zip(inputs, ids, strict=True):
+        clips = tuple(_with_id(clip, next(clip_ids)) for clip in track.clips)
+        same = track.id == id and all(a is b for a, b in zip(clips, track.clips, strict=True))
+        with_ids.append(track if same else replace(track, id=id, clips=clips))
+    return tuple(with_ids)
 
 
 def _with_id(clip: Clip, id: int) -> Clip:
-    # What has an id keeps its identity.
+    # A clip that has an id stays the same object.
     return clip if clip.id == id else replace(clip, id=id)
 
 
 def audible_indices(inputs: tuple[Input, ...]) -> tuple[int, ...]:
-    """Places in ``inputs`` of those that are heard: the solo ones, if any, but no muted ones."""
-    any_solo = any(one.solo for one in inputs)
+    """Return the indices of the audible inputs: the solo ones, if any, without muted ones."""
+    any_solo = any(track.solo for track in inputs)
     return tuple(
-        index for index, one in enumerate(inputs) if not one.muted and (one.solo or not any_solo)
+        index
+        for index, track in enumerate(inputs)
+        if not track.muted and (track.solo or not any_solo)
     )
 
 
 def audible_inputs(inputs: tuple[Input, ...]) -> tuple[Input, ...]:
-    """Inputs that are heard."""
+    """Return the audible inputs."""
     return tuple(inputs[index] for index in audible_indices(inputs))
 
 
 def amplitude_spec(design: Design) -> NumberSpec:
-    """Specification of amplitudes that says what they mean, and in which unit."""
+    """Return the specification of amplitudes with their unit and meaning in a design."""
     unit, meaning = amplitude_unit(design), amplitude_meaning(design)
     return replace(AMPLITUDE, unit=unit, hint=f"{meaning}. {AMPLITUDE.hint}")

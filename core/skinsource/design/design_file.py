@@ -1,14 +1,13 @@
 """`.skinsource` files: a design, the view on it and the window's arrangement.
 
-What is written is `VERSION` of the format: the codec's tree of a `DesignFile`, as the image of an
-HDF5 file (see `skinsource.specs.image`), so that a new field of any recipe needs no change here.
-A checksum over all of it is verified first; only then does a field that is missing mean that an
-older studio wrote the file, and takes its default.  What a newer studio wrote is refused: nothing
-is guessed, nothing is dropped.  A limb that is not available here is no reason to refuse a file:
-the design is kept, and another limb can be chosen.
+A file holds the codec's tree of a `DesignFile` as the image of an HDF5 file (see
+`skinsource.specs.image`), so that a new field of any model needs no change here.  A checksum over
+the whole file is verified first; after that a missing field means that an older studio wrote the
+file, and gets its default.  A file of a newer studio is refused, so that nothing is guessed or
+lost.  A file with a limb that is not available can be opened, and another limb chosen.
 
-`VERSION` alone is read, until there is a next one: then `UPGRADES` says how a tree of the version
-before becomes one of it.
+Only files of `VERSION` can be read.  When there is a next version, `UPGRADES` says how a tree of
+the version before becomes one of it.
 """
 
 import os
@@ -30,7 +29,7 @@ from skinsource.specs.spec import Address, BytesSpec
 SUFFIX = ".skinsource"
 #: Version of the files that are written.
 VERSION = 3
-#: By version, what makes a tree of the next version out of one of it; these versions are read too.
+#: By version, the function that converts its trees to the next version; these are read as well.
 UPGRADES: Mapping[int, Callable[[Tree], Tree]] = {}
 
 #: The window's arrangement takes some thousand bytes.
@@ -39,7 +38,7 @@ _MAX_LAYOUT_BYTES = 2**20
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DesignFile:
-    """What a file holds: the design, the view on it, and the window's arrangement."""
+    """The content of a file: a design, the view on it, and the window's arrangement."""
 
     design: Design = fields.field(ModelSpec(label="Design", kinds=lambda: (Design,)))
     view: View = fields.field(ModelSpec(label="View", kinds=lambda: (View,)), default=View())
@@ -61,9 +60,9 @@ def save_design(
     Parameters
     ----------
     path
-        The file; it usually ends in ``.skinsource``.  What stands there is replaced.
+        The file, usually with the suffix ``.skinsource``; an existing file is replaced.
     design, view
-        What to save; without a view, the usual one.
+        Design and view to save; without a view the default one.
     layout
         Arrangement of the studio's window.
 
@@ -88,16 +87,15 @@ def open_design(path: str | os.PathLike[str]) -> DesignFile:
     DesignFileError
         It is not a design file, it is damaged, or it holds something this version does not know.
     """
-    place = Path(path)
-    name = named(Path(place.name))
+    file = Path(path)
+    name = named(Path(file.name))
     try:
-        content = _content(read_bytes(place, most=image.MAX_IMAGE_BYTES))
+        return _content(read_bytes(file, most=image.MAX_IMAGE_BYTES))
     except FileFormatError as error:
-        words = str(error).removeprefix(f"{name}: ")
-        raise DesignFileError(f"{name}: {sentence(words)}") from error
+        problem = str(error).removeprefix(f"{name}: ")
+        raise DesignFileError(f"{name}: {sentence(problem)}") from error
     except InvalidInputError as error:
         raise DesignFileError(f"{name}: {sentence(str(error))} Nothing was opened.") from error
-    return content
 
 
 def _content(stored: bytes) -> DesignFile:

@@ -1,4 +1,4 @@
-"""What a design looks like in a notebook."""
+"""Show a design in a notebook: HTML with a drawing of its tracks (SVG) and a table of its clips."""
 
 from collections.abc import Collection, Sequence
 from html import escape
@@ -10,14 +10,12 @@ from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import sentence
 from skinsource.base.work import counted
+from skinsource.design.amplitudes import Driven, Track
 from skinsource.design.clips import Clip
 from skinsource.design.labels import SCALINGS, limb_word, word_of
 from skinsource.design.signal_path import drive_of_clips
 from skinsource.limbs.locations import input_name
 from skinsource.limbs.own_limbs import facts_of
-from skinsource.limbs.scaling import Scaling
-
-# Tracks as a drawing (SVG): what each plays over time.
 
 _LABEL_PX, _LANE_PX, _LANES_PX, _AXIS_PX, _EDGE_PX = 130, 460, 36, 18, 8
 _COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
@@ -26,32 +24,16 @@ _TICKS_S = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 30
 _MOST_TICKS = 8
 
 
-class Track(Protocol):
-    """What is drawn of an input."""
-
-    @property
-    def location(self) -> int:
-        """Where it is."""
-
-    @property
-    def clips(self) -> tuple[Clip, ...]:
-        """What it plays."""
-
-    @property
-    def gain_curve(self) -> tuple[tuple[float, float], ...]:
-        """What that is multiplied with."""
-
-
-def tracks_svg(
+def _tracks_svg(
     tracks: Sequence[Track],
-    heard: Sequence[bool],
+    audible: Sequence[bool],
     labels: Sequence[str],
     end_s: float,
     sample_rate_hz: float,
 ) -> str:
-    """Draw a lane for each track up to ``end_s``; those that are not heard are pale.
+    """Draw a lane for each track up to ``end_s``; inaudible tracks are pale.
 
-    Tracks are drawn as the limb gets them, at its sample rate.
+    Drives are drawn at the sample rate of the limb.
     """
     width = _LABEL_PX + _LANE_PX + 2 * _EDGE_PX
     height = _LANES_PX * len(tracks) + _AXIS_PX + _EDGE_PX
@@ -60,29 +42,29 @@ def tracks_svg(
         f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="11" role="img">',
         f'<rect width="{width}" height="{height}" fill="white"/>',
     ]
-    for row, (one, is_heard, label) in enumerate(zip(tracks, heard, labels, strict=True)):
-        colour = _COLOURS[row % len(_COLOURS)] if is_heard else _QUIET
-        parts += _lane(one, label, _LANES_PX * (row + 0.5), colour, end_s, sample_rate_hz)
+    for row, (track, is_audible, label) in enumerate(zip(tracks, audible, labels, strict=True)):
+        colour = _COLOURS[row % len(_COLOURS)] if is_audible else _QUIET
+        parts += _lane(track, label, _LANES_PX * (row + 0.5), colour, end_s, sample_rate_hz)
     parts += _axis(_LANES_PX * len(tracks), end_s)
     return "".join([*parts, "</svg>"])
 
 
 def _lane(
-    one: Track, label: str, middle: float, colour: str, end_s: float, sample_rate_hz: float
+    track: Track, label: str, middle: float, colour: str, end_s: float, sample_rate_hz: float
 ) -> list[str]:
     left = _LABEL_PX + _EDGE_PX
-    found = [
+    elements = [
         f'<text x="{_EDGE_PX}" y="{middle + 4:.1f}" fill="{_INK}">{escape(label)}</text>',
         f'<line x1="{left}" x2="{left + _LANE_PX}" y1="{middle}" y2="{middle}" stroke="#DDDDDD"/>',
     ]
     try:
-        first, drive = drive_of_clips(one.clips, one.gain_curve, sample_rate_hz, one.location)
+        first, drive = drive_of_clips(track.clips, track.gain_curve, sample_rate_hz, track.location)
     except InvalidInputError as error:
-        words = escape(sentence(str(error))[:90])
-        text = f'<text x="{left}" y="{middle - 3:.1f}" fill="{_DIM}" font-size="9">{words}</text>'
-        return [*found, text]
+        message = escape(sentence(str(error))[:90])
+        text = f'<text x="{left}" y="{middle - 3:.1f}" fill="{_DIM}" font-size="9">{message}</text>'
+        return [*elements, text]
     if drive.silent:
-        return found
+        return elements
     size = float(np.abs(drive.samples).max())
     scale = _LANE_PX / (end_s * sample_rate_hz)
     points = " ".join(
@@ -90,11 +72,11 @@ def _lane(
         for x, y in _outline(drive.samples / size, first * scale, scale)
     )
     line = f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="1"/>'
-    return [*found, line]
+    return [*elements, line]
 
 
 def _outline(samples: Floats, start: float, scale: float) -> list[tuple[float, float]]:
-    """Points of a curve: where several samples share a pixel, the lowest and the highest."""
+    """Return points of a curve; of samples in one pixel the lowest and the highest."""
     x = start + np.arange(samples.size) * scale
     if scale >= 0.5:
         return list(zip(x.tolist(), samples.tolist(), strict=True))
@@ -102,43 +84,33 @@ def _outline(samples: Floats, start: float, scale: float) -> list[tuple[float, f
     low, high = np.minimum.reduceat(samples, first), np.maximum.reduceat(samples, first)
     columns = np.floor(x[first]).tolist()
     pairs = zip(columns, low.tolist(), high.tolist(), strict=True)
-    return [(at, value) for at, *values in pairs for value in values]
+    return [(column, value) for column, *values in pairs for value in values]
 
 
 def _axis(top: float, end_s: float) -> list[str]:
     left = _LABEL_PX + _EDGE_PX
-    step = next((one for one in _TICKS_S if end_s / one <= _MOST_TICKS), _TICKS_S[-1])
-    found = []
+    step = next((tick_s for tick_s in _TICKS_S if end_s / tick_s <= _MOST_TICKS), _TICKS_S[-1])
+    elements = []
     for k in range(int(end_s / step + 1e-9) + 1):
         x = left + k * step / end_s * _LANE_PX
-        words = f"{1e3 * k * step:g}" if step < 1.0 else f"{k * step:g}"
-        found.append(f'<line x1="{x:.1f}" x2="{x:.1f}" y1="0" y2="{top}" stroke="#EEEEEE"/>')
-        found.append(
-            f'<text x="{x:.1f}" y="{top + 13}" fill="{_DIM}" text-anchor="middle">{words}</text>'
+        text = f"{1e3 * k * step:g}" if step < 1.0 else f"{k * step:g}"
+        elements.append(f'<line x1="{x:.1f}" x2="{x:.1f}" y1="0" y2="{top}" stroke="#EEEEEE"/>')
+        elements.append(
+            f'<text x="{x:.1f}" y="{top + 13}" fill="{_DIM}" text-anchor="middle">{text}</text>'
         )
     unit = "ms" if step < 1.0 else "s"
-    return [*found, f'<text x="{_EDGE_PX}" y="{top + 13}" fill="{_DIM}">Time ({unit})</text>']
+    return [*elements, f'<text x="{_EDGE_PX}" y="{top + 13}" fill="{_DIM}">Time ({unit})</text>']
 
-
-# A design as HTML: its words, a drawing of its tracks, and a table of its clips.
 
 _MOST_TRACKS, _MOST_CLIPS = 20, 40
 
 
-class DesignDisplay(Protocol):
-    """What is shown of a design, which shows itself by this."""
+class DesignDisplay(Driven, Protocol):
+    """The fields of a design that are shown; a protocol, because designs import this module."""
 
     @property
     def title(self) -> str:
-        """What it is called."""
-
-    @property
-    def limb(self) -> str:
-        """On whom it is felt."""
-
-    @property
-    def scaling(self) -> Scaling:
-        """What its amplitudes are."""
+        """Title of the design."""
 
     @property
     def inputs(self) -> Sequence[Track]:
@@ -146,20 +118,18 @@ class DesignDisplay(Protocol):
 
     @property
     def clips(self) -> Sequence[Clip]:
-        """What all of them play."""
+        """Clips of all tracks."""
 
 
-def html_of(design: DesignDisplay, heard: Collection[int], amplitudes: Sequence[str]) -> str:
-    """Return a piece of HTML that needs nothing else.
+def html_of(design: DesignDisplay, audible: Collection[int], amplitudes: Sequence[str]) -> str:
+    """Return HTML that needs no other files.
 
     Parameters
     ----------
-    design
-        What is shown.
-    heard
-        Which of its inputs are heard, counted from 0.
+    audible
+        Indices of the audible inputs, from 0.
     amplitudes
-        How strong each of its inputs is, in words.
+        Amplitude of each input as a text.
     """
     title = escape(design.title) or "Design"
     limb = escape(_limb(design.limb))
@@ -170,18 +140,18 @@ def html_of(design: DesignDisplay, heard: Collection[int], amplitudes: Sequence[
         return "".join([*parts, "<p>No inputs.</p>"])
     end_s = max((clip.onset_s + clip.waveform.duration_s for clip in design.clips), default=0.0)
     rate_hz = facts_of(design.limb).sample_rate_hz
-    labels = [_place(one.location, design.limb) for one in inputs]
-    shown = [index in heard for index in range(len(inputs))]
-    parts.append(tracks_svg(inputs, shown, labels, max(end_s, 0.02), rate_hz))
+    labels = [_place(track.location, design.limb) for track in inputs]
+    shown = [index in audible for index in range(len(inputs))]
+    parts.append(_tracks_svg(inputs, shown, labels, max(end_s, 0.02), rate_hz))
     parts.append(_table(design, amplitudes))
     return "".join(parts)
 
 
 def _table(design: DesignDisplay, amplitudes: Sequence[str]) -> str:
     rows = [
-        (one.location, amplitude, clip)
-        for one, amplitude in zip(design.inputs[:_MOST_TRACKS], amplitudes, strict=False)
-        for clip in one.clips
+        (track.location, amplitude, clip)
+        for track, amplitude in zip(design.inputs[:_MOST_TRACKS], amplitudes, strict=False)
+        for clip in track.clips
     ]
     cells = [
         f"<tr><td>{location}</td><td>{amplitude}</td><td>{1e3 * clip.onset_s:g} ms</td>"
@@ -191,7 +161,7 @@ def _table(design: DesignDisplay, amplitudes: Sequence[str]) -> str:
     left_out = len(design.clips) - len(cells)
     more = f"<p>… and {counted(left_out, 'more clip')}</p>" if left_out > 0 else ""
     heads = ("Place", "Amplitude", "Onset", "Waveform", "")
-    head = "".join(f"<th>{one}</th>" for one in heads)
+    head = "".join(f"<th>{title}</th>" for title in heads)
     return f"<table><tr>{head}</tr>{''.join(cells)}</table>{more}"
 
 
@@ -201,5 +171,5 @@ def _limb(name: str) -> str:
 
 
 def _place(location: int, limb: str) -> str:
-    here = 1 <= location <= facts_of(limb).n_inputs
-    return f"{location} {input_name(location, limb).short_name}" if here else f"place {location}"
+    exists = 1 <= location <= facts_of(limb).n_inputs
+    return f"{location} {input_name(location, limb).short_name}" if exists else f"place {location}"

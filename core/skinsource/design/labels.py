@@ -1,7 +1,7 @@
-"""What choices are called: the same words in the window, on the command line and in files.
+"""Titles and explanations of choices, the same in the window, on the command line and in files.
 
 Scripts and design files use the short names (``upstream``, ``pca``, …), which never change.
-``docs/words.md`` shows all of it as a table.
+``docs/words.md`` shows all of them as a table.
 """
 
 from dataclasses import dataclass, replace
@@ -18,11 +18,11 @@ class Word:
     Attributes
     ----------
     name
-        In scripts and files.
+        Name in scripts and files.
     title
-        Everywhere that people read.
+        Name for people.
     sentence
-        What it means, for tooltips and help.
+        Meaning, for tooltips and help.
     """
 
     name: str
@@ -35,7 +35,7 @@ class Word:
         return self.title if self.title == self.name else f"{self.title} ({self.name})"
 
 
-#: What the sensors' own axes are.
+#: The axes of a sensor.
 TRIAD = (
     Word(
         name="x",
@@ -122,7 +122,7 @@ SCALINGS = (
         sentence="Amplitudes are accelerations of the probe in m/s², within about 3 dB.",
     ),
 )
-# Of a limb whose responses answer a drive of unknown unit, in place of those above.
+# Sentences for a limb whose responses answer a drive of unknown unit.
 _OF_DRIVES = {
     "relative": "No rescaling: strong and weak places keep their ratio; an amplitude of 1 is one "
     "unit of the drive that the responses of this limb answer.",
@@ -148,12 +148,12 @@ SPANS = (
         f"{1 / HOLD_WINDOW_S:.0f} Hz.",
     ),
 )
-#: Those that come with the studio, or are published; a lab's own are found by `limb_word`.
+#: Synthetic and published limbs; `limb_word` also finds those that a lab imported.
 LIMBS = tuple(
     Word(name=name, title=facts.title, sentence=facts.sentence) for name, facts in PUBLISHED.items()
 )
 
-#: Every choice that has a name of its own in files: field, what it chooses, its words.
+#: Every choice with names in files: field, title, explanation, values.
 CHOICES = (
     ("limb", "Limb", "Whose hand and arm.", LIMBS),
     ("scaling", "Scaling", "What an amplitude of 1 means.", SCALINGS),
@@ -162,12 +162,12 @@ CHOICES = (
     ("span", "Levels", "What a level is the RMS over.", SPANS),
 )
 
-#: Sides of hand and arm.
+#: Names of the two sides of hand and arm.
 BACK_SIDE, PALM_SIDE = "Back of the hand", "Palm side"
 
 
 def word_of(words: tuple[Word, ...], name: str) -> Word:
-    """The word whose short name is ``name``; an unknown name stands for itself.
+    """Return the word with a short name; an unknown name is its own title.
 
     >>> word_of(METHODS, "pca").title
     'Principal axis'
@@ -177,7 +177,7 @@ def word_of(words: tuple[Word, ...], name: str) -> Word:
 
 
 def scalings_on(*, drive_unit_known: bool) -> tuple[Word, ...]:
-    """What scalings are called, and what they mean on a limb.
+    """Return the scalings with their meaning on a limb.
 
     Parameters
     ----------
@@ -192,13 +192,13 @@ def scalings_on(*, drive_unit_known: bool) -> tuple[Word, ...]:
 
 
 def limb_word(name: str) -> Word:
-    """What a limb is called, a lab's own too; one that is not here stands for itself."""
+    """Return the word of a limb, imported ones included; an unknown name is its own title."""
     facts = facts_of(name)
     return Word(name=name, title=facts.title, sentence=facts.sentence)
 
 
 def short_limb_title(name: str) -> str:
-    """What a limb is called where there is little room: without the length of a published one.
+    """Return a short title of a limb: that of a published one without the length.
 
     >>> short_limb_title("synthetic-1")
     'Synthetic 1'
@@ -208,7 +208,7 @@ def short_limb_title(name: str) -> str:
 
 
 def signal_label(axes: str, method: str) -> str:
-    """How accelerations become one signal: ``"x, y, z, principal axis"``; one axis has no method.
+    """Name axes and method: ``"x, y, z, principal axis"``; a single axis has no method.
 
     >>> signal_label("z", "pca")
     'z'
@@ -224,10 +224,10 @@ def signal_label(axes: str, method: str) -> str:
 
 
 def span_label(span: str) -> str:
-    """What a level is the RMS over, within a sentence: ``"loudest 100 ms"``."""
+    """Return the name of a span within a sentence: ``"loudest 100 ms"``."""
     return word_of(SPANS, span).title.lower()
 
 
 def level_label(span: str) -> str:
-    """What a level is: ``"RMS over the whole record"``."""
+    """Return the name of levels over a span: ``"RMS over the whole record"``."""
     return f"RMS over the {span_label(span)}"

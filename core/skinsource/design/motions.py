@@ -1,10 +1,10 @@
-"""Motions: recipes that write ordinary tracks, so that something seems to move over the skin.
+"""Motions write ordinary tracks, so that something seems to move over the skin.
 
 A motion is a frozen dataclass with fields from `skinsource.specs.fields`, and everything that
-`Motion` names.  To add one: write a file beside these, and name its class in `every_kind.MOTIONS`.
+`Motion` names.  To add one, write its class here and name it in `MOTIONS`.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import groupby, pairwise
@@ -14,8 +14,8 @@ from typing import Any, ClassVar, Protocol, runtime_checkable
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import quoted
 from skinsource.base.work import counted
-from skinsource.design.clips import Clip
-from skinsource.design.design import AMPLITUDE, PLACE, Input
+from skinsource.design.clips import PLACE, Clip
+from skinsource.design.design import AMPLITUDE, Input
 from skinsource.design.effects.level import Fade
 from skinsource.design.effects.time import Trim
 from skinsource.design.waveform import Waveform
@@ -38,9 +38,6 @@ __all__ = [
 ]
 
 
-# What every motion can do.
-
-
 @runtime_checkable
 class Motion(Protocol):
     """A frozen dataclass that writes tracks.
@@ -48,13 +45,13 @@ class Motion(Protocol):
     Attributes
     ----------
     title
-        What a user calls it.
+        Name for the user.
     law
-        The rule by which times and amplitudes follow, in a line.
+        The rule that gives times and amplitudes, in a line.
     source
-        Where the rule comes from.
+        Publication of the rule.
     limits
-        What is known, and what is not, of it on the palm.
+        What is known about the rule on the palm, and what is not.
     """
 
     title: ClassVar[str]
@@ -64,18 +61,18 @@ class Motion(Protocol):
 
     @property
     def path(self) -> tuple[int, ...]:
-        """Input places, in the order in which they are passed."""
+        """Return the input places in the order in which they are passed."""
 
     @property
     def waveform(self) -> Waveform:
-        """What plays at the places."""
+        """Return what plays at the places."""
 
     @property
     def summary(self) -> str:
-        """Its times in words."""
+        """Describe the times in a phrase."""
 
     def tracks(self) -> tuple[Input, ...]:
-        """Return its tracks, one for each place, in the order of the path.
+        """Return the tracks, one for each place, in the order of the path.
 
         Raises
         ------
@@ -84,9 +81,7 @@ class Motion(Protocol):
         """
 
 
-# Field specifications and steps that several motions share.
-
-#: Places of one path; a place may come again.
+#: The largest number of places in a path; a place may come again.
 MAX_PATH = 100
 
 PATH = ListSpec(label="Path", of=PLACE, fewest=2, most=MAX_PATH, hint="Places, in their order")
@@ -105,19 +100,37 @@ SPACING = NumberSpec(
 LEVEL = replace(AMPLITUDE, minimum=0.0, hint="Amplitude of each track")
 
 
-def grouped(clips: Iterable[tuple[int, Clip]], amplitude: float) -> tuple[Input, ...]:
-    """Return a track for each place that clips are for, in the order in which places come up."""
-    of_place: dict[int, list[Clip]] = {}
-    for place, clip in clips:
-        of_place.setdefault(place, []).append(clip)
+def _tracks_by_location(
+    locations: Iterable[int], clips: Iterable[Clip], amplitude: float
+) -> tuple[Input, ...]:
+    """Return a track for each location, with its clips; locations keep their order."""
+    clips_at: dict[int, list[Clip]] = {}
+    for location, clip in zip(locations, clips, strict=True):
+        clips_at.setdefault(location, []).append(clip)
     return tuple(
-        Input(location=place, clips=tuple(of), amplitude=amplitude)
-        for place, of in of_place.items()
+        Input(location=location, clips=tuple(clips), amplitude=amplitude)
+        for location, clips in clips_at.items()
     )
 
 
+def _evenly_spaced_tracks(
+    motion: "Alternation | ApparentMotion | TapSequence", locations: Sequence[int]
+) -> tuple[Input, ...]:
+    """Return tracks that play the waveform of a motion at one location after the other."""
+    n = len(locations)
+    clips = (
+        Clip(
+            onset_s=motion.onset_s + k * motion.spacing_s,
+            waveform=motion.waveform,
+            label=f"{motion.title} {k + 1}/{n}",
+        )
+        for k in range(n)
+    )
+    return _tracks_by_location(locations, clips, motion.amplitude)
+
+
 def in_ms(time_s: float) -> str:
-    """A time in words: "79.3 ms".
+    """Return a time as a text in milliseconds.
 
     >>> in_ms(0.0793)
     '79.3 ms'
@@ -125,17 +138,11 @@ def in_ms(time_s: float) -> str:
     return f"{1e3 * time_s:.4g} ms"
 
 
-def gap_text(spacing_s: float, duration_s: float) -> str:
-    """What lies between two that follow each other: an overlap, a pause, or nothing."""
+def _gap_text(spacing_s: float, duration_s: float) -> str:
+    """Say whether two bursts that follow each other overlap, touch or leave a pause."""
     if abs(gap_s := spacing_s - duration_s) < 1e-9:
         return "one right after the other"
     return f"{in_ms(abs(gap_s))} {'apart' if gap_s > 0 else 'overlap'}"
-
-
-# From one motion to another.
-
-#: What goes over to a motion of another kind.
-_SHARED = ("amplitude", "onset_s")
 
 
 def with_field(motion: Motion, name: str, value: Any) -> Motion:
@@ -144,46 +151,45 @@ def with_field(motion: Motion, name: str, value: Any) -> Motion:
     Raises
     ------
     InvalidInputError
-        The value is not allowed, alone or beside the others.
+        The value is not allowed, alone or with the other fields.
     """
-    recipe: Any = motion
-    return replace(recipe, **{name: value})
+    model: Any = motion
+    return replace(model, **{name: value})
 
 
 def following(motion: Motion, other: Motion) -> Motion:
-    """Return ``motion`` along the path of ``other``, as strong and as late.
+    """Return ``motion`` with the path, amplitude and onset of ``other``.
 
-    What it cannot do of the path is left out: a sweep does not stay at a place, and a phantom lies
-    between the first two different ones.
+    Parts of the path that the motion does not allow are left out: a sweep does not stay at a
+    place, and a phantom lies between the first two different places.
     """
-    recipe: Any = motion
-    recipe = replace(recipe, **{name: getattr(other, name) for name in _SHARED})
+    source: Any = other
+    model: Any = motion
+    model = replace(model, amplitude=source.amplitude, onset_s=source.onset_s)
     moving = tuple(place for place, _ in groupby(other.path))
     for path in (other.path, moving, tuple(dict.fromkeys(moving))[:2]):
         with suppress(InvalidInputError):
-            return replace(recipe, path=path)
-    return recipe
+            return replace(model, path=path)
+    return model
 
 
 def path_of(text: str) -> tuple[int, ...]:
-    """The path that a text means: "16, 18, 20", "16 18 20" or "16-18-20".
+    """Read a path from a text such as "16, 18, 20", "16 18 20" or "16-18-20".
 
     Raises
     ------
     InvalidInputError
-        Something in it is no number of a place.
+        A part of the text is not the number of a place.
     """
-    words = text.replace(",", " ").replace(";", " ").replace("-", " ").replace("→", " ").split()
-    wrong = next((word for word in words if not (word.isascii() and word.isdigit())), None)
-    if wrong is not None or any(len(word) > 3 for word in words):
-        found = wrong if wrong is not None else max(words, key=len)
+    parts = text.replace(",", " ").replace(";", " ").replace("-", " ").replace("→", " ").split()
+    wrong = next((part for part in parts if not (part.isascii() and part.isdigit())), None)
+    if wrong is not None or any(len(part) > 3 for part in parts):
+        bad_word = wrong if wrong is not None else max(parts, key=len)
         raise InvalidInputError(
-            f"the path has {quoted(found)}, expected numbers of places, as in 16, 18, 20"
+            f"the path has {quoted(bad_word)}, expected numbers of places, as in 16, 18, 20"
         )
-    return tuple(int(word) for word in words)
+    return tuple(int(part) for part in parts)
 
-
-# Places in turn, again and again.
 
 ROUNDS = NumberSpec(
     label="Rounds", minimum=1, maximum=200, whole=True, hint="How often the path is passed"
@@ -192,7 +198,7 @@ ROUNDS = NumberSpec(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Alternation:
-    """Bursts at each place of a path in turn, and from its beginning again.
+    """Bursts at each place of a path in turn, for a number of rounds.
 
     Burst k, counted from 0 through all rounds, starts k times the spacing after the first.
 
@@ -203,11 +209,11 @@ class Alternation:
     waveform
         The burst.
     spacing_s
-        From the start of one burst to the start of the next.
+        Time from the start of one burst to the start of the next.
     rounds
         How often the path is passed.
     amplitude
-        Of each track.
+        Amplitude of each track.
     onset_s
         When the first burst starts.
     """
@@ -233,39 +239,28 @@ class Alternation:
 
     @property
     def summary(self) -> str:
-        """Its times in words."""
+        """Describe the times in a phrase."""
         n, burst_s = self.rounds * len(self.path), self.waveform.duration_s
         whole_s = (n - 1) * self.spacing_s + burst_s
         return (
-            f"{counted(n, 'burst')} of {in_ms(burst_s)}, {gap_text(self.spacing_s, burst_s)}; "
+            f"{counted(n, 'burst')} of {in_ms(burst_s)}, {_gap_text(self.spacing_s, burst_s)}; "
             f"{in_ms(whole_s)} in all"
         )
 
     def tracks(self) -> tuple[Input, ...]:
         """Return a track for each place."""
-        places = self.path * self.rounds
-        clips = (
-            Clip(
-                onset_s=self.onset_s + k * self.spacing_s,
-                waveform=self.waveform,
-                label=f"{self.title} {k + 1}/{len(places)}",
-            )
-            for k in range(len(places))
-        )
-        return grouped(zip(places, clips, strict=True), self.amplitude)
+        return _evenly_spaced_tracks(self, self.path * self.rounds)
 
 
-# Bursts that seem to be one that moves.
-
-#: Part of its duration by which a burst is ahead of the next, and what is added to it.
+#: Stimulus onset asynchrony: its share of the duration of a burst, and the constant added to it.
 SOA_PER_DURATION, SOA_OFFSET_S = 0.32, 0.0473
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ApparentMotion:
-    """Bursts at one place after the other that are felt as one moving smoothly.
+    """Bursts at one place after the other that are felt as one smooth movement.
 
-    The next starts 0.32 d + 47.3 ms after the one before, d being the duration of a burst.
+    Each burst starts 0.32 d + 47.3 ms after the one before; d is the duration of a burst.
 
     Attributes
     ----------
@@ -274,7 +269,7 @@ class ApparentMotion:
     waveform
         The burst; its duration is d.
     amplitude
-        Of each track.
+        Amplitude of each track.
     onset_s
         When the first burst starts.
     """
@@ -300,34 +295,24 @@ class ApparentMotion:
 
     @property
     def spacing_s(self) -> float:
-        """From the start of one burst to the start of the next."""
+        """Time from the start of one burst to the start of the next."""
         return SOA_PER_DURATION * self.waveform.duration_s + SOA_OFFSET_S
 
     @property
     def summary(self) -> str:
-        """Its times in words."""
+        """Describe the times in a phrase."""
         burst_s = self.waveform.duration_s
         whole_s = (len(self.path) - 1) * self.spacing_s + burst_s
         return (
-            f"{len(self.path)} bursts of {in_ms(burst_s)}, one every {in_ms(self.spacing_s)}, "
-            f"{gap_text(self.spacing_s, burst_s)}; {in_ms(whole_s)} in all"
+            f"{len(self.path)} bursts of {in_ms(burst_s)}, one every "
+            f"{in_ms(self.spacing_s)}, {_gap_text(self.spacing_s, burst_s)}; "
+            f"{in_ms(whole_s)} in all"
         )
 
     def tracks(self) -> tuple[Input, ...]:
         """Return a track for each place."""
-        n = len(self.path)
-        clips = (
-            Clip(
-                onset_s=self.onset_s + k * self.spacing_s,
-                waveform=self.waveform,
-                label=f"{self.title} {k + 1}/{n}",
-            )
-            for k in range(n)
-        )
-        return grouped(zip(self.path, clips, strict=True), self.amplitude)
+        return _evenly_spaced_tracks(self, self.path)
 
-
-# Something between two places.
 
 TWO_PLACES = replace(PATH, most=2, different=True, label="Places", hint="The two places")
 POSITION = NumberSpec(
@@ -341,10 +326,10 @@ POSITION = NumberSpec(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Phantom:
-    """The same at two places, as strong as if it lay between them.
+    """The same waveform at two places, felt as one between them.
 
     At the position β from the first place (0) to the second (1), the first plays with sqrt(1 - β)
-    and the second with sqrt(β) of the amplitude, so that the sum of their energies stays.
+    and the second with sqrt(β) of the amplitude, so that the sum of their energies stays constant.
 
     Attributes
     ----------
@@ -355,7 +340,7 @@ class Phantom:
     position
         β, 0 to 1.
     amplitude
-        That of a single actuator where it is felt.
+        Amplitude of the single actuator that would feel the same.
     onset_s
         When both start.
     """
@@ -383,12 +368,12 @@ class Phantom:
 
     @property
     def shares(self) -> tuple[float, float]:
-        """Parts of the amplitude: sqrt(1 - β) and sqrt(β)."""
+        """Shares of the amplitude: sqrt(1 - β) and sqrt(β)."""
         return sqrt(1.0 - self.position), sqrt(self.position)
 
     @property
     def summary(self) -> str:
-        """Its amplitudes in words."""
+        """Describe the amplitudes in a phrase."""
         first, second = self.shares
         return (
             f"{first:.3g} and {second:.3g} of the amplitude at once, for "
@@ -396,8 +381,8 @@ class Phantom:
         )
 
     def tracks(self) -> tuple[Input, ...]:
-        """Return a track for each of both places; one that is silent is there all the same."""
-        # As amplitudes of tracks they count under every scaling; gains of single clips do not.
+        """Return a track for each of the two places, also for a silent one."""
+        # Shares are amplitudes of tracks, which count under every scaling; gains of clips do not.
         return tuple(
             Input(
                 location=place,
@@ -414,8 +399,6 @@ class Phantom:
         )
 
 
-# One waveform that moves along a path.
-
 OVERLAP = NumberSpec(
     label="Overlap",
     minimum=0.0,
@@ -427,23 +410,23 @@ OVERLAP = NumberSpec(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sweep:
-    """One waveform that runs along a path while it plays.
+    """One waveform that moves along a path while it plays.
 
-    Each leg of the path takes the same time.  On the middle part of it, the overlap, the place
-    behind fades out with cos(pi u / 2) and the one ahead fades in with sin(pi u / 2), u going
-    evenly from 0 to 1: the phantom's √(1-β) and √β with β = sin²(pi u / 2).  The sum of the
-    energies stays throughout, and what plays goes on without a break.
+    Each leg of the path takes the same time.  In the middle of a leg, during the overlap, the
+    place behind fades out with cos(pi u / 2) and the place ahead fades in with sin(pi u / 2),
+    where u goes evenly from 0 to 1: the phantom's √(1-β) and √β with β = sin²(pi u / 2).  The sum
+    of the energies stays constant, and the waveform goes on without a break.
 
     Attributes
     ----------
     path
-        Input places, in their order; no two after each other are the same.
+        Input places, in their order; a place cannot follow itself.
     waveform
         What moves; its duration is that of the whole sweep.
     overlap
-        Part of each leg on which both places play, 0 to 1.
+        Share of each leg during which both places play, 0 to 1.
     amplitude
-        Of each track.
+        Amplitude of each track.
     onset_s
         When it starts.
     """
@@ -468,32 +451,34 @@ class Sweep:
 
     def __post_init__(self) -> None:
         fields.check(self)
-        for here, there in pairwise(self.path):
-            if here == there:
+        for place, next_place in pairwise(self.path):
+            if place == next_place:
                 raise InvalidInputError(
-                    f"Sweep.path goes from place {here} to {there}, expected another place; "
+                    f"Sweep.path goes from place {place} to {next_place}, expected another place; "
                     "leave one of them out"
                 )
 
     @property
     def leg_s(self) -> float:
-        """From one place to the next."""
+        """Time from one place to the next."""
         return self.waveform.duration_s / (len(self.path) - 1)
 
     @property
     def summary(self) -> str:
-        """Its times in words."""
+        """Describe the times in a phrase."""
         return (
-            f"{len(self.path)} places in {in_ms(self.waveform.duration_s)}, {in_ms(self.leg_s)} "
-            f"from one to the next; two play for {in_ms(self.overlap * self.leg_s)} of that"
+            f"{len(self.path)} places in {in_ms(self.waveform.duration_s)}, "
+            f"{in_ms(self.leg_s)} from one to the next; two play for "
+            f"{in_ms(self.overlap * self.leg_s)} of that"
         )
 
     def tracks(self) -> tuple[Input, ...]:
         """Return a track for each place."""
-        n = len(self.path)
-        return grouped(((self.path[k], self._clip(k, n)) for k in range(n)), self.amplitude)
+        clips = (self._clip(k) for k in range(len(self.path)))
+        return _tracks_by_location(self.path, clips, self.amplitude)
 
-    def _clip(self, k: int, n: int) -> Clip:
+    def _clip(self, k: int) -> Clip:
+        n = len(self.path)
         cross_s = self.overlap * self.leg_s
         begin_s = 0.0 if k == 0 else (k - 0.5) * self.leg_s - cross_s / 2
         end_s = self.waveform.duration_s if k == n - 1 else (k + 0.5) * self.leg_s + cross_s / 2
@@ -511,8 +496,6 @@ class Sweep:
             label=f"{self.title} {k + 1}/{n}",
         )
 
-
-# Taps along a path.
 
 TAPS = NumberSpec(
     label="Taps", minimum=1, maximum=200, whole=True, hint="At each place before the next"
@@ -532,12 +515,11 @@ class TapSequence:
     waveform
         The tap.
     taps
-        How many there are at each place.
+        Number of taps at each place.
     spacing_s
-        From the start of one tap to the start of the next, at the same place and from place to
-        place.
+        Time from the start of one tap to the start of the next, also from place to place.
     amplitude
-        Of each track.
+        Amplitude of each track.
     onset_s
         When the first tap starts.
     """
@@ -566,7 +548,7 @@ class TapSequence:
 
     @property
     def summary(self) -> str:
-        """Its times in words."""
+        """Describe the times in a phrase."""
         n = self.taps * len(self.path)
         whole_s = (n - 1) * self.spacing_s + self.waveform.duration_s
         return f"{counted(n, 'tap')}, one every {in_ms(self.spacing_s)}; {in_ms(whole_s)} in all"
@@ -574,20 +556,10 @@ class TapSequence:
     def tracks(self) -> tuple[Input, ...]:
         """Return a track for each place."""
         places = [place for place in self.path for _ in range(self.taps)]
-        clips = (
-            Clip(
-                onset_s=self.onset_s + k * self.spacing_s,
-                waveform=self.waveform,
-                label=f"{self.title} {k + 1}/{len(places)}",
-            )
-            for k in range(len(places))
-        )
-        return grouped(zip(places, clips, strict=True), self.amplitude)
+        return _evenly_spaced_tracks(self, places)
 
 
-# One tone at all places, later and later in its phase.
-
-#: Waveforms with one frequency and a phase.
+#: Waveforms that have one frequency and a phase.
 _PERIODIC = (Tone, Square, Saw, Triangle)
 
 PERIODIC = ModelSpec(
@@ -614,10 +586,10 @@ SPEED = NumberSpec(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TravellingPhase:
-    """The same steady tone at all places at once, the phase lagging from place to place.
+    """The same steady tone at all places at once, with a phase that lags from place to place.
 
-    At place k it starts with the phase of the waveform less 2 pi frequency k distance / speed:
-    what a wave of this speed would have, that passes the places in their order.
+    At place k it starts with the phase of the waveform minus 2 pi frequency k distance / speed,
+    the phase of a wave that passes the places in their order at this speed.
 
     Attributes
     ----------
@@ -626,11 +598,11 @@ class TravellingPhase:
     waveform
         A tone, square, saw or triangle wave.
     distance_m
-        From one place to the next.
+        Distance from one place to the next.
     speed_m_s
-        Of the wave.
+        Speed of the wave.
     amplitude
-        Of each track.
+        Amplitude of each track.
     onset_s
         When all of them start.
     """
@@ -656,12 +628,12 @@ class TravellingPhase:
 
     @property
     def lag_turns(self) -> float:
-        """Turns by which the tone lags from one place to the next."""
+        """Lag from one place to the next, in turns."""
         return self.waveform.frequency_hz * self.distance_m / self.speed_m_s
 
     @property
     def summary(self) -> str:
-        """Its times in words."""
+        """Describe the times in a phrase."""
         return (
             f"{len(self.path)} places at once for {in_ms(self.waveform.duration_s)}, each "
             f"{degrees(2 * pi * self.lag_turns):.4g}° behind the one before"
@@ -678,7 +650,7 @@ class TravellingPhase:
             )
             for k in range(n)
         )
-        return grouped(zip(self.path, clips, strict=True), self.amplitude)
+        return _tracks_by_location(self.path, clips, self.amplitude)
 
     def _phase_rad(self, k: int) -> float:
         if k == 0:
@@ -687,9 +659,7 @@ class TravellingPhase:
         return remainder(self.waveform.phase_rad - lag, 2.0 * pi)
 
 
-# Every kind of motion.
-
-#: Every kind of motion, in the order in which a user meets them.
+#: Every kind of motion, in the order in which a user sees them.
 MOTIONS: tuple[type[Motion], ...] = (
     Sweep,
     ApparentMotion,

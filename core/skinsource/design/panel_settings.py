@@ -1,4 +1,4 @@
-"""What only one panel looks at: its own frozen settings, kept in `View.panels` as plain data.
+"""Settings that belong to one panel: frozen dataclasses, stored in `View.panels` as plain data.
 
 A panel's settings are a frozen dataclass whose fields are made with `skinsource.specs.fields`, so
 that files can hold the settings of panels that this library does not know.
@@ -16,43 +16,43 @@ from skinsource.specs.spec import ChoiceSpec
 
 Settings = TypeVar("Settings")
 
-# Settings that were asked for last, and what they were read from: while something is dragged they
-# are asked for many times.  By identity: equal plain data need not be of the same types.
-_latest: dict[tuple[str, type], tuple[object, object]] = {}
+# The last settings of each panel and the data that they were read from, because a drag asks for
+# them many times.  Data are compared by identity: equal plain data can have different types.
+_cache: dict[tuple[str, type], tuple[object, object]] = {}
 
 
 def settings_of(view: View, panel: str, kind: type[Settings]) -> Settings:
     """Return the settings of one panel.
 
-    A field that the view does not hold has its default, and so has one whose value does not fit
-    its specification: what is only looked at must not keep a design from being seen.
+    A field that is not in the view, or whose value is not allowed, has its default: settings of a
+    panel must not prevent opening a design.
     """
-    found = _latest.get((panel, kind))
-    if found is not None and found[0] is view.panels:
-        return cast(Settings, found[1])
-    held = dict(dict(view.panels).get(panel, ()))
+    cached = _cache.get((panel, kind))
+    if cached is not None and cached[0] is view.panels:
+        return cast(Settings, cached[1])
+    stored = dict(dict(view.panels).get(panel, ()))
     settings = kind()
     for field in dataclass_fields(settings):  # type: ignore[arg-type]
-        if field.name in held:
-            settings = _with_field(settings, field.name, held[field.name])
-    _latest[panel, kind] = view.panels, settings
+        if field.name in stored:
+            settings = _with_field(settings, field.name, stored[field.name])
+    _cache[panel, kind] = view.panels, settings
     return settings
 
 
 def with_settings(view: View, panel: str, settings: Any) -> View:
-    """Return ``view`` with these settings of one panel; fields it does not know are kept.
+    """Return ``view`` with these settings of one panel; unknown fields stay.
 
-    What is as by default is not held, so that views that look alike are equal.
+    Defaults are not stored, so that views that show the same are equal.
     """
     panels = dict(view.panels)
-    held: dict[str, Plain] = dict(panels.pop(panel, ()))
-    usual = type(settings)()
+    stored: dict[str, Plain] = dict(panels.pop(panel, ()))
+    defaults = type(settings)()
     for field in dataclass_fields(settings):
-        held.pop(field.name, None)
-        if getattr(settings, field.name) != getattr(usual, field.name):
-            held[field.name] = getattr(settings, field.name)
-    if held:
-        panels[panel] = tuple(held.items())
+        stored.pop(field.name, None)
+        if getattr(settings, field.name) != getattr(defaults, field.name):
+            stored[field.name] = getattr(settings, field.name)
+    if stored:
+        panels[panel] = tuple(stored.items())
     return replace(view, panels=tuple(panels.items()))
 
 
@@ -62,8 +62,6 @@ def _with_field(settings: Settings, name: str, value: Plain) -> Settings:
     except InvalidInputError:
         return settings
 
-
-# What panels of analysis choose and their quantities depend on.
 
 WINDOW = ChoiceSpec(
     label="Window",
@@ -84,10 +82,10 @@ class SpectrogramSettings:
     window_ms
         Length of the window: ``"25"``, ``"50"``, ``"100"`` or ``"200"``.
     output
-        Of which of the selected outputs; 0, or one that is not selected: of the last one.
+        The selected output that is shown; 0, or one that is not selected: the last one.
     floor_hz, ceiling_hz
-        What is drawn, up to half the rate of the limb; a ceiling that is not above the floor counts
-        as that.
+        Range that is drawn, up to half the rate of the limb; a ceiling that is not above the floor
+        counts as half the rate.
     """
 
     window_ms: str = fields.choice("50", WINDOW)

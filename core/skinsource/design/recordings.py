@@ -1,4 +1,8 @@
-"""Recordings from foreign files: what a file holds, what is taken of it, and what comes of that.
+"""Import recordings from foreign files.
+
+`look` reads what a file holds, an `ImportChoice` says which part of which signal is imported and
+what its numbers mean, and `take` returns the part as a waveform plays it.  Files are read in a
+process of their own; `taken` converts the raw numbers and is a pure function.
 
 >>> from skinsource import recordings
 >>> list(recordings.UNITS)
@@ -44,39 +48,37 @@ __all__ = [
 ]
 
 
-# What is taken of a foreign file, and what becomes of it.
-
-#: What becomes of the size: the largest number becomes 1, or all stays as it is.
+#: Whether the largest number becomes 1 (``"peak"``) or all keep their size (``"keep"``).
 Scale = Literal["peak", "keep"]
-#: What becomes of numbers that are not there: nothing is taken, or they count as 0.
+#: Whether missing numbers are an error (``"refuse"``) or count as 0 (``"zero"``).
 Missing = Literal["refuse", "zero"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ImportChoice:
-    """One signal of a file, what it means, and which part of it is wanted.
+    """One signal of a file, what its numbers mean, and which part of it is imported.
 
     Attributes
     ----------
     series
         Key of the signal.
     rate_hz
-        Samples a second; None: as the time stamps say.
+        Samples a second; None: the rate follows from the time stamps.
     time
-        Key of the time stamps; None: there are none, or they do not count.
+        Key of the time stamps; None: there are none, or they are ignored.
     time_unit_s
-        What one of them is in seconds.
+        Unit of the time stamps in seconds.
     unit
         One of `skinsource.readers.units.UNITS`.
     scale
-        ``"peak"``: a drive of peak 1; ``"keep"``: the size it has, accelerations in m/s².  See
-        `usual_scale`.
+        ``"peak"``: a drive of peak 1; ``"keep"``: the numbers keep their size, accelerations in
+        m/s².  See `usual_scale`.
     remove_offset
-        Whether the mean of the part is taken off.
+        Whether the mean of the part is subtracted.
     start_s, duration_s
-        The part, from the first sample of the file on; at most 600 s.
+        The part, counted from the first sample of the file; at most 600 s.
     missing
-        What becomes of numbers that are not there.
+        ``"refuse"``: missing numbers are an error; ``"zero"``: they count as 0.
     others
         Keys of the two other axes of the same movement: the three become one signal, see
         `skinsource.readers.reader.dft321`; none: the signal alone.
@@ -116,50 +118,47 @@ class ImportChoice:
 
 
 def usual_scale(unit: str) -> Scale:
-    """What is likely to be wanted of a unit: a physical one keeps its size, full scale has none."""
+    """Return the usual scale: ``"keep"`` for a physical unit, ``"peak"`` for full scale."""
     return "keep" if UNITS[unit].becomes else "peak"
 
 
 def suggested(found: Found, series: Series | None = None) -> ImportChoice:
-    """What is likely to be wanted: the first signal of a file, as far as the file describes it."""
-    one = series or found.signals()[0]
-    stated = found.rate_of(one)
-    stamps = found.time_of(one)
-    unit = one.unit or "full scale"
+    """Return the usual choice: the first signal of a file, described as the file describes it."""
+    signal = series or found.signals()[0]
+    timestamps = found.time_of(signal)
+    unit = signal.unit or "full scale"
     return ImportChoice(
-        series=one.key,
-        rate_hz=stated if stamps is None else None,
-        time=stamps.key if stamps else None,
-        time_unit_s=stamps.time_unit_s if stamps else 1.0,
+        series=signal.key,
+        rate_hz=found.rate_of(signal) if timestamps is None else None,
+        time=timestamps.key if timestamps else None,
+        time_unit_s=timestamps.time_unit_s if timestamps else 1.0,
         unit=unit,
         scale=usual_scale(unit),
     )
 
 
-# From the raw numbers of a file to what a waveform plays: pure functions of both.
-
-_MOST_NAME = 200
-# Shares of the energy that are smaller are what edges ring.
-_NOTED_LOSS = 0.01
-# Of the largest deviation from it.
-_NOTED_OFFSET = 1e-3
+_LONGEST_NAME = 200
+# A smaller lost share of the energy can be mere ringing at the edges.
+_LEAST_NOTED_LOSS = 0.01
+# Share of the largest deviation from the offset.
+_LEAST_NOTED_OFFSET = 1e-3
 _BLOCK = 2**18
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Taken:
-    """What came of a part of a file.
+    """An imported part of a file.
 
     Attributes
     ----------
     samples
-        At the rate that was asked for, with their unit.
+        Samples at the chosen rate, with their unit.
     name
-        Of the file, and of the signal where it has several.
+        Name of the file, and of the signal where the file has several.
     from_hz
-        The rate of the file.
+        Sample rate of the file.
     notes
-        What was done to it, in sentences.
+        Sentences about what was changed.
     """
 
     samples: Samples
@@ -169,8 +168,8 @@ class Taken:
 
     @property
     def waveform(self) -> Recording:
-        """What a clip plays of it."""
-        return Recording(self.samples, self.name[:_MOST_NAME], self.from_hz)
+        """Return the waveform for a clip."""
+        return Recording(self.samples, self.name[:_LONGEST_NAME], self.from_hz)
 
 
 def taken(
@@ -181,111 +180,119 @@ def taken(
     name: str = "",
     stamps_s: Floats | None = None,
 ) -> Taken:
-    """Return what ``choice`` makes of the raw numbers of the part.
+    """Convert the raw numbers of a part as ``choice`` says.
 
-    In this order: missing numbers are refused or become 0; time stamps that are not steady are
-    made so; the mean is taken off; the rate is changed by `skinsource.signals.resampling.resample`;
-    the unit becomes that of a drive, velocities and displacements by their derivatives from 25 Hz
-    on; the peak becomes 1.  Whatever is not asked for changes no bit.
+    In this order: missing numbers are refused or become 0; samples at unsteady times are resampled
+    to a steady rate; the mean is subtracted; the rate is changed by
+    `skinsource.signals.resampling.resample`; velocities and displacements become accelerations by
+    their derivatives from 25 Hz on; the peak becomes 1.  A step that ``choice`` does not include
+    changes no bit.
 
     Parameters
     ----------
     values : (n,) or (3, n)
-        As the file holds them; n >= 1.  Three axes become one signal by `three_axes.dft321`.
+        Numbers as the file holds them; n >= 1.  Three axes become one signal by
+        `skinsource.readers.reader.dft321`.
     choice
-        What they are; start and duration are not looked at: this is the part.
+        What the numbers mean; start and duration are ignored, because ``values`` are the part.
     to_hz
         The rate of the result.
     name
-        What it is called.
+        Name of the result.
     stamps_s : (n,)
-        When each was, in s; None where the rate says so.
+        Time of each number in s; None where the rate gives it.
 
     Raises
     ------
     InvalidInputError
-        Nothing is left, numbers are missing, the rate is not known, or stamps do not increase.
+        The part is empty, numbers are missing, the rate is not known, or time stamps do not
+        increase.
     """
     if values.ndim not in (1, 2) or not values.size:
         raise InvalidInputError("there is no sample in this part; choose another one")
     notes: list[str] = []
     if values.ndim == 1:
-        signal, rate = _at_one_rate(_complete(values, choice, notes), choice, stamps_s, notes)
+        signal, rate = _with_steady_rate(
+            _without_gaps(values, choice, notes), choice, stamps_s, notes
+        )
     else:
-        signal, rate = _of_axes(values, choice, stamps_s, notes)
-    offset = _offset_of(signal, choice, notes)
+        signal, rate = _one_signal(values, choice, stamps_s, notes)
+    offset = _offset(signal, choice, notes)
     ratio = Fraction(to_hz).limit_denominator(10_000) / rate
-    found = by_ratio(signal, ratio, min(float(rate), to_hz), offset=offset)
-    _note_loss(_energy(signal, offset), found, ratio, to_hz, notes)
-    found, unit = _in_drive_units(found, choice, to_hz, notes)
+    resampled = by_ratio(signal, ratio, min(float(rate), to_hz), offset=offset)
+    _note_loss(_energy(signal, offset), resampled, ratio, to_hz, notes)
+    resampled, unit = _in_drive_units(resampled, choice, to_hz, notes)
     return Taken(
-        samples=Samples(values=found, sample_rate_hz=to_hz, unit=unit),
+        samples=Samples(values=resampled, sample_rate_hz=to_hz, unit=unit),
         name=name,
         from_hz=float(rate),
         notes=tuple(notes),
     )
 
 
-def _of_axes(
+def _one_signal(
     axes: NDArray[Any], choice: ImportChoice, stamps_s: Floats | None, notes: list[str]
 ) -> tuple[Floats, Fraction]:
-    """One signal of three axes, and its rate; the offset of each goes before, if it is unwanted."""
-    each: list[Floats] = []
-    rate, told = Fraction(1), list[str]()
+    """Join three axes, without their offsets where those are removed; return signal and rate."""
+    signals: list[Floats] = []
+    rate, axis_notes = Fraction(1), list[str]()
     for axis in axes:
-        signal, rate = _at_one_rate(_complete(axis, choice, told), choice, stamps_s, told)
-        each.append(np.asarray(signal, np.float64) - _offset_of(signal, choice, told))
-    notes += dict.fromkeys(told)
+        signal, rate = _with_steady_rate(
+            _without_gaps(axis, choice, axis_notes), choice, stamps_s, axis_notes
+        )
+        signals.append(np.asarray(signal, np.float64) - _offset(signal, choice, axis_notes))
+    notes += dict.fromkeys(axis_notes)
     notes.append(
         "Three axes became one with the energy of all at each frequency (DFT321, Landin et al. "
         "2010)."
     )
-    return dft321(np.stack(each)), rate
+    return dft321(np.stack(signals)), rate
 
 
-def _at_one_rate(
+def _with_steady_rate(
     signal: NDArray[Any], choice: ImportChoice, stamps_s: Floats | None, notes: list[str]
 ) -> tuple[NDArray[Any], Fraction]:
     if stamps_s is None:
         if choice.rate_hz is None:
             raise InvalidInputError("the file does not say its sample rate; type it in")
         return signal, Fraction(choice.rate_hz).limit_denominator(10_000)
-    pace = sample_clock(stamps_s)
-    if pace.steady:
-        return signal, pace.rate_hz
-    notes.append(pace.note)
-    return at_steady_rate(np.asarray(signal, np.float64), stamps_s, pace.rate_hz), pace.rate_hz
+    clock = sample_clock(stamps_s)
+    if clock.steady:
+        return signal, clock.rate_hz
+    notes.append(clock.note)
+    return at_steady_rate(np.asarray(signal, np.float64), stamps_s, clock.rate_hz), clock.rate_hz
 
 
-def _complete(values: NDArray[Any], choice: ImportChoice, notes: list[str]) -> NDArray[Any]:
-    there = np.isfinite(values)
-    absent = values.size - int(np.count_nonzero(there))
-    if not absent:
+def _without_gaps(values: NDArray[Any], choice: ImportChoice, notes: list[str]) -> NDArray[Any]:
+    finite = np.isfinite(values)
+    n_missing = values.size - int(np.count_nonzero(finite))
+    if not n_missing:
         return values
-    first = int(np.argmin(there)) + 1
+    first = int(np.argmin(finite)) + 1
     if choice.missing == "refuse":
         raise InvalidInputError(
-            f"{absent} of {values.size} numbers are missing or not finite, the first is number "
+            f"{n_missing} of {values.size} numbers are missing or not finite, the first is number "
             f"{first} of this part; let them count as 0, or choose another part"
         )
-    notes.append(f"{absent} missing numbers count as 0, the first is number {first}.")
-    return np.where(there, values, values.dtype.type(0))
+    notes.append(f"{n_missing} missing numbers count as 0, the first is number {first}.")
+    return np.where(finite, values, values.dtype.type(0))
 
 
-def _offset_of(signal: NDArray[Any], choice: ImportChoice, notes: list[str]) -> float:
-    """What is to be taken off each number; a copy of them all would take much memory."""
+def _offset(signal: NDArray[Any], choice: ImportChoice, notes: list[str]) -> float:
+    """Return what is subtracted from each number; a copy of them all would take much memory."""
     if not choice.remove_offset:
         return 0.0
     mean = float(np.mean(signal, dtype=np.float64))
     most = max(float(signal.max()) - mean, mean - float(signal.min()))
-    if abs(mean) > _NOTED_OFFSET * most:
-        words = f"{mean:.4g}{_with_unit(choice)}".replace("-", "−")
-        notes.append(f"An offset of {words} was taken off.")
+    if abs(mean) > _LEAST_NOTED_OFFSET * most:
+        unit = "" if choice.unit == "full scale" else f" {choice.unit}"
+        text = f"{mean:.4g}{unit}".replace("-", "−")
+        notes.append(f"An offset of {text} was taken off.")
     return mean
 
 
 def _energy(signal: NDArray[Any], offset: float) -> float:
-    """Sum of squares, without a copy of all numbers."""
+    """Return the sum of squares without a copy of all numbers."""
     parts = (signal[k : k + _BLOCK].astype(np.float64) for k in range(0, signal.size, _BLOCK))
     return float(sum(np.sum((part - offset) ** 2) for part in parts))
 
@@ -293,10 +300,10 @@ def _energy(signal: NDArray[Any], offset: float) -> float:
 def _note_loss(
     before: float, after: Floats, ratio: Fraction, to_hz: float, notes: list[str]
 ) -> None:
-    """Say how much of the energy ``before`` lay above what the new rate can hold."""
+    """Note how much of the energy ``before`` lay above half the new rate."""
     if ratio < 1 and before > 0.0:
         lost = 1.0 - float(np.vdot(after, after)) / float(ratio) / before
-        if lost >= _NOTED_LOSS:
+        if lost >= _LEAST_NOTED_LOSS:
             share = f"{100.0 * lost:.0f} % of its energy"
             notes.append(f"{share} was above {to_hz / 2:g} Hz and is gone.")
 
@@ -309,7 +316,7 @@ def _in_drive_units(
         signal = differentiated(signal, rate_hz, unit.derivatives)
         how = "its derivative" if unit.derivatives == 1 else "its second derivative"
         notes.append(f"The acceleration is {how}, from 25 Hz on.")
-    # A factor that is 1 changes no bit.
+    # A factor of 1 changes no bit.
     signal = signal * unit.factor
     if choice.scale == "keep":
         return signal, unit.becomes
@@ -319,28 +326,22 @@ def _in_drive_units(
     return signal / peak, ""
 
 
-def _with_unit(choice: ImportChoice) -> str:
-    return "" if choice.unit == "full scale" else f" {choice.unit}"
-
-
-# Looks at foreign files and takes parts of them, in a process of its own.
-
-# Rounding of a time that somebody typed.
-_LITTLE_S = 1e-12
+# Rounding of a typed time.
+_ROUNDING_S = 1e-12
 _LANDMARKS = 601
 
 
 def look(path: Path | str) -> Found:
     """Return what a file holds: WAV, FLAC, AIFF, OGG, CSV, NPY, NPZ, MATLAB or HDF5.
 
-    It is read in a process of its own, which a damaged file may take down.
+    A process of its own reads the file, because a damaged file can crash a reader.
 
     Raises
     ------
     RecordingError
-        It holds nothing that can be used, or reading it crashed or took too long.
+        The file holds nothing that can be used, or reading it crashed or took too long.
     StorageError
-        It cannot be read.
+        The file cannot be read.
     """
     with ReadingProcess() as process:
         return process.look(Path(path))
@@ -362,51 +363,52 @@ def take(
     path
         The file.
     choice
-        What is taken; without one the first signal, as the file describes it: in a physical unit
-        it keeps its size, else its peak becomes 1.
+        What is imported; without it the first signal as the file describes it, which keeps its
+        size in a physical unit and else gets a peak of 1.
     to_hz
         The rate of the result, in Hz.
     progress, stop
         See `skinsource.base.job`.
     process
-        What reads; without one a new process.
+        The process that reads; without it a new one.
 
     Raises
     ------
     RecordingError, StorageError
-        As `look`, and where what is chosen is not in the file or cannot be used.
+        As for `look`; or the chosen signal is not in the file or cannot be used.
     Stopped
-        ``stop`` said so.
+        ``stop`` asked for it.
     """
     file = Path(path)
     if process is None:
-        with ReadingProcess() as own:
-            return take(file, choice, to_hz, progress=progress, stop=stop, process=own)
-    found = process.look(file, stop=stop)
-    wanted = choice or suggested(found)
-    raw = read_part(file, found, wanted, process=process, progress=progress, stop=stop)
-    return raw.taken(wanted, to_hz)
+        with ReadingProcess() as own_process:
+            return take(file, choice, to_hz, progress=progress, stop=stop, process=own_process)
+    contents = process.look(file, stop=stop)
+    choice = choice or suggested(contents)
+    raw = read_part(file, contents, choice, process=process, progress=progress, stop=stop)
+    return raw.taken(choice, to_hz)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class RawPart:
-    """A part of a file as the file has it: what need not be read again for another unit or scale.
+    """A part of a file as the file holds it; another unit or scale needs no new reading.
 
     Attributes
     ----------
     path, name
-        The file; what the signal is called.
+        The file; the name of the signal.
     values, stamps_s
-        Numbers, (n,), those of three axes (3, n), and when each was; None where the rate says so.
+        Numbers, (n,), those of three axes (3, n), and the time of each; None where the rate gives
+        it.
     rate_hz
-        The rate, where the file or the choice says it.
+        The rate, where the file or the choice gives it.
     lasts_s
         Length of the whole signal.
     landmarks_s
-        When each of up to 601 of all samples was, evenly chosen among them, the last one too; None
-        where the rate says so.
+        Times of up to 601 samples, evenly chosen among all, the last one included; None where the
+        rate gives them.
     read_for
-        What of the choice decided what was read.
+        The fields of the choice on which the reading depended.
     """
 
     path: Path
@@ -420,110 +422,99 @@ class RawPart:
 
     @property
     def n_missing(self) -> int:
-        """Numbers that are not there, or not finite."""
+        """Count the numbers that are missing or not finite."""
         return self.values.size - int(np.count_nonzero(np.isfinite(self.values)))
 
     def taken(self, choice: ImportChoice, to_hz: float) -> Taken:
-        """What ``choice`` makes of it; raises `RecordingError`."""
+        """Convert the numbers as ``choice`` says; raises `RecordingError`."""
         try:
-            wanted = replace(choice, rate_hz=self.rate_hz)
-            return taken(self.values, wanted, to_hz, name=self.name, stamps_s=self.stamps_s)
+            choice = replace(choice, rate_hz=self.rate_hz)
+            return taken(self.values, choice, to_hz, name=self.name, stamps_s=self.stamps_s)
         except InvalidInputError as error:
-            raise _about(self.path, error) from error
+            raise _recording_error(self.path, error) from error
 
 
 def read_for(choice: ImportChoice) -> tuple[object, ...]:
-    """What of a choice decides what is read."""
-    stamps = (choice.time, choice.time_unit_s) if choice.time else (choice.rate_hz,)
-    return (choice.series, choice.others, choice.start_s, choice.duration_s, *stamps)
+    """Return the fields of a choice on which the reading depends."""
+    rate = (choice.time, choice.time_unit_s) if choice.time else (choice.rate_hz,)
+    return (choice.series, choice.others, choice.start_s, choice.duration_s, *rate)
 
 
 def read_part(
     path: Path,
-    found: Found,
+    contents: Found,
     choice: ImportChoice,
     *,
     process: ReadingProcess,
     progress: Progress = silent,
     stop: Stop = never,
 ) -> RawPart:
-    """Read the part of a file that ``choice`` means; raises what `take` raises."""
-    axes = [found.one(key) for key in (choice.series, *choice.others)]
+    """Read the chosen part of a file; raises what `take` raises."""
+    keys_of_axes = (choice.series, *choice.others)
+    axes = [contents.one(key) for key in keys_of_axes]
     if None in axes:
-        absent = (choice.series, *choice.others)[axes.index(None)]
-        keys = ", ".join(one.key for one in found.series[:8])
+        absent = keys_of_axes[axes.index(None)]
+        keys = ", ".join(series.key for series in contents.series[:8])
         raise RecordingError(
             f"{named(Path(path.name))}: it has no signal {quoted(absent)}, expected one of "
             f"{keys:.200}. Choose one of them."
         )
     read = partial(process.read, path, progress=progress, stop=stop)
     try:
-        return _read(path, found, [one for one in axes if one is not None], choice, read)
+        return _read(path, contents, [axis for axis in axes if axis is not None], choice, read)
     except InvalidInputError as error:
-        raise _about(path, error) from error
+        raise _recording_error(path, error) from error
 
 
 def _read(
     path: Path,
-    found: Found,
+    contents: Found,
     axes: Sequence[Series],
     choice: ImportChoice,
     read: Callable[..., Block],
 ) -> RawPart:
-    series, keys = axes[0], [one.key for one in axes]
-    if len({(one.n_samples, one.unit) for one in axes}) > 1:
+    series, keys = axes[0], [axis.key for axis in axes]
+    if len({(axis.n_samples, axis.unit) for axis in axes}) > 1:
         raise InvalidInputError(
             "the axes are not equally long or not in one unit; choose others, or one alone"
         )
-    names = ", ".join(one.name for one in axes)
-    part: dict[str, Any] = {
-        "path": path,
-        "name": f"{path.name}, {names}" if len(found.signals()) > 1 else path.name,
-        "read_for": read_for(choice),
-    }
+    timestamps_s = landmarks_s = None
     if choice.time is None:
-        rate_hz = choice.rate_hz or found.rate_of(series)
+        rate_hz = choice.rate_hz or contents.rate_of(series)
         if rate_hz is None:
             raise InvalidInputError("the file does not say its sample rate; type it in")
         start = round(choice.start_s * rate_hz)
         end = min(start + max(round(choice.duration_s * rate_hz), 1), series.n_samples)
         lasts_s = series.n_samples / rate_hz
         _check_part(start, end, lasts_s)
-        values = _alone(read(keys, start, end))
-        return RawPart(
-            values=values,
-            stamps_s=None,
-            rate_hz=rate_hz,
-            lasts_s=lasts_s,
-            landmarks_s=None,
-            **part,
-        )
-    stamps = read([choice.time], 0, series.n_samples)[0]
-    # 64-bit also where the file has fewer digits: their differences are what counts.
-    since_s = (stamps.astype(np.float64) - float(stamps[0])) * choice.time_unit_s
-    start, end = np.searchsorted(
-        since_s, (choice.start_s - _LITTLE_S, choice.start_s + choice.duration_s - _LITTLE_S)
-    ).tolist()
-    _check_part(start, end, float(since_s[-1]))
-    values = _alone(read(keys, start, end))
-    n = since_s.size
-    chosen = np.linspace(0, n - 1, min(n, _LANDMARKS)).astype(np.int64)
+    else:
+        rate_hz = None
+        timestamps = read([choice.time], 0, series.n_samples)[0]
+        # 64-bit, since their differences matter, whatever precision the file has.
+        since_s = (timestamps.astype(np.float64) - float(timestamps[0])) * choice.time_unit_s
+        ends_s = (choice.start_s - _ROUNDING_S, choice.start_s + choice.duration_s - _ROUNDING_S)
+        start, end = np.searchsorted(since_s, ends_s).tolist()
+        _check_part(start, end, float(since_s[-1]))
+        timestamps_s = since_s[start:end]
+        n = since_s.size
+        landmarks_s = since_s[np.linspace(0, n - 1, min(n, _LANDMARKS)).astype(np.int64)]
+        # The last sample lasts for a step too.
+        lasts_s = float(since_s[-1]) * n / max(n - 1, 1)
+    values = read(keys, start, end)
+    names = ", ".join(axis.name for axis in axes)
     return RawPart(
-        values=values,
-        stamps_s=since_s[start:end],
-        rate_hz=None,
-        # The last sample too lasts for a step.
-        lasts_s=float(since_s[-1]) * n / max(n - 1, 1),
-        landmarks_s=since_s[chosen],
-        **part,
+        path=path,
+        name=f"{path.name}, {names}" if len(contents.signals()) > 1 else path.name,
+        values=values if len(values) > 1 else values[0],
+        stamps_s=timestamps_s,
+        rate_hz=rate_hz,
+        lasts_s=lasts_s,
+        landmarks_s=landmarks_s,
+        read_for=read_for(choice),
     )
 
 
-def _alone(block: Block) -> Block:
-    return block if len(block) > 1 else block[0]
-
-
-def _about(path: Path, error: InvalidInputError) -> RecordingError:
+def _recording_error(path: Path, error: InvalidInputError) -> RecordingError:
     return RecordingError(f"{named(Path(path.name))}: {sentence(str(error))}")
 
 

@@ -1,4 +1,12 @@
-"""Nothing is lost: copies of unsaved work, locks on open files, and a log of crashes."""
+"""Copies of unsaved work, and finding those of studios that ended before the work was saved.
+
+::
+
+    unsaved/<when>-<pid>-<random>/    one folder for each running studio
+        owner                         the process, see `skinsource.base.lock`
+        file                          the file that the work belongs to, if any
+        tap.7.skinsource, tap.7.png   the newest copy and its picture; the four before it
+"""
 
 import os
 import re
@@ -17,19 +25,10 @@ from skinsource.base.lock import read_owner, still_runs, this_process, to_bytes
 from skinsource.base.work import counted
 from skinsource.design.design_file import SUFFIX, DesignFile, save_design
 
-# Copies of the unsaved work of one running studio.
-#
-# ::
-#
-#     unsaved/<when>-<pid>-<random>/    one folder for each studio that runs
-#         owner                         the process, see `skinsource.base.lock`
-#         file                          the file that the work belongs to, if any
-#         tap.7.skinsource, tap.7.png   the newest copy and its picture; the four before it
-
-#: Below the folder of the user's data.
+#: Name of the folder of copies within the folder of the user's data.
 FOLDER = "unsaved"
 OWNER, FILE, PICTURE = "owner", "file", ".png"
-#: Copies of one studio that are kept at a time.
+#: Most copies of one studio at a time.
 MOST_COPIES = 5
 
 _LONGEST_STEM = 60
@@ -41,9 +40,9 @@ class Session:
     Parameters
     ----------
     folder
-        The user's data folder; the copies lie below it.
+        The user's data folder, which gets the folder of copies.
     most
-        Copies that are kept at a time; older ones go.
+        Most copies at a time; older ones are deleted.
     """
 
     def __init__(self, folder: Path, most: int = MOST_COPIES) -> None:
@@ -51,22 +50,22 @@ class Session:
         started = time.strftime("%Y%m%d-%H%M%S")
         self.folder = folder / FOLDER / f"{started}-{owner.pid}-{secrets.token_hex(3)}"
         self._most = most
-        self._kept: list[Path] = []
+        self._copies: list[Path] = []
         self._number = 0
         self._last: DesignFile | None = None
-        self._noted: bytes | None = None
+        self._file_written: bytes | None = None
 
     def keep(self, content: DesignFile, file: Path | None = None, picture: bytes = b"") -> Path:
-        """Write a copy, unless the newest one holds the same; returns the newest.
+        """Write a copy, unless the newest one holds the same; return the newest.
 
         Parameters
         ----------
         content
             The work.
         file
-            Where it was saved before; None: nowhere.
+            The file where the work was saved before, if any.
         picture
-            What it looks like, a PNG.
+            Picture of the work, a PNG.
 
         Raises
         ------
@@ -75,49 +74,47 @@ class Session:
         InvalidInputError
             The design is larger than any file may be.
         """
-        if self._kept and content == self._last and is_there(self._kept[-1]):
-            return self._kept[-1]
-        self._note(b"" if file is None else os.fsencode(file.absolute()))
+        if self._copies and content == self._last and is_there(self._copies[-1]):
+            return self._copies[-1]
+        self._write_owner_and_file(b"" if file is None else os.fsencode(file.absolute()))
         self._number += 1
         stem = file.stem[:_LONGEST_STEM] if file else "untitled"
         path = self.folder / f"{stem}.{self._number}{SUFFIX}"
         save_design(path, content.design, content.view, layout=content.layout)
-        self._kept.append(path)
+        self._copies.append(path)
         self._last = content
         if picture:
             write_bytes(path.with_suffix(PICTURE), picture)
-        for old in self._kept[: -self._most]:
-            _discard(old)
-        del self._kept[: -self._most]
+        for old in self._copies[: -self._most]:
+            _delete(old, old.with_suffix(PICTURE))
+        del self._copies[: -self._most]
         return path
 
     def forget(self) -> None:
-        """Delete all copies: the work is saved, or given up."""
-        self._kept, self._last = [], None
-        self._noted = None
+        """Delete all copies, because the work is saved or given up."""
+        self._copies, self._last = [], None
+        self._file_written = None
         shutil.rmtree(self.folder, ignore_errors=True)
 
-    def _note(self, file: bytes) -> None:
-        """Say whose the folder is, and what the copies in it are of."""
-        # Somebody who tidies up may have deleted all of it.
-        if self._noted == file and is_there(self.folder / OWNER):
+    def _write_owner_and_file(self, file: bytes) -> None:
+        """Write which process owns the folder, and which file its copies belong to."""
+        # The user may have deleted the folder.
+        if self._file_written == file and is_there(self.folder / OWNER):
             return
         make_folder(self.folder)
-        # First of all: a folder without an owner is nobody's.
+        # The owner comes first: a folder without one counts as abandoned.
         write_bytes(self.folder / OWNER, to_bytes(this_process()))
         write_bytes(self.folder / FILE, file)
-        self._noted = file
+        self._file_written = file
 
 
-def _discard(path: Path) -> None:
-    for one in (path, path.with_suffix(PICTURE)):
+def _delete(*paths: Path) -> None:
+    for path in paths:
         with suppress(OSError):
-            one.unlink()
+            path.unlink()
 
 
-# Unsaved work of studios that ended before it was saved.
-
-#: Where copies lie that could not be opened, below the folder of the copies.
+#: Name of the folder, within the folder of copies, for copies that could not be opened.
 ASIDE = "set aside"
 
 _NUMBERED = re.compile(rf"(.+)\.(\d{{1,9}}){re.escape(SUFFIX)}", re.DOTALL)
@@ -129,16 +126,16 @@ _MINUTE_S, _HOUR_S, _DAY_S = 60, 3600, 86_400
 
 @dataclass(frozen=True, slots=True)
 class UnsavedWork:
-    """What one studio left.
+    """The unsaved work of one studio that ended.
 
     Attributes
     ----------
     name
-        What the work was called.
+        Name of the work.
     copies
-        The newest first; each has a picture beside it, or none.
+        The newest first; a copy can have a picture next to it.
     file
-        Where the work was saved before; None: nowhere.
+        The file where the work was saved before, if any.
     kept_s
         When the newest copy was written, in seconds of the epoch.
     """
@@ -149,26 +146,26 @@ class UnsavedWork:
     kept_s: float
 
     def picture(self) -> bytes:
-        """PNG of the newest copy; empty where there is none."""
+        """Return the PNG of the newest copy; empty where there is none."""
         with suppress(SkinSourceError):
             return read_bytes(self.copies[0].with_suffix(PICTURE), most=2**22)
         return b""
 
     def age(self) -> str:
-        """How old the newest copy is, in words."""
+        """Return the age of the newest copy as a text."""
         return age_text(time.time() - self.kept_s)
 
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """What a start finds.
+    """Unsaved work at the start of a studio.
 
     Attributes
     ----------
     left
-        What can be opened, the newest first.
+        Work that can be opened, the newest first.
     set_aside
-        Where copies lie now whose opening never ended.
+        New paths of copies whose opening never ended.
     """
 
     left: tuple[UnsavedWork, ...] = ()
@@ -176,48 +173,47 @@ class Found:
 
 
 def find(folder: Path) -> Found:
-    """Look for what ended studios left; no copy is opened.
+    """Find the unsaved work of ended studios, without opening a copy.
 
-    What killed writers left is deleted, and a copy whose opening never ended is set aside: it
-    would stop this studio too.
+    Partial files of killed writers are deleted.  A copy whose opening never ended is set aside,
+    because it would crash this studio too.
 
     Parameters
     ----------
     folder
         The user's data folder.
     """
-    left: list[UnsavedWork] = []
+    works: list[UnsavedWork] = []
     aside: list[Path] = []
-    for place in _places(folder / FOLDER):
+    for session_folder in _ended_sessions(folder / FOLDER):
         copies = []
-        for copy in _copies(place):
+        for copy in _copies(session_folder):
             if not _mark(copy).exists():
                 copies.append(copy)
             elif not _being_opened(copy):
                 moved = set_aside(copy)
                 aside += [moved] if moved else []
         if copies:
-            left.append(_left_over(place, copies))
+            works.append(_unsaved_work(session_folder, copies))
         else:
-            _remove_empty(place)
-    left.sort(key=lambda one: one.kept_s, reverse=True)
-    return Found(tuple(left), tuple(aside))
+            _remove_if_empty(session_folder)
+    works.sort(key=lambda work: work.kept_s, reverse=True)
+    return Found(tuple(works), tuple(aside))
 
 
 def mark_opening(copy: Path) -> None:
-    """Note that ``copy`` is being opened; where that cannot be written, it is opened unnoted."""
+    """Write a mark that ``copy`` is being opened, if the folder can be written."""
     with suppress(SkinSourceError):
         write_bytes(_mark(copy), to_bytes(this_process()))
 
 
 def mark_opened(copy: Path) -> None:
-    """Note that the studio has survived it."""
-    with suppress(OSError):
-        _mark(copy).unlink()
+    """Remove the mark, because the studio has survived the opening."""
+    _delete(_mark(copy))
 
 
 def set_aside(copy: Path) -> Path | None:
-    """Move a copy that is bad to where none is offered; returns where it is, None: it stays."""
+    """Move a bad copy to a folder whose copies are not offered; return its path, None: it stays."""
     aside = copy.parent.parent / ASIDE
     try:
         make_folder(aside)
@@ -232,17 +228,15 @@ def set_aside(copy: Path) -> Path | None:
     return None
 
 
-def discard(left: UnsavedWork) -> None:
-    """Delete what was left; what cannot be deleted is offered again."""
-    for copy in left.copies:
-        for path in (copy, copy.with_suffix(PICTURE), _mark(copy)):
-            with suppress(OSError):
-                path.unlink()
-    _remove_empty(left.copies[0].parent)
+def discard(work: UnsavedWork) -> None:
+    """Delete unsaved work; what cannot be deleted is offered again."""
+    for copy in work.copies:
+        _delete(copy, copy.with_suffix(PICTURE), _mark(copy))
+    _remove_if_empty(work.copies[0].parent)
 
 
 def age_text(seconds: float) -> str:
-    """Words such as "3 minutes ago"."""
+    """Return an age as a text such as "3 minutes ago"."""
     for unit_s, noun in ((_DAY_S, "day"), (_HOUR_S, "hour"), (_MINUTE_S, "minute")):
         count = int(seconds // unit_s)
         if count >= 1:
@@ -250,41 +244,39 @@ def age_text(seconds: float) -> str:
     return "less than a minute ago"
 
 
-def _places(root: Path) -> list[Path]:
-    """Folders of studios that have ended."""
+def _ended_sessions(root: Path) -> list[Path]:
+    """Return the folders of studios that have ended, without their partial files."""
     try:
-        inside = sorted(path for path in root.iterdir() if path.is_dir() and path.name != ASIDE)
+        folders = sorted(path for path in root.iterdir() if path.is_dir() and path.name != ASIDE)
     except OSError:
         return []
-    ended = [place for place in inside if _has_ended(place)]
-    for place in ended:
-        for part in place.glob(".*.part"):
-            with suppress(OSError):
-                part.unlink()
+    ended = [folder for folder in folders if _has_ended(folder)]
+    for folder in ended:
+        _delete(*folder.glob(".*.part"))
     return ended
 
 
-def _has_ended(place: Path) -> bool:
-    owner = read_owner(place / OWNER)
+def _has_ended(folder: Path) -> bool:
+    owner = read_owner(folder / OWNER)
     if owner is not None:
         return still_runs(owner) is False
-    # It ended, or began, before it wrote who it is.
-    found = _OF_PROCESS.fullmatch(place.name)
-    return found is None or not psutil.pid_exists(int(found[1]))
+    # A studio writes its owner only after making the folder, whose name has the process id.
+    match = _OF_PROCESS.fullmatch(folder.name)
+    return match is None or not psutil.pid_exists(int(match[1]))
 
 
-def _remove_empty(place: Path) -> None:
-    if not _copies(place):
-        shutil.rmtree(place, ignore_errors=True)
+def _remove_if_empty(folder: Path) -> None:
+    if not _copies(folder):
+        shutil.rmtree(folder, ignore_errors=True)
 
 
-def _copies(place: Path) -> list[Path]:
-    """Copies in one folder, the newest first."""
+def _copies(folder: Path) -> list[Path]:
+    """Return the copies in a folder, the newest first."""
     try:
-        found = [path for path in place.iterdir() if path.name.endswith(SUFFIX)]
+        copies = [path for path in folder.iterdir() if path.name.endswith(SUFFIX)]
     except OSError:
         return []
-    return sorted(found, key=lambda path: (_number(path), _written_s(path)), reverse=True)
+    return sorted(copies, key=lambda path: (_number(path), _written_s(path)), reverse=True)
 
 
 def _number(path: Path) -> int:
@@ -299,15 +291,15 @@ def _written_s(path: Path) -> float:
         return 0.0
 
 
-def _left_over(place: Path, copies: list[Path]) -> UnsavedWork:
+def _unsaved_work(folder: Path, copies: list[Path]) -> UnsavedWork:
     numbered = _NUMBERED.fullmatch(copies[0].name)
     name = numbered[1] if numbered else copies[0].stem
-    return UnsavedWork(name, tuple(copies), _file_of(place), _written_s(copies[0]))
+    return UnsavedWork(name, tuple(copies), _file_of(folder), _written_s(copies[0]))
 
 
-def _file_of(place: Path) -> Path | None:
+def _file_of(folder: Path) -> Path | None:
     with suppress(SkinSourceError, ValueError):
-        text = os.fsdecode(read_bytes(place / FILE, most=_LONGEST_PATH))
+        text = os.fsdecode(read_bytes(folder / FILE, most=_LONGEST_PATH))
         return Path(text) if text else None
     return None
 

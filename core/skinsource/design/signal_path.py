@@ -1,4 +1,9 @@
-"""What a voice plays, written down."""
+"""The signal path from the clips of a track to a drive that is sampled.
+
+`placed_chain` describes what the clips of a track play as a `Chain` of parts; `drive_played`
+samples it as a `Drive`.  A `Voice` is a signal path at an input place, with its start and
+amplitude: this is all that the engine knows of a design's inputs.
+"""
 
 import math
 from collections.abc import Callable, Iterable, Sequence
@@ -29,18 +34,14 @@ Curve = tuple[tuple[float, float], ...]
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A waveform through its effects, somewhere in a chain.
+    """A waveform through its effects, at a place in a signal path.
 
     Attributes
     ----------
-    waveform, effects
-        What is played.
     start
-        Sample of the chain at which its samples begin.
+        Sample of the signal path at which its samples begin.
     shift_s
-        How much later it starts itself: less than a sample.
-    gain
-        Factor.
+        Time from that sample to its own start: less than a sample.
     """
 
     waveform: Waveform
@@ -51,30 +52,30 @@ class Part:
 
     @property
     def title(self) -> str:
-        """Word for what is played."""
+        """Title of the waveform."""
         return self.waveform.title
 
 
 @dataclass(frozen=True, slots=True)
 class Chain:
-    """The way from recipes to a drive: a sum of parts, times a curve.
+    """The way from waveforms to a drive: a sum of parts, times a gain curve.
 
-    Equal chains play the same at one sample rate.
+    Equal signal paths give the same samples at one sample rate.
 
     Attributes
     ----------
     parts
-        What sounds; the first sample of the earliest is sample 0.
+        What is added up; the first sample of the earliest part is sample 0.
     curve
-        Breakpoints, s and factor, that all of it is multiplied with; none: nothing is.
+        Breakpoints, s and factor, by which the sum is multiplied; empty: it is not.
     curve_start
-        Sample of the curve's time at which the chain begins; 0 without a curve.
+        Sample in the curve's time at which the signal path begins; 0 without a curve.
     """
 
     parts: tuple[Part, ...]
     curve: Curve = ()
     curve_start: int = 0
-    # Looked up several times for each edit, and as long to compute as there are parts.
+    # Stored, because each edit needs it several times and it takes long with many parts.
     _hash: int = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -85,26 +86,24 @@ class Chain:
 
     @property
     def title(self) -> str:
-        """Words for what is played."""
+        """Title of its waveform, or the number of its clips."""
         return self.parts[0].title if len(self.parts) == 1 else f"{len(self.parts)} clips"
 
 
-# Sampled drives, far from over- and underflow.
-
-#: Largest sample of a drive or a response.  Far beyond it levels overflow, and NaN would come out.
+#: Largest sample of a drive or a response; far larger ones would make levels overflow to NaN.
 LARGEST = 1e30
 
 
 @dataclass(frozen=True, slots=True, eq=False, weakref_slot=True)
 class Drive:
-    """What a voice plays, scaled by a power of two so that its peak lies between 1 and 2.
+    """Samples of a voice, scaled by a power of two to a peak between 1 and 2.
 
     Attributes
     ----------
     samples : (n_times,)
         Scaled samples.
     factor
-        The power of two that was divided out; nothing rounds.
+        The power of two by which they were divided, exactly.
     """
 
     samples: Floats
@@ -112,53 +111,57 @@ class Drive:
 
     @property
     def silent(self) -> bool:
-        """Whether it holds nothing but zeros."""
+        """Whether all samples are 0."""
         return self.factor == 0.0
 
 
 def drive_played(
-    chain: Chain, sample_rate_hz: float, place: int, drawn: Callable[[Part], Floats]
+    signal_path: Chain, sample_rate_hz: float, place: int, drawn: Callable[[Part], Floats]
 ) -> Drive:
-    """Sum up what ``chain`` plays; its length is that of the samples.
+    """Add up the parts of a signal path, times its curve.
 
     Parameters
     ----------
     drawn
-        What each part plays before its gain, (n_times,).
+        Returns the samples of a part before its gain, (n_times,).
 
     Raises
     ------
     InvalidInputError
-        A part cannot be sampled, or a sample is not a usable number; the message names the place.
+        A part cannot be sampled, or a sample is too large or not finite; the message names the
+        input place.
     """
     try:
-        pieces = [drawn(part) for part in chain.parts]
+        pieces = [drawn(part) for part in signal_path.parts]
     except InvalidInputError as error:
-        raise InvalidInputError(f"Input at place {place}, {chain.title}: {error}") from error
-    for part, piece in zip(chain.parts, pieces, strict=True):
-        _check(piece, part.title, place)
-    samples = _mixed(chain, sample_rate_hz, pieces)
+        raise InvalidInputError(f"Input at place {place}, {signal_path.title}: {error}") from error
+    for part, piece in zip(signal_path.parts, pieces, strict=True):
+        _check_samples(piece, part.title, place)
+    samples = _mixed(signal_path, sample_rate_hz, pieces)
     if len(pieces) != 1 or samples is not pieces[0]:
-        _check(samples, chain.title, place)
+        _check_samples(samples, signal_path.title, place)
     return drive_of(samples)
 
 
-def _mixed(chain: Chain, sample_rate_hz: float, pieces: list[Floats]) -> Floats:
-    """Sum of the pieces of a chain, times their gains and the curve, (n_times,)."""
-    if len(pieces) == 1 and chain.parts[0].gain == 1.0 and not chain.curve:
+def _mixed(signal_path: Chain, sample_rate_hz: float, pieces: list[Floats]) -> Floats:
+    """Add up the samples of the parts, times their gains and the curve, (n_times,)."""
+    if len(pieces) == 1 and signal_path.parts[0].gain == 1.0 and not signal_path.curve:
         return pieces[0]
-    placed = list(zip(chain.parts, pieces, strict=True))
-    total = np.zeros(max((part.start + piece.size for part, piece in placed), default=0))
-    for part, piece in placed:
+    pairs = list(zip(signal_path.parts, pieces, strict=True))
+    total = np.zeros(max((part.start + piece.size for part, piece in pairs), default=0))
+    for part, piece in pairs:
         total[part.start : part.start + piece.size] += part.gain * piece
-    if chain.curve:
-        time_s, factor = np.array(chain.curve).T
-        own_s = np.arange(chain.curve_start, chain.curve_start + total.size) / sample_rate_hz
+    if signal_path.curve:
+        time_s, factor = np.array(signal_path.curve).T
+        own_s = (
+            np.arange(signal_path.curve_start, signal_path.curve_start + total.size)
+            / sample_rate_hz
+        )
         total *= np.interp(own_s, time_s, factor)
     return total
 
 
-def _check(samples: Floats, title: str, place: int) -> None:
+def _check_samples(samples: Floats, title: str, place: int) -> None:
     bad = first_unusable(samples)
     if bad is not None:
         raise InvalidInputError(
@@ -168,7 +171,7 @@ def _check(samples: Floats, title: str, place: int) -> None:
 
 
 def drive_of(samples: Floats) -> Drive:
-    """Scale ``samples`` by a power of two; all computing is then far from over- and underflow."""
+    """Scale ``samples`` by a power of two, so that later sums neither overflow nor underflow."""
     peak = float(np.abs(samples).max(initial=0.0))
     if peak == 0.0:
         return Drive(samples, 0.0)
@@ -177,14 +180,11 @@ def drive_of(samples: Floats) -> Drive:
 
 
 def first_unusable(samples: Floats) -> tuple[int, ...] | None:
-    """Index of the first sample that is not finite or beyond `LARGEST`; None if all are sound."""
-    # NaN is the maximum of whatever holds it, and not less than anything.
+    """Return the index of the first sample that is not finite or beyond `LARGEST`, if any."""
+    # If a sample is NaN, so is the maximum, and the comparison is false.
     if samples.size == 0 or np.abs(samples).max() <= LARGEST:
         return None
     return tuple(int(index) for index in np.argwhere(~(np.abs(samples) <= LARGEST))[0])
-
-
-# Drives that an actuator can follow.
 
 
 def check_drive(
@@ -194,77 +194,80 @@ def check_drive(
     band_hz: Band | None,
     place: int,
 ) -> None:
-    """Refuse a drive that the equaliser refuses: one that leaves what it moves in motion.
+    """Check that a drive through an equaliser leaves no velocity at its end.
 
-    Rate and band are those of the limb, None where its band is not known.
+    Rate and band are those of the limb; the band is None where it is not known.
 
     Raises
     ------
     InvalidInputError
-        It leaves a velocity; the message names the input place, and says what to do.
+        The drive leaves a velocity; the message names the input place and says what to do.
     """
     if actuation is None or actuation.equaliser is None:
         return
     lowest_hz = followed_band(band_hz, sample_rate_hz)[0]
-    found = net_velocity(drive.samples, sample_rate_hz, lowest_hz)
-    if not found.returns:
+    net = net_velocity(drive.samples, sample_rate_hz, lowest_hz)
+    if not net.returns:
         raise InvalidInputError(
             f"Input at place {place} cannot be played through this actuator: it leaves a velocity, "
-            f"and {100.0 * found.share_below_band:.0f} % of its energy lies below {lowest_hz:g} "
+            f"and {100.0 * net.share_below_band:.0f} % of its energy lies below {lowest_hz:g} "
             "Hz. Choose a waveform whose velocity returns to zero, for a tap the 'Centred tap', or "
             "let it fade in and out."
         )
 
 
-# What a rig predicts through.
-
-
 def actuation_of_rig(
     rig: Rig, equaliser: RegularisedInverse | PolePairReplacement | None = None
 ) -> Actuation:
-    """Return the actuators of a rig, as they were measured, else as their models say.
+    """Return the actuators of a rig, as they were measured, or else as their listed models.
 
-    Channels of which it is not known how they move are left out: nothing is predicted there.
+    Channels whose movement is not known are left out: nothing is predicted there.
 
     Raises
     ------
     InvalidInputError
-        It is not known of any.
+        The movement of no channel is known.
     """
-    found = []
-    for one in rig.channels:
-        listed = load(one.actuator) if one.actuator in names() else None
-        model = one.moves_as if one.moves_as is not None else listed
+    actuators = []
+    for channel in rig.channels:
+        listed = load(channel.actuator) if channel.actuator in names() else None
+        model = channel.moves_as if channel.moves_as is not None else listed
         if model is not None:
-            found.append(ActuatorAt(place=one.place, actuator=one.actuator, model=model))
-    if not found:
+            actuators.append(
+                ActuatorAt(place=channel.place, actuator=channel.actuator, model=model)
+            )
+    if not actuators:
         raise InvalidInputError(
             "The rig does not say how any of its actuators moves. Measure one, or name one that "
             "the library lists."
         )
-    return Actuation(actuators=tuple(found), equaliser=equaliser, rig=rig.title or "rig")
-
-
-# From clips on a track to a chain, the sample at which it starts, and what it plays.
+    return Actuation(actuators=tuple(actuators), equaliser=equaliser, rig=rig.title or "rig")
 
 
 def placed_chain(
     clips: Iterable[Clip], gain_curve: Curve, sample_rate_hz: float
 ) -> tuple[int, Chain]:
-    """Sample at which the first clip that sounds begins, and all of them from there on.
+    """Return the sample at which the first audible clip begins, and the signal path from there on.
 
-    The order in which they are listed plays no part.
+    The result does not depend on the order of the clips.
     """
-    found = []
-    for one in clips:
-        if not one.muted:
-            at, shift_s = placed(one.waveform, one.effects, one.onset_s, sample_rate_hz)
-            found.append((at, shift_s, one.gain, one))
-    _put_in_order(found)
-    first = found[0][0] if found else 0
+    entries = []
+    for clip in clips:
+        if not clip.muted:
+            first_sample, shift_s = placed(
+                clip.waveform, clip.effects, clip.onset_s, sample_rate_hz
+            )
+            entries.append((first_sample, shift_s, clip.gain, clip))
+    _sort_entries(entries)
+    first = entries[0][0] if entries else 0
     parts = tuple(
-        Part(one.waveform, tuple(effect for effect in one.effects if effect.on), at - first, *rest)
-        for at, *rest, one in found
+        Part(
+            clip.waveform,
+            tuple(effect for effect in clip.effects if effect.on),
+            first_sample - first,
+            *rest,
+        )
+        for first_sample, *rest, clip in entries
     )
     return first, Chain(parts, gain_curve, first if gain_curve else 0)
 
@@ -272,57 +275,49 @@ def placed_chain(
 def drive_of_clips(
     clips: Iterable[Clip], gain_curve: Curve, sample_rate_hz: float, place: int
 ) -> tuple[int, Drive]:
-    """Sample at which the first clip that sounds begins, and what all play from there on.
+    """Return the sample at which the first audible clip begins, and the drive from there on.
 
     Raises
     ------
     InvalidInputError
-        See `drive_played`, which names ``place``.
+        As for `drive_played`; the message names ``place``.
     """
-    first, chain = placed_chain(clips, gain_curve, sample_rate_hz)
+    first, signal_path = placed_chain(clips, gain_curve, sample_rate_hz)
 
     def drawn(part: Part) -> Floats:
         return played(part.waveform, part.effects, sample_rate_hz, part.shift_s)
 
-    return first, drive_played(chain, sample_rate_hz, place, drawn)
+    return first, drive_played(signal_path, sample_rate_hz, place, drawn)
 
 
-def _put_in_order(found: list[tuple[int, float, float, Clip]]) -> None:
-    """Sort by place and gain; what is alike in both by what it plays, in words.
+def _sort_entries(entries: list[tuple[int, float, float, Clip]]) -> None:
+    """Sort by start, shift and gain; entries that are equal in these by the text of their clips.
 
-    Sums of three numbers depend on their order in the last digit.
+    The last digit of a sum depends on the order of its terms.
     """
-    found.sort(key=_where)
-    alike = len(found) - len(set(map(_where, found)))
-    if alike:
-        found.sort(key=lambda entry: (*_where(entry), repr(entry[3])))
+    entries.sort(key=_position)
+    if len(set(map(_position, entries))) < len(entries):
+        entries.sort(key=lambda entry: (*_position(entry), repr(entry[3])))
 
 
-def _where(entry: tuple[int, float, float, Clip]) -> tuple[int, float, float]:
+def _position(entry: tuple[int, float, float, Clip]) -> tuple[int, float, float]:
     return entry[:3]
-
-
-# What sounds: all that the engine knows of a design's inputs.
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Voice:
-    """Something that plays at an input place.
+    """A signal path that plays at an input place.
 
     Attributes
     ----------
-    id
-        Tells voices apart.
     location
-        Input place, 1, 2, 3, …
+        Input place, from 1.
     start
         Sample at which it starts.
     amplitude
-        Factor; what 1 means is a matter of scaling.
+        Factor; the scaling of the design says what 1 means.
     heard
-        Whether it takes part: neither muted nor beside a solo one.
-    chain
-        What it plays.
+        Whether it is audible: not muted, and solo if any input is solo.
     """
 
     id: int
@@ -334,13 +329,13 @@ class Voice:
 
     @property
     def unit(self) -> "UnitVoice":
-        """The same without amplitude and start."""
+        """The same voice at amplitude 1 and start 0."""
         return UnitVoice(self.chain, self.location)
 
 
 @dataclass(frozen=True, slots=True)
 class UnitVoice:
-    """A voice at amplitude 1 and start 0: what it plays, and where."""
+    """A voice at amplitude 1 and start 0: a signal path and its input place."""
 
     chain: Chain
     location: int
@@ -348,14 +343,9 @@ class UnitVoice:
 
 @dataclass(frozen=True, slots=True)
 class UnplayableInput:
-    """An input that is heard and cannot be played.
+    """An audible input that cannot be played.
 
-    Attributes
-    ----------
-    id
-        Tells inputs apart.
-    problem
-        Why, and what to do, as the error says it.
+    ``problem`` is the message of the error: why, and what to do.
     """
 
     id: int
@@ -363,16 +353,16 @@ class UnplayableInput:
 
     @property
     def sentence(self) -> str:
-        """Which input, and why."""
+        """First sentence of the problem: which input, and why."""
         return first_sentence(self.problem)
 
 
 def unplayable_text(unplayable: Sequence[UnplayableInput]) -> str:
-    """One sentence on inputs that cannot be played; empty where there are none."""
+    """Return one sentence about inputs that cannot be played; empty if there are none."""
     if not unplayable:
         return ""
-    words, more = unplayable[0].sentence, len(unplayable) - 1
+    text, more = unplayable[0].sentence, len(unplayable) - 1
     if more == 0:
-        return words
+        return text
     others = "1 more input" if more == 1 else f"{more} more inputs"
-    return f"{words.removesuffix('.')}; {others} cannot be played either."
+    return f"{text.removesuffix('.')}; {others} cannot be played either."

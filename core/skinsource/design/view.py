@@ -1,4 +1,4 @@
-"""What is looked at: an immutable value, saved with the design."""
+"""The view on a design: what the studio shows, an immutable value that is saved with the design."""
 
 from dataclasses import dataclass, replace
 from typing import Any
@@ -17,14 +17,14 @@ from skinsource.specs import fields
 from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec, Range, RangeSpec
 from skinsource.specs.spec import ChoiceSpec, PlainSpec, SwitchSpec, ValidationError
 
-#: A value of one field of a panel's settings.
+#: The value of one field of a panel's settings.
 Plain = None | bool | int | float | str | tuple[float, ...]
 #: Settings of panels: (name of the panel, ((name of a field, its value), …)), by name.
 PanelFields = tuple[tuple[str, tuple[tuple[str, Plain], ...]], ...]
 
 
 def _choice_of(label: str, options: tuple[labels.Word, ...]) -> ChoiceSpec:
-    return ChoiceSpec(label=label, options=tuple((word.name, word.title) for word in options))
+    return ChoiceSpec(label=label, options=tuple((option.name, option.title) for option in options))
 
 
 AXES = _choice_of("Axes", labels.AXES)
@@ -81,10 +81,7 @@ PANELS = PlainSpec(label="Settings of panels")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SnapshotSpec(ModelSpec):
-    """A snapshot: it was looked through when it was made, and cannot have changed since.
-
-    A view is made anew at each look.
-    """
+    """A snapshot, which is not checked again for each new view: it was checked when made."""
 
     def checked(self, value: Any) -> Any:
         """Return ``value`` itself."""
@@ -105,7 +102,7 @@ LEVELS_MATCHED = SwitchSpec(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class View:
-    """What is looked at.
+    """What the studio shows of a design.
 
     Attributes
     ----------
@@ -114,32 +111,31 @@ class View:
     span
         What levels average over: ``"record"``, the whole response, or its ``"loudest"`` window.
     outputs
-        Selected outputs, from 1, in the order in which they were selected; the limb says which
-        it has, see `Limb.n_outputs`.
+        Selected outputs, from 1 to `Limb.n_outputs` of the limb, in the order of selection.
     selected_inputs
-        Ids of the selected inputs; the one that was selected last stands last.  An id that no
-        input of the design has selects nothing.
+        Ids of the selected inputs; the one that was selected last is last.  An id that no input of
+        the design has selects nothing.
     selected_clips
-        Ids of the selected clips, the last one last.  Where none of a selected input is, the first
-        one that it lists stands for it.
+        Ids of the selected clips in the order of selection.  If no clip of a selected input is
+        selected, its first clip counts.
     playhead_s
-        Where the playhead stands.
+        Time of the playhead.
     slow_motion
-        How many times slower than it happens it is played.
+        How many times slower than in reality the animation plays.
     delay_removed
         Whether time axes are shifted by the pre-trigger delay of the responses.
     time_range_s
         Zoom of time axes; ``None``: everything.
     windows_cut, window_count, window_s
-        Whether the response is cut into as many windows as ``window_count``, or into windows as
-        long as ``window_s``: see `skinsource.signals.analysis.windows.windows_over`.
+        Whether the response is cut into ``window_count`` windows, or into windows of ``window_s``:
+        see `skinsource.signals.analysis.windows.windows_over`.
     snapshots
-        Designs to compare with, each under a number of its own; the one that was stored or shown
-        last stands last.
+        Designs to compare with, each with its own number; the one that was stored or shown last is
+        last.
     levels_matched
-        Whether they are shown and played as loud as each other; exports never are.
+        Whether snapshots are shown and played at matched levels; exports never are.
     panels
-        What only one panel looks at, see `skinsource.design.panel_settings`.
+        Settings of single panels, see `skinsource.design.panel_settings`.
     """
 
     axes: Axes = fields.choice("xyz", AXES)
@@ -161,28 +157,30 @@ class View:
 
     def __post_init__(self) -> None:
         fields.check(self)
-        numbers = [one.number for one in self.snapshots]
+        numbers = [snapshot.number for snapshot in self.snapshots]
         if len(set(numbers)) < len(numbers):
             raise InvalidInputError(
                 f"View.snapshots have the numbers {numbers}, expected different ones"
             )
-        if not _is_table(self.panels) or not all(_is_table(held) for _, held in self.panels):
+        if not _is_table(self.panels) or not all(
+            _is_table(settings) for _, settings in self.panels
+        ):
             raise InvalidInputError(
                 f"View.panels is {quoted(self.panels)}, expected pairs of a panel's name and its "
                 "fields, each once"
             )
-        in_order = tuple((name, tuple(sorted(held))) for name, held in sorted(self.panels))
-        # What is as it was keeps its identity, by which panels find their settings again.
+        in_order = tuple((name, tuple(sorted(settings))) for name, settings in sorted(self.panels))
+        # Unchanged settings stay the same object, by which panels find what they cached.
         if in_order != self.panels:
             object.__setattr__(self, "panels", in_order)
 
     def match_gain(self, design: Design) -> float:
-        """Factor with which the skin is shown, and the stimulus played, while ``design`` is shown.
+        """Return the factor with which ``design`` is shown and played.
 
-        It is that of the snapshot that ``design`` is: what is edited is shown as it is.
+        It is the gain of the snapshot that holds ``design``; an edited design has the factor 1.
         """
-        held = shown(self.snapshots, design) if self.levels_matched else None
-        return 1.0 if held is None else held.gain
+        snapshot = shown(self.snapshots, design) if self.levels_matched else None
+        return 1.0 if snapshot is None else snapshot.gain
 
     @property
     def selected_input(self) -> int | None:
@@ -196,7 +194,7 @@ class View:
 
 
 def _is_table(pairs: Any) -> bool:
-    """Whether these are pairs of a name and something, and no name stands there twice."""
+    """Whether these are pairs of a name and a value, with different names."""
     if not isinstance(pairs, tuple):
         return False
     if not all(isinstance(pair, tuple) and len(pair) == 2 for pair in pairs):
@@ -206,6 +204,6 @@ def _is_table(pairs: Any) -> bool:
 
 
 def view_on(limb: str, view: View) -> View:
-    """A view as it can be looked at on a limb: of its outputs, those that the limb has."""
+    """Return a view for a limb, without selected outputs that the limb does not have."""
     outputs = outputs_on(limb, view.outputs)
     return view if outputs == view.outputs else replace(view, outputs=outputs)

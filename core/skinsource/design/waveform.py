@@ -1,4 +1,8 @@
-"""What every waveform can do."""
+"""The protocol of waveforms, and field specifications and checks that several of them share.
+
+Clips hold waveforms, and `Layers` is a waveform that holds clips.  So the catalog of waveforms
+imports the clips, and registers itself here with `register_kinds` for `known_kinds`.
+"""
 
 from collections.abc import Callable
 from typing import Any, ClassVar, Protocol, runtime_checkable
@@ -14,19 +18,13 @@ from skinsource.specs.spec import ChoiceSpec
 
 @runtime_checkable
 class Waveform(Protocol):
-    """A frozen dataclass that draws itself.
-
-    Attributes
-    ----------
-    title
-        What a user calls this kind.
-    """
+    """A frozen dataclass that computes its samples; ``title`` names its kind for the user."""
 
     title: ClassVar[str]
 
     @property
     def duration_s(self) -> float:
-        """How long it plays."""
+        """Length of the waveform."""
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of peak 1.
@@ -34,45 +32,38 @@ class Waveform(Protocol):
         Parameters
         ----------
         sample_rate_hz
-            Any rate; frequencies at or above half of it are refused.
+            Any rate; frequencies at or above half of it are an error.
         shift_s
-            0 up to one sample, 1 / ``sample_rate_hz``: how much later than sample 0 it starts.
-            Sample k shows the recipe at its own time k / ``sample_rate_hz`` - ``shift_s``, and 0
-            before its start and after its end, so that a shifted one takes one sample more.
+            Delay of the start after sample 0, 0 up to one sample, 1 / ``sample_rate_hz``.  Sample
+            k lies at the own time k / ``sample_rate_hz`` - ``shift_s``; before the start and after
+            the end samples are 0, so that a shifted waveform has one sample more.
 
         Raises
         ------
         InvalidInputError
-            The rate, or the shift, is none; or the recipe would alias at this rate.
+            The rate or the shift is not allowed, or the waveform would alias at this rate.
         """
 
 
-# Which kinds of waveforms there are, for those on whom the table of kinds itself stands.
-#
-# Clips hold waveforms, and one kind of waveform holds clips: so the table stands above the clips,
-# and tells them here what it holds.
-
 Kinds = tuple[type[Waveform], ...]
 
-_tables: list[Callable[[], Kinds]] = []
+_catalogs: list[Callable[[], Kinds]] = []
 
 
-def tell_kinds(table: Callable[[], Kinds]) -> None:
-    """Let ``table`` say from now on which kinds there are."""
-    _tables[:] = [table]
+def register_kinds(catalog: Callable[[], Kinds]) -> None:
+    """Set the function that returns every kind of waveform."""
+    _catalogs[:] = [catalog]
 
 
 def known_kinds() -> Kinds:
-    """Every kind of waveform that there is now."""
-    return _tables[0]() if _tables else ()
+    """Return every kind of waveform."""
+    return _catalogs[0]() if _catalogs else ()
 
 
 def first_kind() -> Waveform:
-    """What is played where nothing is said: the first kind, as it is made."""
+    """Return the default waveform: the first kind, with its defaults."""
     return known_kinds()[0]()
 
-
-# Field specifications and limits that several waveforms share.
 
 #: Longest waveform, in s.
 LONGEST_S = 600.0
@@ -90,7 +81,7 @@ WINDOW = ChoiceSpec(
     options=(("none", "None"), ("tukey", "Tukey, 25 % taper"), ("hanning", "Hanning")),
     hint="Fades the burst in and out; without one it starts and ends with a click",
 )
-#: Of a wavelet; lower ones would be longer than any waveform may be.
+#: Frequency of a wavelet; lower ones would be longer than the longest waveform.
 CENTRE = NumberSpec(
     label="Frequency",
     unit="Hz",
@@ -112,14 +103,14 @@ CYCLES = NumberSpec(
 )
 
 
-def lists_to_tuples(recipe: object, *names: str) -> None:
-    """Turn lists and arrays in these fields into tuples, as scripts may hand them over."""
+def lists_to_tuples(model: object, *names: str) -> None:
+    """Convert lists and arrays in these fields, which scripts may pass, to tuples."""
     for name in names:
-        object.__setattr__(recipe, name, _as_tuples(getattr(recipe, name)))
+        object.__setattr__(model, name, _as_tuples(getattr(model, name)))
 
 
 def _as_tuples(value: Any) -> Any:
-    # Two levels: lists within points would be refused, and could be nested without end.
+    # Two levels are enough; deeper lists are refused later, and could be nested without end.
     if isinstance(value, np.ndarray):
         value = value.tolist()
     if not isinstance(value, list | tuple):
@@ -128,12 +119,12 @@ def _as_tuples(value: Any) -> Any:
 
 
 def check_waveform_duration(kind: str, duration_s: float, what_next: str) -> None:
-    """Refuse a recipe that lasts longer than any waveform may.
+    """Check that a waveform is not longer than the longest one allowed.
 
     Raises
     ------
     InvalidInputError
-        It does; the message says ``what_next``.
+        It is longer; the message ends with ``what_next``.
     """
     if duration_s > LONGEST_S:
         raise InvalidInputError(

@@ -1,7 +1,7 @@
-"""What can be done to a design and the view on it: pure functions that return an `Edit`.
+"""Edits of a design and of the view on it: pure functions that return an `Edit`.
 
-Whatever they are given, they raise nothing: what cannot be done is a `Refusal` with one sentence.
-To add one, write a function in the module that it belongs to, and name it here.
+They raise nothing, whatever they get: an edit that cannot be done is a `Refusal` with one sentence.
+To add one, write a function in the module of its subject, and name it here.
 """
 
 from skinsource.design.edits.clips import (

@@ -1,4 +1,8 @@
-"""Which clips are selected, and where the playhead stands."""
+"""Select, add, move, copy, repeat, change and remove clips, also as fragments of a design.
+
+A fragment holds copied clips of one or more tracks: it is pasted here or in another studio, and
+the presets of the library hold one each.
+"""
 
 import operator
 from collections.abc import Iterable
@@ -8,65 +12,68 @@ from typing import Any
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.work import counted
 from skinsource.design.clips import GAIN as CLIP_GAIN
-from skinsource.design.clips import LABEL, MUTED, ONSET, Clip, Fragment, Lane, numbered
-from skinsource.design.design import MAX_CLIPS, MAX_INPUTS, Design, Input
-from skinsource.design.edits.edit import Edit, Refusal, location_text, refused, with_clips
+from skinsource.design.clips import LABEL, MAX_CLIPS, MUTED, ONSET, Clip, Fragment, Lane, numbered
+from skinsource.design.design import MAX_INPUTS, Design, Input
+from skinsource.design.edits.edit import (
+    Edit,
+    Refusal,
+    change_clips,
+    location_text,
+    refusal_of,
+    refusing,
+)
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
-from skinsource.specs import codec as text
-from skinsource.specs import models
+from skinsource.specs import codec, models
 from skinsource.specs.spec import Address, Spec
 
 
 def clips_selected(design: Design, view: View, ids: Iterable[int]) -> View:
-    """The view with these clips selected, and the tracks that they are on; the last one last.
+    """Return the view with these clips and their tracks selected; the last clip stays last.
 
-    Where there are none, the selected tracks stay.
+    If no clip of them exists, the selected tracks stay.
     """
-    track_ids = {clip.id: one.id for one in design.inputs for clip in one.clips}
+    track_ids = {clip.id: track.id for track in design.inputs for clip in track.clips}
     chosen = tuple(dict.fromkeys(id for id in ids if id in track_ids))
     if not chosen:
         return replace(view, selected_clips=())
-    # The track of the last clip stands last.
+    # The track of the last clip has to be the last one.
     tracks = tuple(dict.fromkeys(track_ids[id] for id in reversed(chosen)))[::-1]
     return replace(view, selected_clips=chosen, selected_inputs=tracks)
 
 
 def select_clips(design: Design, view: View, ids: Iterable[int]) -> Edit:
-    """Select clips, the last of them the one that stands apart, and their tracks."""
+    """Select clips and their tracks; the last clip is the leading one."""
     return Edit(label="Select clips", design=design, view=clips_selected(design, view, ids))
 
 
 def toggle_clip(design: Design, view: View, id: int) -> Edit:
-    """Add a clip to the selected ones, or take it out."""
-    left = tuple(one for one in view.selected_clips if one != id)
-    return select_clips(design, view, left if id in view.selected_clips else (*left, id))
+    """Add a clip to the selected ones, or remove it from them."""
+    remaining = tuple(clip_id for clip_id in view.selected_clips if clip_id != id)
+    return select_clips(design, view, remaining if id in view.selected_clips else (*remaining, id))
 
 
 def select_all_clips(design: Design, view: View) -> Edit:
-    """Select every clip; the one that stood apart still does."""
+    """Select every clip; the leading one stays."""
     last = () if view.selected_clip is None else (view.selected_clip,)
-    others = (one.id for one in design.clips if one.id not in last)
+    others = (clip.id for clip in design.clips if clip.id not in last)
     return select_clips(design, view, (*others, *last))
 
 
+@refusing
 def move_playhead(design: Design, view: View, time_s: float) -> Edit | Refusal:
-    """Put the playhead somewhere."""
-    try:
-        after = replace(view, playhead_s=time_s)
-    except InvalidInputError as error:
-        return refused(error)
+    """Move the playhead to a time."""
+    after = replace(view, playhead_s=time_s)
     return Edit(label="Move playhead", design=design, view=after)
 
 
-# Adding, moving, copying, repeating and removing clips; their gain, label and silence.
-
 NO_CLIP = Refusal(sentence="No clip is selected; click one in the timeline.")
 NO_TIME = Refusal(sentence="A time is a number of seconds.")
-TOO_MANY_CLIPS = Refusal(
+_TOO_MANY_CLIPS = Refusal(
     sentence=f"A track holds at most {MAX_CLIPS} clips; put some of them on another track."
 )
-#: What of clips is set by name; what they play is set by `change_field`.
+_NO_TRACK = Refusal(sentence="That track is no longer there; choose another one.")
+#: Fields of clips that are set by name; `change_field` sets those of their waveforms.
 _FIELDS: dict[str, Spec] = {
     "onset_s": ONSET,
     "gain": CLIP_GAIN,
@@ -75,77 +82,51 @@ _FIELDS: dict[str, Spec] = {
 }
 
 
+@refusing
 def add_clip(
     design: Design, view: View, input_id: int, onset_s: float, waveform: Waveform
 ) -> Edit | Refusal:
     """Put a waveform on a track, and select it."""
     if input_id not in design.ids:
-        return Refusal(sentence="That track is no longer there; choose another one.")
-    try:
-        new = Clip(waveform=waveform, onset_s=onset_s)
-    except InvalidInputError as error:
-        return refused(error)
-    return with_new_clips(design, view, "Add clip", [(input_id, new)])
+        return _NO_TRACK
+    new = Clip(waveform=waveform, onset_s=onset_s)
+    return _with_new_clips(design, view, "Add clip", [(input_id, new)])
 
 
 def remove_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
-    """Take clips off their tracks; the next clip of the last one's track is selected."""
+    """Remove clips; the nearest clip on the track of the last one is selected."""
     chosen = present_clips(design, ids)
     if not chosen:
         return NO_CLIP
-    gone = {one.id for one in chosen}
-    inputs = tuple(_without(one, gone) for one in design.inputs)
-    after = replace(design, inputs=inputs)
+    after = _without_clips(design, chosen)
     last = chosen[-1]
-    beside = list(after.input(design.track_of(last.id).id).clips)
-    beside.sort(key=lambda one: (one.onset_s < last.onset_s, abs(one.onset_s - last.onset_s)))
+    others = list(after.input(design.track_of(last.id).id).clips)
+    others.sort(key=lambda clip: (clip.onset_s < last.onset_s, abs(clip.onset_s - last.onset_s)))
     return Edit(
         label=f"Remove {clips_text(design, chosen)}",
         design=after,
-        view=clips_selected(after, view, tuple(one.id for one in beside[:1])),
+        view=clips_selected(after, view, tuple(clip.id for clip in others[:1])),
     )
 
 
 def move_clips(
     design: Design, view: View, ids: Iterable[int], by_s: float, by_tracks: int = 0
 ) -> Edit | Refusal:
-    """Move clips together in time and to other tracks, as far as there is room for all."""
-    moved = _moved_as_asked(design, ids, by_s, by_tracks)
+    """Move clips together in time and to other tracks, as far as all of them can move."""
+    moved = _moved_clips(design, ids, by_s, by_tracks)
     if isinstance(moved, Refusal):
         return moved
-    target = {clip.id: (track_id, clip) for track_id, clip in moved}
-    inputs = []
-    for one in design.inputs:
-        # On its own track a clip keeps its place in the list.
-        clips = [
-            target[clip.id][1] if clip.id in target else clip
-            for clip in one.clips
-            if target.get(clip.id, (one.id, clip))[0] == one.id
-        ]
-        own = {clip.id for clip in one.clips}
-        clips += [clip for track_id, clip in moved if track_id == one.id and clip.id not in own]
-        if len(clips) > MAX_CLIPS:
-            return TOO_MANY_CLIPS
-        inputs.append(replace_clips(one, clips))
-    after = replace(design, inputs=tuple(inputs))
-    selected = view.selected_clips
-    if not target.keys() & set(selected):
-        selected = tuple(target)
-    return Edit(
-        label=f"Move {_words_of(design, moved)}",
-        design=after,
-        view=clips_selected(after, view, selected),
-    )
+    return _with_moved_clips(design, view, f"Move {_text_of(design, moved)}", moved)
 
 
 def copy_clips(
     design: Design, view: View, ids: Iterable[int], by_s: float, by_tracks: int = 0
 ) -> Edit | Refusal:
-    """Put copies of clips elsewhere, and select the copies."""
-    moved = _moved_as_asked(design, ids, by_s, by_tracks)
+    """Put copies of clips at another time and on other tracks, and select the copies."""
+    moved = _moved_clips(design, ids, by_s, by_tracks)
     if isinstance(moved, Refusal):
         return moved
-    return with_new_clips(design, view, f"Copy {_words_of(design, moved)}", moved)
+    return _with_new_clips(design, view, f"Copy {_text_of(design, moved)}", moved)
 
 
 def duplicate_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
@@ -157,34 +138,32 @@ def duplicate_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Re
 
 
 def repeat_clips(design: Design, view: View, ids: Iterable[int], times: int) -> Edit | Refusal:
-    """Let clips, all together, play so many times in a row; the copies are selected."""
+    """Repeat clips as a group, ``times`` times in a row, and select the copies."""
     chosen = present_clips(design, ids)
     if not chosen:
         return NO_CLIP
     if isinstance(times, bool) or not isinstance(times, int) or not 2 <= times <= MAX_CLIPS:
         return Refusal(sentence=f"Clips can be repeated 2 to {MAX_CLIPS} times.")
-    length_s = max(one.end_s for one in chosen) - min(one.onset_s for one in chosen)
-    if max(one.onset_s for one in chosen) + (times - 1) * length_s > ONSET.maximum:
+    length_s = max(clip.end_s for clip in chosen) - min(clip.onset_s for clip in chosen)
+    if max(clip.onset_s for clip in chosen) + (times - 1) * length_s > ONSET.maximum:
         return Refusal(sentence=f"The last repetition would begin after {ONSET.maximum:g} s.")
     copies = []
     for k in range(1, times):
         copies += _moved(design, chosen, k * length_s, 0)
-    return with_new_clips(design, view, f"Repeat {clips_text(design, chosen)}", copies)
+    return _with_new_clips(design, view, f"Repeat {clips_text(design, chosen)}", copies)
 
 
+@refusing
 def set_clips(
     design: Design, view: View, ids: Iterable[int], name: str, value: Any
 ) -> Edit | Refusal:
-    """Give clips an onset, a gain or a label, or mute them: the field is called ``name``."""
+    """Set onset, gain, label or mute of clips: the field is called ``name``."""
     chosen = present_clips(design, ids)
     if not chosen:
         return NO_CLIP
     if name not in _FIELDS:
         return Refusal(sentence=f"Of clips, one can set {', '.join(_FIELDS)}.")
-    try:
-        after = with_clips(design, {one.id: {name: value} for one in chosen})
-    except InvalidInputError as error:
-        return refused(error)
+    after = change_clips(design, {clip.id: {name: value} for clip in chosen})
     verb = f"Change {_FIELDS[name].label.lower()} of"
     if name == "muted":
         verb = "Mute" if value else "Unmute"
@@ -192,59 +171,88 @@ def set_clips(
 
 
 def toggle_mute_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
-    """Silence clips; if all of them are muted, let them be heard again."""
+    """Mute clips; if all of them are muted, unmute them."""
     chosen = present_clips(design, ids)
-    muted = not all(one.muted for one in chosen)
-    return set_clips(design, view, (one.id for one in chosen), "muted", muted)
+    muted = not all(clip.muted for clip in chosen)
+    return set_clips(design, view, (clip.id for clip in chosen), "muted", muted)
 
 
 def present_clips(design: Design, ids: Iterable[int]) -> tuple[Clip, ...]:
-    """Those clips that ``design`` has, track by track."""
-    wanted = set(ids)
-    return tuple(one for one in design.clips if one.id in wanted)
+    """Return those clips that ``design`` has, track by track."""
+    wanted_ids = set(ids)
+    return tuple(clip for clip in design.clips if clip.id in wanted_ids)
 
 
 def clips_text(design: Design, chosen: tuple[Clip, ...]) -> str:
-    """What the history calls them: "clip at 7 (II pad)", or "3 clips"."""
+    """Return the name of clips in the history: "clip at 7 (II pad)", or "3 clips"."""
     if len(chosen) != 1:
         return f"{len(chosen)} clips"
     return f"clip at {location_text(design.track_of(chosen[0].id).location, design.limb)}"
 
 
 def short(time_s: float) -> float:
-    """The time without the last digits that sums of decimal times leave behind."""
+    """Round a time to 15 digits, which removes what sums of decimal times leave behind."""
     return float(f"{time_s:.15g}")
 
 
-def replace_clips(one: Input, clips: list[Clip]) -> Input:
-    """The input with other clips; the very same where they are as they were."""
-    same = len(clips) == len(one.clips) and all(map(operator.is_, clips, one.clips))
-    return one if same else replace(one, clips=tuple(clips))
+def replace_clips(track: Input, clips: list[Clip]) -> Input:
+    """Return the input with other clips; the same object where all clips are the same."""
+    same = len(clips) == len(track.clips) and all(map(operator.is_, clips, track.clips))
+    return track if same else replace(track, clips=tuple(clips))
 
 
-def with_new_clips(
+def _with_new_clips(
     design: Design, view: View, label: str, new: list[tuple[int, Clip]]
 ) -> Edit | Refusal:
-    """Put clips on tracks, given by id; the new ones are selected."""
-    ids = numbered([*(one.id for one in design.clips), *(0 for _ in new)], "clips")
+    """Put clips on tracks, given by id, and select them."""
+    ids = numbered([*(clip.id for clip in design.clips), *(0 for _ in new)], "clips")
     new_ids = ids[len(ids) - len(new) :]
     on_track: dict[int, list[Clip]] = {}
     for (track_id, clip), id in zip(new, new_ids, strict=True):
         on_track.setdefault(track_id, []).append(replace(clip, id=id))
-    if any(len(one.clips) + len(on_track.get(one.id, ())) > MAX_CLIPS for one in design.inputs):
-        return TOO_MANY_CLIPS
+    if any(
+        len(track.clips) + len(on_track.get(track.id, ())) > MAX_CLIPS for track in design.inputs
+    ):
+        return _TOO_MANY_CLIPS
     inputs = tuple(
-        replace(one, clips=(*one.clips, *on_track[one.id])) if one.id in on_track else one
-        for one in design.inputs
+        replace(track, clips=(*track.clips, *on_track[track.id])) if track.id in on_track else track
+        for track in design.inputs
     )
     after = replace(design, inputs=inputs)
     return Edit(label=label, design=after, view=clips_selected(after, view, new_ids))
 
 
-def _moved_as_asked(
+def _with_moved_clips(
+    design: Design, view: View, label: str, moved: list[tuple[int, Clip]]
+) -> Edit | Refusal:
+    """Put clips of the design on tracks, given by id; a clip that was selected stays selected."""
+    target = {clip.id: (track_id, clip) for track_id, clip in moved}
+    inputs = []
+    for track in design.inputs:
+        # A clip that stays on its track keeps its place in the list.
+        clips = [
+            target[clip.id][1] if clip.id in target else clip
+            for clip in track.clips
+            if target.get(clip.id, (track.id, clip))[0] == track.id
+        ]
+        own_ids = {clip.id for clip in track.clips}
+        clips += [
+            clip for track_id, clip in moved if track_id == track.id and clip.id not in own_ids
+        ]
+        if len(clips) > MAX_CLIPS:
+            return _TOO_MANY_CLIPS
+        inputs.append(replace_clips(track, clips))
+    after = replace(design, inputs=tuple(inputs))
+    selected = view.selected_clips
+    if not target.keys() & set(selected):
+        selected = tuple(target)
+    return Edit(label=label, design=after, view=clips_selected(after, view, selected))
+
+
+def _moved_clips(
     design: Design, ids: Iterable[int], by_s: float, by_tracks: int
 ) -> list[tuple[int, Clip]] | Refusal:
-    """What `_moved` says of clips by their ids, or why they cannot be moved so."""
+    """Return clips at their new places, see `_moved`, or why they cannot be moved."""
     chosen = present_clips(design, ids)
     if not chosen:
         return NO_CLIP
@@ -258,20 +266,23 @@ def _moved_as_asked(
 def _moved(
     design: Design, chosen: tuple[Clip, ...], by_s: float, by_tracks: int
 ) -> list[tuple[int, Clip]]:
-    """Clips elsewhere, each with the id of its track there; all the same way, as far as all can."""
-    onsets = [one.onset_s for one in chosen]
+    """Return clips at their new places, each with the id of its new track.
+
+    All move by the same time and number of tracks, as far as all of them can.
+    """
+    onsets = [clip.onset_s for clip in chosen]
     by_s = min(max(by_s, ONSET.minimum - min(onsets)), ONSET.maximum - max(onsets))
-    place_of = {c.id: place for place, one in enumerate(design.inputs) for c in one.clips}
-    places = [place_of[one.id] for one in chosen]
-    down = min(max(by_tracks, -min(places)), len(design.inputs) - 1 - max(places))
+    row_of = {clip.id: row for row, track in enumerate(design.inputs) for clip in track.clips}
+    rows = [row_of[clip.id] for clip in chosen]
+    down = min(max(by_tracks, -min(rows)), len(design.inputs) - 1 - max(rows))
     return [
-        (design.inputs[place + down].id, replace(one, onset_s=_onset(one.onset_s + by_s)))
-        for place, one in zip(places, chosen, strict=True)
+        (design.inputs[row + down].id, replace(clip, onset_s=_onset(clip.onset_s + by_s)))
+        for row, clip in zip(rows, chosen, strict=True)
     ]
 
 
-def _words_of(design: Design, moved: list[tuple[int, Clip]]) -> str:
-    """What the history calls clips that were moved, by where they were."""
+def _text_of(design: Design, moved: list[tuple[int, Clip]]) -> str:
+    """Return the name of moved clips in the history, by where they were before."""
     return clips_text(design, tuple(clip for _, clip in moved))
 
 
@@ -279,20 +290,23 @@ def _onset(time_s: float) -> float:
     return min(max(short(time_s), ONSET.minimum), ONSET.maximum)
 
 
-def _without(one: Input, gone: set[int]) -> Input:
-    return replace_clips(one, [clip for clip in one.clips if clip.id not in gone])
+def _without_clips(design: Design, removed: tuple[Clip, ...]) -> Design:
+    ids = {clip.id for clip in removed}
+    inputs = tuple(
+        replace_clips(track, [clip for clip in track.clips if clip.id not in ids])
+        for track in design.inputs
+    )
+    return replace(design, inputs=inputs)
 
 
-# Clips that go to an input place, from whatever track they are on.
-
-
+@refusing
 def move_clips_to_place(
     design: Design, view: View, ids: Iterable[int], location: int, copies: bool = False
 ) -> Edit | Refusal:
     """Move clips, or copies of them, to the track at an input place; their onsets stay.
 
-    Of several tracks there it is the selected one, or else the first.  Where there is none one is
-    made, with the amplitude of the track that the last of the clips was on.
+    Of several tracks at the place the selected one gets them, else the first.  If there is none, a
+    new track is made, with the amplitude of the track of the last clip.
     """
     chosen = present_clips(design, ids)
     if not chosen:
@@ -300,50 +314,34 @@ def move_clips_to_place(
     target = _track_at(design, view, location)
     if target is None:
         if len(design.inputs) >= MAX_INPUTS:
-            words = f"A design holds at most {MAX_INPUTS} inputs; remove one first."
-            return Refusal(sentence=words)
+            sentence = f"A design holds at most {MAX_INPUTS} inputs; remove one first."
+            return Refusal(sentence=sentence)
         amplitude = design.track_of(chosen[-1].id).amplitude
-        try:
-            design = design.adding(Input(location=location, amplitude=amplitude))
-        except InvalidInputError as error:
-            return refused(error)
+        design = design.adding(Input(location=location, amplitude=amplitude))
         target = design.ids[-1]
     verb = "Copy" if copies else "Move"
     label = f"{verb} {clips_text(design, chosen)} to {location_text(location, design.limb)}"
     if copies:
-        return with_new_clips(design, view, label, [(target, clip) for clip in chosen])
-    moved = {one.id for one in chosen}
-    inputs = []
-    for one in design.inputs:
-        own = {clip.id for clip in one.clips}
-        clips = [clip for clip in one.clips if one.id == target or clip.id not in moved]
-        clips += [clip for clip in chosen if one.id == target and clip.id not in own]
-        if len(clips) > MAX_CLIPS:
-            return TOO_MANY_CLIPS
-        inputs.append(replace_clips(one, clips))
-    after = replace(design, inputs=tuple(inputs))
-    selected = view.selected_clips if moved & set(view.selected_clips) else tuple(moved)
-    return Edit(label=label, design=after, view=clips_selected(after, view, selected))
+        return _with_new_clips(design, view, label, [(target, clip) for clip in chosen])
+    return _with_moved_clips(design, view, label, [(target, clip) for clip in chosen])
 
 
 def _track_at(design: Design, view: View, location: int) -> int | None:
-    there = [one.id for one in design.inputs if one.location == location]
-    selected = [id for id in view.selected_inputs if id in there]
-    return next(iter(selected[-1:] or there), None)
+    track_ids = [track.id for track in design.inputs if track.location == location]
+    selected = [id for id in view.selected_inputs if id in track_ids]
+    return next(iter(selected[-1:] or track_ids), None)
 
 
-# Copying pieces of a design, and putting them in: here, on other tracks, in another studio.
-
-#: What the text of a fragment says that it is.
+#: Name of the format in the text of a fragment.
 FORMAT = "skinsource clips"
 
 
 def fragment_of(design: Design, ids: Iterable[int]) -> Fragment | None:
-    """The clips with these ids as they lie to each other; None where there are none."""
-    chosen = {one.id for one in present_clips(design, ids)}
+    """Copy the clips with these ids as a fragment; None where there are none."""
+    chosen = {clip.id for clip in present_clips(design, ids)}
     tracks = [
-        (place, one, [clip for clip in one.clips if clip.id in chosen])
-        for place, one in enumerate(design.inputs)
+        (place, track, [clip for clip in track.clips if clip.id in chosen])
+        for place, track in enumerate(design.inputs)
     ]
     tracks = [entry for entry in tracks if entry[2]]
     if not tracks:
@@ -352,72 +350,68 @@ def fragment_of(design: Design, ids: Iterable[int]) -> Fragment | None:
     return Fragment(
         lanes=tuple(
             Lane(
-                location=one.location,
-                amplitude=one.amplitude,
+                location=track.location,
+                amplitude=track.amplitude,
                 offset=place - tracks[0][0],
                 clips=tuple(
                     replace(clip, onset_s=short(clip.onset_s - start_s), id=0) for clip in clips
                 ),
             )
-            for place, one, clips in tracks
+            for place, track, clips in tracks
         )
     )
 
 
 def cut_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
-    """Remove clips that were copied as a fragment; no other clip is selected."""
+    """Remove clips that were copied as a fragment; no clip is selected afterwards."""
     chosen = present_clips(design, ids)
     if not chosen:
         return NO_CLIP
-    gone = {one.id for one in chosen}
-    inputs = tuple(
-        replace(one, clips=left)
-        if len(left := tuple(c for c in one.clips if c.id not in gone)) < len(one.clips)
-        else one
-        for one in design.inputs
-    )
     return Edit(
         label=f"Cut {clips_text(design, chosen)}",
-        design=replace(design, inputs=inputs),
+        design=_without_clips(design, chosen),
         view=replace(view, selected_clips=()),
     )
 
 
 def paste_fragment(design: Design, view: View, fragment: Fragment, at_s: float) -> Edit | Refusal:
-    """Put a fragment in from a time on: its first lane on the selected track, the others below.
+    """Paste a fragment at a time: its first lane on the selected track, the others below.
 
-    Of several selected tracks the uppermost counts: what was copied from them goes back to them.
-    Lanes for which there is no track below get a new one, at the place that they came from; and so
-    do all of them where no track is selected.  How many and when is told: a clip that lies exactly
-    on its original cannot be seen.
+    Of several selected tracks the uppermost counts, so that clips go back to the tracks that they
+    were copied from.  A lane that has no track gets a new one at the place that it came from; so
+    do all lanes if no track is selected.  The edit says how many clips were pasted and when,
+    because a clip that lies exactly on its original cannot be seen.
     """
     count = sum(len(lane.clips) for lane in fragment.lanes)
-    found = _put_in(
-        design, view, fragment, at_s, f"Paste {_words(count)}", _selected_place(design, view)
+    outcome = _with_fragment(
+        design, view, fragment, at_s, f"Paste {_count_text(count)}", _selected_row(design, view)
     )
-    if isinstance(found, Refusal):
-        return found
-    over = ", on top of what was copied" if _lies_on_its_like(found.design, design) else ""
-    return replace(found, said=f"{counted(count, 'clip')} pasted at {at_s * 1e3:.6g} ms{over}")
+    if isinstance(outcome, Refusal):
+        return outcome
+    over = ", on top of what was copied" if _has_clip_on_its_equal(outcome.design, design) else ""
+    return replace(outcome, said=f"{counted(count, 'clip')} pasted at {at_s * 1e3:.6g} ms{over}")
 
 
-def _lies_on_its_like(after: Design, before: Design) -> bool:
-    """Whether a clip that is new has an equal one on its track, at the same time."""
-    old = {one.id for one in before.clips}
+def _has_clip_on_its_equal(after: Design, before: Design) -> bool:
+    """Whether a new clip has an equal old one on its track, at the same time."""
+    old = {clip.id for clip in before.clips}
     for track in after.inputs:
-        # Of thousands of clips hardly any two begin together.
-        there: dict[float, list[Clip]] = {}
-        for one in track.clips:
-            if one.id in old:
-                there.setdefault(one.onset_s, []).append(one)
-        new = (one for one in track.clips if one.id not in old)
+        # Few of thousands of clips begin at the same time, so few have to be compared.
+        by_onset: dict[float, list[Clip]] = {}
+        for clip in track.clips:
+            if clip.id in old:
+                by_onset.setdefault(clip.onset_s, []).append(clip)
+        new = (clip for clip in track.clips if clip.id not in old)
         if any(
-            replace(one, id=like.id) == like for one in new for like in there.get(one.onset_s, ())
+            replace(clip, id=like.id) == like
+            for clip in new
+            for like in by_onset.get(clip.onset_s, ())
         ):
             return True
     return False
 
 
+@refusing
 def place_fragment(
     design: Design,
     view: View,
@@ -427,86 +421,83 @@ def place_fragment(
     input_id: int | None = None,
     location: int | None = None,
 ) -> Edit | Refusal:
-    """Put a fragment of the library in, and select its clips.
+    """Place a fragment of the library, and select its clips.
 
     Parameters
     ----------
     design, view
-        What is open.
+        The open design and its view.
     fragment
-        Clips.
+        The clips.
     name
-        What the fragment is called.
+        Name of the fragment.
     at_s
-        From when on; None: from the playhead on.
+        Time of its start; None: at the playhead.
     input_id
-        The track that takes its first lane; those below take the others.  None: the selected one,
+        The track for its first lane; the tracks below get the others.  None: the selected track,
         of several the uppermost.
     location
-        Place of a new track for its first lane; the others get new ones too, at the places that
-        they came from.  It goes before ``input_id``.
+        Place of a new track for its first lane; the others get new tracks at the places that they
+        came from.  It has precedence over ``input_id``.
     """
     at_s = view.playhead_s if at_s is None else at_s
-    words = f"Place {name}"
+    label = f"Place {name}"
     if location is not None:
-        try:
-            first, *others = fragment.lanes
-            fragment = replace(fragment, lanes=(replace(first, location=location), *others))
-        except InvalidInputError as error:
-            return refused(error)
-        return _put_in(design, view, fragment, at_s, words, len(design.inputs))
+        first, *others = fragment.lanes
+        fragment = replace(fragment, lanes=(replace(first, location=location), *others))
+        return _with_fragment(design, view, fragment, at_s, label, len(design.inputs))
     if input_id is None:
-        return _put_in(design, view, fragment, at_s, words, _selected_place(design, view))
+        return _with_fragment(design, view, fragment, at_s, label, _selected_row(design, view))
     if input_id not in design.ids:
-        return Refusal(sentence="That track is no longer there; choose another one.")
-    return _put_in(design, view, fragment, at_s, words, design.index_of(input_id))
+        return _NO_TRACK
+    return _with_fragment(design, view, fragment, at_s, label, design.index_of(input_id))
 
 
-def _selected_place(design: Design, view: View) -> int:
-    """Where in the list the uppermost selected track is; behind the last one where none is."""
+def _selected_row(design: Design, view: View) -> int:
+    """Return the index of the uppermost selected track; without one the number of tracks."""
     chosen = (design.index_of(id) for id in view.selected_inputs if id in design.ids)
     return min(chosen, default=len(design.inputs))
 
 
-def _put_in(
-    design: Design, view: View, fragment: Fragment, at_s: float, words: str, place: int
+def _with_fragment(
+    design: Design, view: View, fragment: Fragment, at_s: float, label: str, row: int
 ) -> Edit | Refusal:
-    """Put a fragment on the tracks from ``place`` on, and on new ones behind the last."""
+    """Put a fragment on the tracks from ``row`` on, and on new ones after the last."""
     after = design
     new: list[tuple[int, Clip]] = []
     try:
         for lane in fragment.lanes:
-            if place + lane.offset < len(design.inputs):
-                track_id = design.inputs[place + lane.offset].id
+            if row + lane.offset < len(design.inputs):
+                track_id = design.inputs[row + lane.offset].id
             elif len(after.inputs) < MAX_INPUTS:
                 after = after.adding(Input(location=lane.location, amplitude=lane.amplitude))
                 track_id = after.ids[-1]
             else:
                 return Refusal(sentence=f"A design holds at most {MAX_INPUTS} inputs.")
             new += [
-                (track_id, replace(one, onset_s=short(at_s + one.onset_s))) for one in lane.clips
+                (track_id, replace(clip, onset_s=short(at_s + clip.onset_s))) for clip in lane.clips
             ]
     except (InvalidInputError, TypeError) as error:
-        return refused(InvalidInputError(str(error)))
-    return with_new_clips(after, view, words, new)
+        return refusal_of(InvalidInputError(str(error)))
+    return _with_new_clips(after, view, label, new)
 
 
 def fragment_text(fragment: Fragment) -> str:
-    """The fragment as a text for the clipboard; see `skinsource.specs.codec`."""
-    return text.to_text(models.encode(fragment), FORMAT)
+    """Write a fragment as a text for the clipboard; see `skinsource.specs.codec`."""
+    return codec.to_text(models.encode(fragment), FORMAT)
 
 
 def fragment_from(words: str) -> Fragment:
-    """The fragment that `fragment_text` wrote.
+    """Read a fragment that `fragment_text` wrote.
 
     Raises
     ------
     FileFormatError
         The text is something else, or damaged.
     """
-    found: Fragment = models.decode(text.from_text(words, FORMAT), (Fragment,), Address())
-    return found
+    fragment: Fragment = models.decode(codec.from_text(words, FORMAT), (Fragment,), Address())
+    return fragment
 
 
-def _words(count: int) -> str:
+def _count_text(count: int) -> str:
     return "clip" if count == 1 else f"{count} clips"

@@ -1,7 +1,7 @@
-"""Parts of clips: split, join, trim, stretch, fade.
+"""Split, join, trim, stretch and fade clips; insert and remove time on all tracks at once.
 
-A recipe cannot be cut, but what it plays can: a part is the same recipe through a `Trim`, and plays
-the same samples.  Trims made by dragging an end stand before the fades, which stay at the ends.
+A part of a clip is the same waveform through a `Trim`, so that it plays the same samples.  Dragging
+an end of a clip puts the `Trim` before the fades, which stay at the ends.
 """
 
 from collections.abc import Callable, Iterable, Sequence
@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from skinsource.base.errors import InvalidInputError
-from skinsource.design.clips import LATEST_S, MAX_EFFECTS, ONSET, Clip, Marker, numbered
-from skinsource.design.design import MAX_CLIPS, Design, Input
+from skinsource.design.clips import LATEST_S, MAX_CLIPS, MAX_EFFECTS, ONSET, Clip, Marker, numbered
+from skinsource.design.design import Design, Input
 from skinsource.design.edits.clips import (
     NO_CLIP,
     NO_TIME,
@@ -26,10 +26,10 @@ from skinsource.design.edits.clips import (
 from skinsource.design.edits.edit import (
     Edit,
     Refusal,
+    change_clips,
     kept_selection,
-    refused,
-    why_uncut,
-    with_clips,
+    refusal_of,
+    refusing,
 )
 from skinsource.design.effects.effect import Effect
 from skinsource.design.effects.level import Fade
@@ -41,12 +41,13 @@ from skinsource.specs.models import specs_of
 
 #: Times that differ by less are the same.
 SAME_S = 1e-9
-#: What a drag of an end leaves at least.
+#: Shortest clip that dragging an end can make.
 SHORTEST_S = 0.001
-_FULL = (
-    f"A clip has at most {MAX_EFFECTS} effects, and cut in two it needs one more; remove one first."
+_TOO_MANY_EFFECTS = Refusal(
+    sentence=f"A clip has at most {MAX_EFFECTS} effects, and cut in two it needs one more; remove "
+    "one first."
 )
-_GONE = Refusal(sentence="That clip is no longer there; choose another one.")
+_NO_CLIP_THERE = Refusal(sentence="That clip is no longer there; choose another one.")
 
 
 def split_clips(design: Design, view: View, ids: Iterable[int], at_s: float) -> Edit | Refusal:
@@ -60,42 +61,52 @@ def split_clips(design: Design, view: View, ids: Iterable[int], at_s: float) -> 
     if isinstance(cut, Refusal):
         return cut
     if not cut:
-        return Refusal(sentence=why_uncut(chosen, at_s, SAME_S))
+        return Refusal(sentence=_why_uncut(chosen, at_s))
     after = with_parts(design, cut)
     if isinstance(after, Refusal):
         return after
-    known = {one.id for one in design.clips}
-    later = tuple(one.id for one in after.clips if one.id not in known)
-    words = clips_text(design, tuple(one for one in chosen if one.id in cut))
-    return Edit(label=f"Split {words}", design=after, view=clips_selected(after, view, later))
+    known = {clip.id for clip in design.clips}
+    later = tuple(clip.id for clip in after.clips if clip.id not in known)
+    text = clips_text(design, tuple(clip for clip in chosen if clip.id in cut))
+    return Edit(label=f"Split {text}", design=after, view=clips_selected(after, view, later))
+
+
+def _why_uncut(chosen: Sequence[Clip], at_s: float) -> str:
+    """Say why none of the clips can be cut at a time."""
+    whose, which = ("The", "it") if len(chosen) == 1 else ("A", "one of them")
+    reason = f"None of the selected clips plays at {at_s:.6g} s"
+    for verb, attribute in (("begins", "onset_s"), ("ends", "end_s")):
+        if any(abs(getattr(clip, attribute) - at_s) <= SAME_S for clip in chosen):
+            reason = f"{whose} selected clip {verb} at {at_s:.6g} s: there is nothing to split"
+    return f"{reason}; put the playhead inside {which}."
 
 
 def join_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal:
-    """Put parts of one clip together again where they follow each other."""
-    wanted = {one.id for one in present_clips(design, ids)}
-    if not wanted:
+    """Join parts of one clip again where they follow each other."""
+    chosen_ids = {clip.id for clip in present_clips(design, ids)}
+    if not chosen_ids:
         return NO_CLIP
     inputs, joined = [], []
-    for one in design.inputs:
-        clips = {clip.id: clip for clip in one.clips}
-        in_time = sorted((c for c in one.clips if c.id in wanted), key=lambda c: c.onset_s)
+    for track in design.inputs:
+        clips = {clip.id: clip for clip in track.clips}
+        in_time = sorted((c for c in track.clips if c.id in chosen_ids), key=lambda c: c.onset_s)
         for right in in_time:
             for left in [clips[c.id] for c in in_time if c.id in clips and c.id != right.id]:
-                together = _joined(left, clips[right.id])
-                if together is not None:
+                joined_clip = _join(left, clips[right.id])
+                if joined_clip is not None:
                     del clips[right.id]
-                    clips[left.id] = together
+                    clips[left.id] = joined_clip
                     joined.append(left.id)
                     break
-        inputs.append(replace_clips(one, list(clips.values())))
+        inputs.append(replace_clips(track, list(clips.values())))
     if not joined:
         return Refusal(
             sentence="None of the selected clips goes on where another one of them ends; select "
             "parts that follow each other."
         )
     after = replace(design, inputs=tuple(inputs))
-    there = {one.id for one in after.clips}
-    left_over = tuple(one for one in view.selected_clips if one in there)
+    remaining = {clip.id for clip in after.clips}
+    left_over = tuple(clip_id for clip_id in view.selected_clips if clip_id in remaining)
     return Edit(
         label="Join clips",
         design=after,
@@ -104,163 +115,150 @@ def join_clips(design: Design, view: View, ids: Iterable[int]) -> Edit | Refusal
 
 
 def trim_clip(design: Design, view: View, id: int, start_s: float, end_s: float) -> Edit | Refusal:
-    """Let a clip begin and end at times of the design, as far as it plays anything there."""
-    one = _one_clip(design, id, start_s, end_s)
-    if isinstance(one, Refusal):
-        return one
-    before, fades = _without_fades(one.effects)
+    """Trim a clip to begin and end at times of the design, within what it plays."""
+    clip = _one_clip(design, id, start_s, end_s)
+    if isinstance(clip, Refusal):
+        return clip
+    before, fades = _without_fades(clip.effects)
     old = before[-1] if before and isinstance(before[-1], Trim) and before[-1].on else None
     inner = before if old is None else before[:-1]
-    whole_s = played_s(one.waveform, inner)
+    whole_s = played_s(clip.waveform, inner)
     lead_s = 0.0 if old is None else old.start_s
-    origin_s = one.onset_s - lead_s
+    origin_s = clip.onset_s - lead_s
     shortest_s = min(SHORTEST_S, whole_s)
     start_s = min(max(start_s, origin_s, 0.0), origin_s + whole_s - shortest_s)
     end_s = min(max(end_s, start_s + shortest_s), origin_s + whole_s)
     left_out_s, length_s = short(max(start_s - origin_s, 0.0)), short(end_s - start_s)
-    kept: tuple[Effect, ...] = ()
+    trim: tuple[Effect, ...] = ()
     if left_out_s > SAME_S or length_s < whole_s - SAME_S:
-        kept = (Trim(start_s=left_out_s, duration_s=length_s),)
-    changes = {"onset_s": short(max(start_s, 0.0)), "effects": (*inner, *kept, *fades)}
-    return _changed(design, view, "Trim", one, changes)
+        trim = (Trim(start_s=left_out_s, duration_s=length_s),)
+    changes = {"onset_s": short(max(start_s, 0.0)), "effects": (*inner, *trim, *fades)}
+    return _with_clip(design, view, "Trim", clip, changes)
 
 
+@refusing
 def stretch_clip(
     design: Design, view: View, id: int, start_s: float, end_s: float
 ) -> Edit | Refusal:
-    """Let a clip play faster or slower, so that it begins and ends at times of the design."""
-    one = _one_clip(design, id, start_s, end_s)
-    if isinstance(one, Refusal):
-        return one
-    if one.duration_s == 0.0:
+    """Stretch a clip in time so that it begins and ends at times of the design."""
+    clip = _one_clip(design, id, start_s, end_s)
+    if isinstance(clip, Refusal):
+        return clip
+    if clip.duration_s == 0.0:
         return Refusal(sentence="This clip cannot be stretched; change its duration instead.")
     start_s = max(start_s, 0.0)
-    factor = max(end_s - start_s, SHORTEST_S) / one.duration_s
-    inner, fades = _without_fades(one.effects)
+    factor = max(end_s - start_s, SHORTEST_S) / clip.duration_s
+    inner, fades = _without_fades(clip.effects)
     old = Stretch()
     if inner and isinstance(inner[-1], Stretch) and inner[-1].on:
         old, inner = inner[-1], inner[:-1]
-        factor *= old.factor_of(played_s(one.waveform, inner))
-    try:
-        changed = replace(old, factor=_nearest(factor), to_s=0.0)
-    except InvalidInputError as error:
-        return refused(error)
-    kept = () if abs(factor - 1.0) < SAME_S else (changed,)
-    effects = (*inner, *kept, *fades)
-    from_end_s = max(end_s - played_s(one.waveform, effects), 0.0)
-    if abs(start_s - one.onset_s) > SAME_S and abs(from_end_s - start_s) > SAME_S:
-        # The factor goes no farther: the end stays, whose start was moved.
+        factor *= old.factor_of(played_s(clip.waveform, inner))
+    changed = replace(old, factor=_allowed_factor(factor), to_s=0.0)
+    stretch = () if abs(factor - 1.0) < SAME_S else (changed,)
+    effects = (*inner, *stretch, *fades)
+    from_end_s = max(end_s - played_s(clip.waveform, effects), 0.0)
+    if abs(start_s - clip.onset_s) > SAME_S and abs(from_end_s - start_s) > SAME_S:
+        # The factor is at its limit: when the start was dragged, the end has to stay.
         start_s = from_end_s
     changes = {"onset_s": short(start_s), "effects": effects}
-    return _changed(design, view, "Stretch", one, changes)
+    return _with_clip(design, view, "Stretch", clip, changes)
 
 
+@refusing
 def fade_clip(design: Design, view: View, id: int, in_s: float, out_s: float) -> Edit | Refusal:
-    """Let a clip fade in and out within some times; 0 for neither."""
-    one = _one_clip(design, id, in_s, out_s)
-    if isinstance(one, Refusal):
-        return one
-    in_s = short(min(max(in_s, 0.0), one.duration_s))
-    out_s = short(min(max(out_s, 0.0), one.duration_s - in_s))
-    effects: list[Any] = list(one.effects)
+    """Set how long a clip fades in and out; 0: it does not."""
+    clip = _one_clip(design, id, in_s, out_s)
+    if isinstance(clip, Refusal):
+        return clip
+    in_s = short(min(max(in_s, 0.0), clip.duration_s))
+    out_s = short(min(max(out_s, 0.0), clip.duration_s - in_s))
+    effects: list[Any] = list(clip.effects)
     last = effects[-1] if effects and isinstance(effects[-1], Fade) and effects[-1].on else None
-    try:
-        if last is not None:
-            effects[-1:] = [replace(last, in_s=in_s, out_s=out_s)] if in_s or out_s else []
-        elif in_s or out_s:
-            effects.append(Fade(in_s=in_s, out_s=out_s))
-    except InvalidInputError as error:
-        return refused(error)
-    return _changed(design, view, "Fade", one, {"effects": tuple(effects)})
+    if last is not None:
+        effects[-1:] = [replace(last, in_s=in_s, out_s=out_s)] if in_s or out_s else []
+    elif in_s or out_s:
+        effects.append(Fade(in_s=in_s, out_s=out_s))
+    return _with_clip(design, view, "Fade", clip, {"effects": tuple(effects)})
 
 
 def _one_clip(design: Design, id: int, *times_s: float) -> Clip | Refusal:
-    """The clip that is to be changed to these times; or why that cannot be."""
-    found = present_clips(design, (id,))
-    if not found:
-        return _GONE
-    return found[0] if all(_is_time(one) for one in times_s) else NO_TIME
+    """Return the clip with this id, or why it cannot be changed to these times."""
+    chosen = present_clips(design, (id,))
+    if not chosen:
+        return _NO_CLIP_THERE
+    return chosen[0] if all(_is_time(time_s) for time_s in times_s) else NO_TIME
 
 
-def fades_of(one: Clip) -> tuple[float, float]:
-    """How long a clip takes to fade in and out by what `fade_clip` did to it, s."""
-    last = one.effects[-1] if one.effects else None
+def fades_of(clip: Clip) -> tuple[float, float]:
+    """Return how long a clip fades in and out by the fade that `fade_clip` set, in s."""
+    last = clip.effects[-1] if clip.effects else None
     if not isinstance(last, Fade) or not last.on:
         return (0.0, 0.0)
     return (last.in_s, last.out_s)
 
 
 def parts_by_id(clips: Sequence[Clip], at_s: float) -> dict[int, tuple[Clip, Clip]] | Refusal:
-    """Parts of those clips that play at a time, see `parts_of`."""
+    """Return the two parts of each clip that plays at a time, see `parts_of`."""
     try:
-        found = {one.id: parts_of(one, at_s) for one in clips}
+        parts_of_clip = {clip.id: parts_of(clip, at_s) for clip in clips}
     except InvalidInputError as error:
         if at_s > ONSET.maximum:
             return Refusal(
                 sentence=f"A clip plays at {at_s:.6g} s, and none can begin after "
                 f"{ONSET.maximum:g} s; cut it before that."
             )
-        return Refusal(sentence=_FULL) if _any_is_full(clips) else refused(error)
-    return {id: parts for id, parts in found.items() if parts is not None}
+        is_full = any(len(clip.effects) == MAX_EFFECTS for clip in clips)
+        return _TOO_MANY_EFFECTS if is_full else refusal_of(error)
+    return {id: parts for id, parts in parts_of_clip.items() if parts is not None}
 
 
-def parts_of(one: Clip, at_s: float) -> tuple[Clip, Clip] | None:
-    """What a clip plays before a time and from it on; None where it does not play then.
+def parts_of(clip: Clip, at_s: float) -> tuple[Clip, Clip] | None:
+    """Cut a clip in two at a time; None where it does not play then.
 
     Raises
     ------
     InvalidInputError
-        It has no room for another effect, or the later part would begin too late.
+        The clip has the most effects already, or the later part would begin too late.
     """
-    length_s, own_s = one.duration_s, at_s - one.onset_s
+    length_s, own_s = clip.duration_s, at_s - clip.onset_s
     if not SAME_S < own_s < length_s - SAME_S:
         return None
-    *inner, last = one.effects or (None,)
+    *inner, last = clip.effects or (None,)
     if not isinstance(last, Trim) or not last.on:
-        inner, last = list(one.effects), Trim(duration_s=length_s)
+        inner, last = list(clip.effects), Trim(duration_s=length_s)
     first = replace(last, duration_s=short(own_s))
     second = replace(last, start_s=short(last.start_s + own_s), duration_s=short(length_s - own_s))
     return (
-        replace(one, effects=(*inner, first)),
-        replace(one, onset_s=short(at_s), effects=(*inner, second), id=0),
+        replace(clip, effects=(*inner, first)),
+        replace(clip, onset_s=short(at_s), effects=(*inner, second), id=0),
     )
 
 
+@refusing
 def with_parts(design: Design, cut: dict[int, tuple[Clip, Clip]]) -> Design | Refusal:
-    """The design with pairs in place of clips; the later of each pair has a new id."""
-    known = [one.id for one in design.clips]
+    """Return the design with clips replaced by pairs; the later of each pair gets a new id."""
+    known = [clip.id for clip in design.clips]
     ids = iter(numbered([*known, *(0 for _ in cut)], "clips")[len(known) :])
-    if any(_count_after(one, cut) > MAX_CLIPS for one in design.inputs):
-        return Refusal(sentence=f"A track holds at most {MAX_CLIPS} clips.")
     inputs = []
-    for one in design.inputs:
+    for track in design.inputs:
         clips: list[Clip] = []
-        for clip in one.clips:
+        for clip in track.clips:
             first, *rest = cut.get(clip.id, (clip,))
             clips += [first, *(replace(part, id=next(ids)) for part in rest)]
-        inputs.append(replace_clips(one, clips))
-    try:
-        return replace(design, inputs=tuple(inputs))
-    except InvalidInputError as error:
-        return refused(error)
+        if len(clips) > MAX_CLIPS:
+            return Refusal(sentence=f"A track holds at most {MAX_CLIPS} clips.")
+        inputs.append(replace_clips(track, clips))
+    return replace(design, inputs=tuple(inputs))
 
 
-def _any_is_full(clips: Sequence[Clip]) -> bool:
-    return any(len(one.effects) == MAX_EFFECTS for one in clips)
-
-
-def _count_after(one: Input, cut: dict[int, tuple[Clip, Clip]]) -> int:
-    return len(one.clips) + sum(clip.id in cut for clip in one.clips)
-
-
-def _joined(left: Clip, right: Clip) -> Clip | None:
-    """The clip of which these are parts, the second right after the first; None: they are not."""
+def _join(left: Clip, right: Clip) -> Clip | None:
+    """Return the clip of which these are parts that follow each other; None: they are not."""
     if not left.effects or not right.effects:
         return None
     (*inner, first), (*others, second) = left.effects, right.effects
     if not (isinstance(first, Trim) and isinstance(second, Trim) and first.on and second.on):
         return None
-    alike = (left.waveform, left.gain, left.muted, inner) == (
+    same_content = (left.waveform, left.gain, left.muted, inner) == (
         right.waveform,
         right.gain,
         right.muted,
@@ -268,37 +266,35 @@ def _joined(left: Clip, right: Clip) -> Clip | None:
     )
     follows = abs(left.end_s - right.onset_s) < SAME_S
     goes_on = abs(first.start_s + first.duration_s - second.start_s) < SAME_S
-    if not (alike and follows and goes_on):
+    if not (same_content and follows and goes_on):
         return None
     whole_s = played_s(left.waveform, tuple(inner))
     length_s = short(second.start_s + second.duration_s - first.start_s)
-    kept: tuple[Effect, ...] = ()
+    trim: tuple[Effect, ...] = ()
     if first.start_s > SAME_S or length_s < whole_s - SAME_S:
-        kept = (replace(first, duration_s=length_s),)
-    return replace(left, effects=(*inner, *kept))
+        trim = (replace(first, duration_s=length_s),)
+    return replace(left, effects=(*inner, *trim))
 
 
 def _without_fades(effects: tuple[Effect, ...]) -> tuple[tuple[Effect, ...], tuple[Effect, ...]]:
-    """The effects up to the fades at the end of the chain, and those fades."""
+    """Split effects into those before the fades at the end, and those fades."""
     count = len(effects)
     while count and isinstance(effects[count - 1], Fade):
         count -= 1
     return effects[:count], effects[count:]
 
 
-def _nearest(factor: float) -> float:
+def _allowed_factor(factor: float) -> float:
     spec: Any = specs_of(Stretch)["factor"]
     return min(max(short(factor), spec.minimum), spec.maximum)
 
 
-def _changed(
-    design: Design, view: View, verb: str, one: Clip, changes: dict[str, Any]
+@refusing
+def _with_clip(
+    design: Design, view: View, verb: str, clip: Clip, changes: dict[str, Any]
 ) -> Edit | Refusal:
-    try:
-        after = with_clips(design, {one.id: changes})
-    except InvalidInputError as error:
-        return refused(error)
-    return Edit(label=f"{verb} {clips_text(design, (one,))}", design=after, view=view)
+    after = change_clips(design, {clip.id: changes})
+    return Edit(label=f"{verb} {clips_text(design, (clip,))}", design=after, view=view)
 
 
 def _is_time(value: Any) -> bool:
@@ -306,48 +302,43 @@ def _is_time(value: Any) -> bool:
     return is_number and abs(value) < 1e9
 
 
-# Inserting and removing time on all tracks at once.
-
-_NO_TIME = Refusal(sentence="Choose a stretch of time: a start, and an end after it.")
+_NO_TIME_RANGE = Refusal(sentence="Choose a stretch of time: a start, and an end after it.")
 
 
 def insert_time(design: Design, view: View, at_s: float, length_s: float) -> Edit | Refusal:
-    """Let everything from a time on come later; clips that play then are cut in two."""
-    both = _is_number(at_s) and _is_number(length_s)
-    if not both or not _is_stretch(at_s, at_s + length_s):
-        return _NO_TIME
+    """Move everything from a time on later; clips that play then are cut in two."""
+    if not (_is_number(at_s) and _is_number(length_s)) or not _is_stretch(at_s, at_s + length_s):
+        return _NO_TIME_RANGE
     return _shifted(design, view, "Insert time", at_s, at_s, length_s)
 
 
 def remove_time(design: Design, view: View, start_s: float, end_s: float) -> Edit | Refusal:
-    """Take a stretch of time out: what plays then is cut away, what comes later comes earlier."""
+    """Remove a stretch of time: what plays in it is cut away, and the rest moves earlier."""
     if not _is_stretch(start_s, end_s):
-        return _NO_TIME
+        return _NO_TIME_RANGE
     return _shifted(design, view, "Remove time", start_s, end_s, start_s - end_s)
 
 
+@refusing
 def _shifted(
     design: Design, view: View, label: str, start_s: float, end_s: float, by_s: float
 ) -> Edit | Refusal:
-    """What begins in between goes; what begins at ``end_s`` or later moves by ``by_s``."""
+    """Remove what begins in between, and move what begins at ``end_s`` or later by ``by_s``."""
     cut = _cut(_cut(design, end_s), start_s)
     if isinstance(cut, Refusal):
         return cut
 
-    def later(time_s: float) -> float | None:
+    def shift(time_s: float) -> float | None:
         if time_s < start_s - SAME_S:
             return time_s
         return None if time_s < end_s - SAME_S else short(max(time_s + by_s, 0.0))
 
-    try:
-        after = replace(
-            cut,
-            inputs=tuple(_moved(one, later, start_s, end_s, by_s) for one in cut.inputs),
-            markers=_markers(design.markers, later),
-            loop_s=_loop(design.loop_s, start_s, end_s, by_s),
-        )
-    except InvalidInputError as error:
-        return refused(error)
+    after = replace(
+        cut,
+        inputs=tuple(_shifted_track(track, shift, start_s, end_s, by_s) for track in cut.inputs),
+        markers=_shifted_markers(design.markers, shift),
+        loop_s=_shifted_loop(design.loop_s, start_s, end_s, by_s),
+    )
     return Edit(label=label, design=after, view=kept_selection(view, design, after))
 
 
@@ -360,36 +351,36 @@ def _cut(design: Design | Refusal, at_s: float) -> Design | Refusal:
     return with_parts(design, cut) if cut else design
 
 
-def _moved(
-    one: Input, later: Callable[[float], float | None], start_s: float, end_s: float, by_s: float
+def _shifted_track(
+    track: Input, shift: Callable[[float], float | None], start_s: float, end_s: float, by_s: float
 ) -> Input:
     clips: list[Clip] = []
-    for clip in one.clips:
-        onset_s = later(clip.onset_s)
+    for clip in track.clips:
+        onset_s = shift(clip.onset_s)
         if onset_s is not None:
             clips.append(clip if onset_s == clip.onset_s else replace(clip, onset_s=onset_s))
-    after = replace_clips(one, clips)
-    curve = _curve(one.gain_curve, start_s, end_s, by_s)
-    return after if curve == one.gain_curve else replace(after, gain_curve=curve)
+    after = replace_clips(track, clips)
+    curve = _shifted_curve(track.gain_curve, start_s, end_s, by_s)
+    return after if curve == track.gain_curve else replace(after, gain_curve=curve)
 
 
-def _markers(
-    markers: tuple[Marker, ...], later: Callable[[float], float | None]
+def _shifted_markers(
+    markers: tuple[Marker, ...], shift: Callable[[float], float | None]
 ) -> tuple[Marker, ...]:
-    times_s = [later(one.time_s) for one in markers]
+    times_s = [shift(marker.time_s) for marker in markers]
     return tuple(
-        replace(one, time_s=min(time_s, LATEST_S))
-        for one, time_s in zip(markers, times_s, strict=True)
+        replace(marker, time_s=min(time_s, LATEST_S))
+        for marker, time_s in zip(markers, times_s, strict=True)
         if time_s is not None
     )
 
 
-def _loop(
+def _shifted_loop(
     loop_s: tuple[float, float] | None, start_s: float, end_s: float, by_s: float
 ) -> tuple[float, float] | None:
     if loop_s is None:
         return None
-    # What lies in between shrinks to its start.
+    # An end of the loop in between moves to its start.
     low, high = (
         time_s if time_s < start_s else start_s if time_s < end_s else short(time_s + by_s)
         for time_s in loop_s
@@ -397,25 +388,24 @@ def _loop(
     return (low, min(high, LATEST_S)) if low < high <= LATEST_S else None
 
 
-def _curve(curve: Curve, start_s: float, end_s: float, by_s: float) -> Curve:
-    """The curve with the same gain at what is left; a step where time was taken out.
+def _shifted_curve(curve: Curve, start_s: float, end_s: float, by_s: float) -> Curve:
+    """Return the curve with the same gain at what remains, and a step where time was removed.
 
-    Time that comes in has the gain before it.
+    Inserted time has the gain before it.
     """
     if not curve or curve[-1][0] <= start_s:
         return curve
     times_s, gains = np.array(curve).T
-    # Where two points lie at one time, the first one ends what is before, the last begins what
-    # follows.
+    # Of two points at one time the first one ends the segment before, the last one begins the next.
     at_start = next((y for x, y in curve if x == start_s), None)
     ending = float(np.interp(start_s, times_s, gains)) if at_start is None else at_start
     following = float(np.interp(end_s, times_s, gains))
     before = [point for point in curve if point[0] < start_s]
-    behind = [(short(x + by_s), y) for x, y in curve if x > end_s]
+    following_points = [(short(x + by_s), y) for x, y in curve if x > end_s]
     after_s = short(end_s + by_s)
     edges = [(start_s, ending), (after_s, ending), (after_s, following)]
-    # Of points that are all the same one is enough.
-    points = [point for point, _ in groupby([*before, *edges, *behind])]
+    # Equal points in a row are one point.
+    points = [point for point, _ in groupby([*before, *edges, *following_points])]
     return tuple((min(x, LATEST_S), y) for x, y in points)
 
 

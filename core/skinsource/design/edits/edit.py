@@ -1,9 +1,14 @@
-"""What an edit leads to."""
+"""Edits and refusals, and what all edits share: changing fields, kinds and selections.
 
-from collections.abc import Iterable, Sequence
+The selected input or clip that was selected last is the leading one: where a panel shows one value
+of several, it is that of the leading one.
+"""
+
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import Any
+from functools import wraps
+from typing import Any, ParamSpec, TypeVar
 
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import sentence
@@ -19,19 +24,20 @@ from skinsource.specs.numbers import NumberSpec, SamplesSpec
 from skinsource.specs.samples import Samples
 from skinsource.specs.spec import ChoiceSpec, Spec
 
+P = ParamSpec("P")
+R = TypeVar("R")
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Edit:
-    """Another design and another view, both at once.
+    """The design and the view after an edit.
 
     Attributes
     ----------
     label
-        What was done, as the history names it: "Mute input at 7 (II pad)".
-    design, view
-        What there is afterwards.
+        Name of the edit in the history: "Mute input at 7 (II pad)".
     said
-        What is told once it is done, of what may not be seen.
+        Message about what the user may not see in the window; mostly empty.
     """
 
     label: str
@@ -42,7 +48,7 @@ class Edit:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Refusal:
-    """Nothing is done; ``sentence`` says why, and what to do instead."""
+    """An edit that is not done; ``sentence`` says why, and what to do instead."""
 
     sentence: str
 
@@ -50,55 +56,64 @@ class Refusal:
 NOTHING_CHOSEN = Refusal(sentence="No input is selected; click one, on the hand or in the list.")
 
 
-def refused(error: InvalidInputError) -> Refusal:
-    """Nothing is done, for a value that is not allowed."""
+def refusal_of(error: InvalidInputError) -> Refusal:
+    """Return the refusal of a value that is not allowed."""
     return Refusal(sentence=sentence(str(error)))
 
 
-def present(design: Design, ids: Iterable[int]) -> tuple[Input, ...]:
-    """Those inputs that ``design`` has, in its order."""
-    wanted = set(ids)
-    return tuple(one for one in design.inputs if one.id in wanted)
+def refusing(edit: Callable[P, R]) -> Callable[P, R | Refusal]:
+    """Return an edit that gives a `Refusal` where it would raise an `InvalidInputError`."""
+
+    @wraps(edit)
+    def refusing_edit(*args: P.args, **kwargs: P.kwargs) -> R | Refusal:
+        try:
+            return edit(*args, **kwargs)
+        except InvalidInputError as error:
+            return refusal_of(error)
+
+    return refusing_edit
+
+
+def present_inputs(design: Design, ids: Iterable[int]) -> tuple[Input, ...]:
+    """Return those inputs that ``design`` has, in its order."""
+    wanted_ids = set(ids)
+    return tuple(track for track in design.inputs if track.id in wanted_ids)
 
 
 def tracks_text(chosen: tuple[Input, ...], limb: str) -> str:
-    """What the history calls them: "input at 7 (II pad)", or "3 inputs"."""
-    return (
-        f"input at {location_text(chosen[0].location, limb)}"
-        if len(chosen) == 1
-        else (f"{len(chosen)} inputs")
-    )
+    """Return the name of inputs in the history: "input at 7 (II pad)", or "3 inputs"."""
+    if len(chosen) != 1:
+        return f"{len(chosen)} inputs"
+    return f"input at {location_text(chosen[0].location, limb)}"
 
 
 def location_text(location: int, limb: str = "") -> str:
-    """Number and short name of an input place of a limb, "7 (II pad)"."""
+    """Return number and short name of an input place of a limb: "7 (II pad)"."""
     short = input_name(location, limb).short_name
     return str(location) if short == f"place {location}" else f"{location} ({short})"
 
 
-def changed(
+@refusing
+def change_inputs(
     design: Design,
     view: View,
     verb: str,
     changes: dict[int, dict[str, Any]],
     clip_changes: dict[int, dict[str, Any]] | None = None,
 ) -> Edit | Refusal:
-    """Change fields of inputs, and of clips of them, by id; refused where one is not allowed."""
-    chosen = present(design, changes)
+    """Change fields of inputs and of their clips, by id."""
+    chosen = present_inputs(design, changes)
     if not chosen:
         return NOTHING_CHOSEN
-    try:
-        inputs = tuple(
-            _with_clips(_replaced(one, changes.get(one.id, {})), clip_changes or {})
-            for one in design.inputs
-        )
-        after = replace(design, inputs=inputs)
-    except InvalidInputError as error:
-        return refused(error)
+    inputs = tuple(
+        _with_clips(_replaced(track, changes.get(track.id, {})), clip_changes or {})
+        for track in design.inputs
+    )
+    after = replace(design, inputs=inputs)
     return Edit(label=f"{verb} {tracks_text(chosen, design.limb)}", design=after, view=view)
 
 
-def with_clips(design: Design, changes: dict[int, dict[str, Any]]) -> Design:
+def change_clips(design: Design, changes: dict[int, dict[str, Any]]) -> Design:
     """Return ``design`` with changed fields of clips, by id.
 
     Raises
@@ -108,27 +123,24 @@ def with_clips(design: Design, changes: dict[int, dict[str, Any]]) -> Design:
     """
     if not changes:
         return design
-    return replace(design, inputs=tuple(_with_clips(one, changes) for one in design.inputs))
+    return replace(design, inputs=tuple(_with_clips(track, changes) for track in design.inputs))
 
 
-def _with_clips(one: Input, changes: dict[int, dict[str, Any]]) -> Input:
-    if not changes or not any(clip.id in changes for clip in one.clips):
-        return one
+def _with_clips(track: Input, changes: dict[int, dict[str, Any]]) -> Input:
+    if not changes or not any(clip.id in changes for clip in track.clips):
+        return track
     clips = tuple(
-        replace(clip, **changes[clip.id]) if clip.id in changes else clip for clip in one.clips
+        replace(clip, **changes[clip.id]) if clip.id in changes else clip for clip in track.clips
     )
-    return one if clips == one.clips else replace(one, clips=clips)
+    return track if clips == track.clips else replace(track, clips=clips)
 
 
-def _replaced(one: Input, changes: dict[str, Any]) -> Input:
-    # What does not change keeps its identity.
+def _replaced(track: Input, changes: dict[str, Any]) -> Input:
+    # An unchanged input stays the same object.
     if not changes:
-        return one
-    after = replace(one, **changes)
-    return one if after == one else after
-
-
-# From one kind of waveform to another.
+        return track
+    after = replace(track, **changes)
+    return track if after == track else after
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -137,7 +149,7 @@ class KindSpec(ChoiceSpec):
 
 
 def kind_spec() -> KindSpec:
-    """What an input may play."""
+    """Return the choice of what an input plays."""
     return KindSpec(
         label="Waveform",
         options=tuple((kind.__name__, kind.title) for kind in kinds()),
@@ -146,34 +158,34 @@ def kind_spec() -> KindSpec:
 
 
 def kind_name(waveform: Waveform) -> str:
-    """Option of `kind_spec` that a waveform is."""
+    """Return the option of `kind_spec` for a waveform."""
     return type(waveform).__name__
 
 
 def as_kind(waveform: Waveform, kind: type[Waveform], rate_hz: float) -> Waveform:
-    """A waveform of another kind that shares what it can with ``waveform``.
+    """Return a waveform of another kind that keeps the fields that both kinds have.
 
-    A number that the other kind does not allow becomes the nearest one that it does.  A kind that
-    holds samples gets those that ``waveform`` plays at ``rate_hz``, the rate of the limb.
+    A number that the other kind does not allow becomes the nearest allowed one.  A kind that holds
+    samples gets those that ``waveform`` plays at ``rate_hz``, the rate of the limb.
     """
     if kind is type(waveform):
         return waveform
     present = specs_of(waveform)
-    found: Any = Glide.like(waveform) if kind is Glide else kind()
+    result: Any = Glide.like(waveform) if kind is Glide else kind()
     for field, spec in specs_of(kind).items():
         change: dict[str, Any] = {}
         if isinstance(spec, SamplesSpec):
             change = _played(waveform, field, spec, rate_hz)
         elif type(present.get(field)) is type(spec):
             change = _shared(waveform, field, spec)
-        # What does not go together with the rest stays as it is in a new one.
+        # A field that does not fit the other fields keeps its default.
         with suppress(InvalidInputError):
-            found = replace(found, **change)
-    return found
+            result = replace(result, **change)
+    return result
 
 
 def _shared(waveform: Waveform, field: str, spec: Spec) -> dict[str, Any]:
-    """The value of a field of both kinds, as the new one allows it."""
+    """Return the value of a field that both kinds have, as the new kind allows it."""
     value = getattr(waveform, field)
     if isinstance(spec, NumberSpec):
         return {field: nearest(value, spec)}
@@ -183,11 +195,11 @@ def _shared(waveform: Waveform, field: str, spec: Spec) -> dict[str, Any]:
 def _played(
     waveform: Waveform, field: str, spec: SamplesSpec, rate_hz: float
 ) -> dict[str, Samples]:
-    """What a waveform plays, as the samples of ``field``; nothing where it cannot be."""
-    own = getattr(waveform, field, None)
+    """Return what a waveform plays as the samples of ``field``; empty where it cannot."""
+    samples = getattr(waveform, field, None)
     try:
-        if isinstance(own, Samples):
-            played = own if spec.unit is None else replace(own, unit=spec.unit)
+        if isinstance(samples, Samples):
+            played = samples if spec.unit is None else replace(samples, unit=spec.unit)
         else:
             played = Samples(values=waveform.samples(rate_hz), sample_rate_hz=rate_hz)
         return {field: spec.checked(played)}
@@ -196,54 +208,40 @@ def _played(
 
 
 def nearest(value: float, spec: NumberSpec) -> float:
-    """The allowed number nearest to ``value``."""
+    """Return the allowed number nearest to ``value``."""
     within = min(max(value, spec.minimum), spec.maximum)
     return round(within) if spec.whole else float(within)
 
 
-# Why clips cannot be cut in two at a time.
-
-
-def why_uncut(chosen: Sequence[Clip], at_s: float, same_s: float) -> str:
-    """Why a time cuts none of some clips; times closer than ``same_s`` are the same."""
-    whose, where = ("The", "it") if len(chosen) == 1 else ("A", "one of them")
-    found = f"None of the selected clips plays at {at_s:.6g} s"
-    for verb, attribute in (("begins", "onset_s"), ("ends", "end_s")):
-        if any(abs(getattr(one, attribute) - at_s) <= same_s for one in chosen):
-            found = f"{whose} selected clip {verb} at {at_s:.6g} s: there is nothing to split"
-    return f"{found}; put the playhead inside {where}."
-
-
-# Which inputs and clips are selected, and which after an edit.
-
-
 def select_inputs(design: Design, view: View, ids: Iterable[int]) -> Edit:
-    """Select inputs, the last of them the one that stands apart."""
-    there = dict.fromkeys(one for one in ids if one in design.ids)
-    on_them = {clip.id for one in design.inputs if one.id in there for clip in one.clips}
-    clips = tuple(one for one in view.selected_clips if one in on_them)
+    """Select inputs; the last one is the leading one."""
+    existing = dict.fromkeys(input_id for input_id in ids if input_id in design.ids)
+    on_them = {clip.id for track in design.inputs if track.id in existing for clip in track.clips}
+    clips = tuple(clip_id for clip_id in view.selected_clips if clip_id in on_them)
     return Edit(
         label="Select inputs",
         design=design,
-        view=replace(view, selected_inputs=tuple(there), selected_clips=clips),
+        view=replace(view, selected_inputs=tuple(existing), selected_clips=clips),
     )
 
 
 def select_all_inputs(design: Design, view: View) -> Edit:
-    """Select every input; the one that stood apart still does."""
+    """Select every input; the leading one stays."""
     last = () if view.selected_input is None else (view.selected_input,)
-    others = (one for one in design.ids if one not in last)
+    others = (input_id for input_id in design.ids if input_id not in last)
     return select_inputs(design, view, (*others, *last))
 
 
 def toggle_selected(design: Design, view: View, id: int) -> Edit:
-    """Add an input to the selected ones, or take it out."""
-    left = tuple(one for one in view.selected_inputs if one != id)
-    return select_inputs(design, view, left if id in view.selected_inputs else (*left, id))
+    """Add an input to the selected ones, or remove it from them."""
+    remaining = tuple(input_id for input_id in view.selected_inputs if input_id != id)
+    return select_inputs(
+        design, view, remaining if id in view.selected_inputs else (*remaining, id)
+    )
 
 
 def select_through(design: Design, view: View, start: int | None, end: int) -> Edit:
-    """Select all inputs from ``start`` to ``end`` as they are listed; ``end`` stands apart."""
+    """Select all inputs from ``start`` to ``end`` in the list; ``end`` is the leading one."""
     if end not in design.ids:
         return select_inputs(design, view, view.selected_inputs)
     if start not in design.ids:
@@ -253,34 +251,34 @@ def select_through(design: Design, view: View, start: int | None, end: int) -> E
     return select_inputs(design, view, between if first <= last else between[::-1])
 
 
-def clips_of(one: Input, view: View) -> tuple[Clip, ...]:
-    """Clips of an input that edits of it are about: the selected ones, or else its first."""
-    return tuple(clip for clip in one.clips if clip.id in view.selected_clips) or one.clips[:1]
+def clips_of(track: Input, view: View) -> tuple[Clip, ...]:
+    """Return the clips of an input that edits change: the selected ones, or else its first."""
+    return tuple(clip for clip in track.clips if clip.id in view.selected_clips) or track.clips[:1]
 
 
-def clip_of(one: Input, view: View) -> Clip | None:
-    """The one of them that stands apart: selected last; None where there is no clip."""
-    order = {id: place for place, id in enumerate(view.selected_clips)}
-    return max(clips_of(one, view), key=lambda clip: order.get(clip.id, 0), default=None)
+def clip_of(track: Input, view: View) -> Clip | None:
+    """Return the leading one of `clips_of`, which was selected last; None without clips."""
+    order = {id: rank for rank, id in enumerate(view.selected_clips)}
+    return max(clips_of(track, view), key=lambda clip: order.get(clip.id, 0), default=None)
 
 
 def kept_selection(view: View, before: Design, after: Design) -> View:
     """Return ``view`` with those selected inputs and clips that ``after`` still has.
 
-    Where no input is left, the neighbour of the one that stood apart is selected: the next that is
-    still there, or else the one before.
+    If no selected input is left, the one next to the leading one is selected: the next in the
+    list, or else the one before.
     """
-    clip_ids = {one.id for one in after.clips} if view.selected_clips else set()
+    clip_ids = {clip.id for clip in after.clips} if view.selected_clips else set()
     if not clip_ids.issuperset(view.selected_clips):
-        left = tuple(one for one in view.selected_clips if one in clip_ids)
-        view = replace(view, selected_clips=left)
-    there = set(after.ids)
-    if there.issuperset(view.selected_inputs):
+        remaining = tuple(clip_id for clip_id in view.selected_clips if clip_id in clip_ids)
+        view = replace(view, selected_clips=remaining)
+    existing = set(after.ids)
+    if existing.issuperset(view.selected_inputs):
         return view
-    left = tuple(one for one in view.selected_inputs if one in there)
-    if not left and view.selected_input in before.ids:
-        place = before.index_of(view.selected_input)
-        following = [one for one in before.ids[place:] if one in there]
-        preceding = [one for one in before.ids[:place] if one in there]
-        left = tuple([*preceding[-1:], *following[:1]][-1:])
-    return replace(view, selected_inputs=left)
+    remaining = tuple(input_id for input_id in view.selected_inputs if input_id in existing)
+    if not remaining and view.selected_input in before.ids:
+        index = before.index_of(view.selected_input)
+        following = [input_id for input_id in before.ids[index:] if input_id in existing]
+        preceding = [input_id for input_id in before.ids[:index] if input_id in existing]
+        remaining = tuple([*preceding[-1:], *following[:1]][-1:])
+    return replace(view, selected_inputs=remaining)

@@ -1,4 +1,9 @@
-"""The chain of effects of a clip."""
+"""Change what inputs and clips play: their waveforms, effects, numbers and drawn curves.
+
+A waveform or an effect can hold a list of parts: a clip is a part of layers, an effect a part of a
+clip.  `choices_of`, `new_part` and the functions after them work on such lists; what they return is
+set with `change_field`, as any other value of a field.
+"""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -19,14 +24,14 @@ from skinsource.design.edits.edit import (
     KindSpec,
     Refusal,
     as_kind,
-    changed,
+    change_clips,
+    change_inputs,
     clip_of,
     clips_of,
     location_text,
     nearest,
-    present,
-    refused,
-    with_clips,
+    present_inputs,
+    refusing,
 )
 from skinsource.design.effects import effect_kinds
 from skinsource.design.effects.effect import Effect
@@ -34,7 +39,6 @@ from skinsource.design.effects.level import Envelope, Fade
 from skinsource.design.effects.time import Trim
 from skinsource.design.view import View
 from skinsource.design.waveform import Waveform
-from skinsource.design.waveforms.catalog import kinds
 from skinsource.design.waveforms.catalog import kinds as waveform_kinds
 from skinsource.design.waveforms.samples import Drawn
 from skinsource.design.waveforms.tones import Glide
@@ -48,97 +52,99 @@ from skinsource.specs.numbers import ListSpec, ModelSpec, NumberSpec
 from skinsource.specs.samples import Samples
 from skinsource.specs.spec import ChoiceSpec, Spec
 
-_GONE = Refusal(sentence="That effect is no longer there; choose another one.")
+_NO_EFFECT = Refusal(sentence="That effect is no longer there; choose another one.")
+_TOO_MANY_EFFECTS = Refusal(sentence=f"A clip has at most {MAX_EFFECTS} effects; remove one first.")
 _FADE_S = 0.02
 
 
 def add_effect(
     design: Design, view: View, ids: Iterable[int], kind: str, index: int | None = None
 ) -> Edit | Refusal:
-    """Put a new effect into the chains of clips, before the ``index``-th there; None: last."""
-    wanted = next((one for one in effect_kinds() if one.__name__ == kind), None)
-    if wanted is None:
-        known = ", ".join(one.__name__ for one in effect_kinds())
+    """Add a new effect to clips, before the ``index``-th effect of each; None: at the end."""
+    effect_kind = next(
+        (candidate for candidate in effect_kinds() if candidate.__name__ == kind), None
+    )
+    if effect_kind is None:
+        known = ", ".join(candidate.__name__ for candidate in effect_kinds())
         return Refusal(sentence=f"No effect is called {quoted(kind)}; there are {known}.")
     chosen = present_clips(design, ids)
     if not chosen:
         return NO_CLIP
-    if any(len(one.effects) >= MAX_EFFECTS for one in chosen):
-        return Refusal(sentence=f"A clip has at most {MAX_EFFECTS} effects; remove one first.")
-    chains = {}
-    for one in chosen:
-        chain = list(one.effects)
-        chain.insert(len(chain) if index is None else max(index, 0), fitted(wanted, one))
-        chains[one.id] = tuple(chain)
-    return _changed(design, view, f"Add {_words(wanted)} to", chosen, chains)
+    if any(len(clip.effects) >= MAX_EFFECTS for clip in chosen):
+        return _TOO_MANY_EFFECTS
+    effects_by_clip = {}
+    for clip in chosen:
+        effects = list(clip.effects)
+        effects.insert(
+            len(effects) if index is None else max(index, 0), _new_effect(effect_kind, clip)
+        )
+        effects_by_clip[clip.id] = tuple(effects)
+    verb = f"Add {effect_kind.title.lower()} to"
+    return _with_effects(design, view, verb, chosen, effects_by_clip)
 
 
 def remove_effect(design: Design, view: View, id: int, index: int) -> Edit | Refusal:
-    """Take an effect out of the chain of a clip."""
-    one = _with_effect(design, id, index)
-    if one is None:
-        return _GONE
-    chain = (*one.effects[:index], *one.effects[index + 1 :])
-    verb = f"Remove {_words(one.effects[index])} from"
-    return _changed(design, view, verb, (one,), {id: chain})
+    """Remove an effect from a clip."""
+    clip = _with_effect(design, id, index)
+    if clip is None:
+        return _NO_EFFECT
+    verb = f"Remove {clip.effects[index].title.lower()} from"
+    return _with_effects(design, view, verb, (clip,), {id: without_part(clip.effects, index)})
 
 
 def move_effect(design: Design, view: View, id: int, index: int, to: int) -> Edit | Refusal:
-    """Let an effect stand at another place of the chain, from 0; as far as there is room."""
-    one = _with_effect(design, id, index)
-    if one is None:
-        return _GONE
-    chain = list(one.effects)
-    moved = chain.pop(index)
-    chain.insert(min(max(to, 0), len(chain)), moved)
-    return _changed(design, view, "Reorder effects of", (one,), {id: tuple(chain)})
+    """Move an effect to another place among the effects of its clip, from 0, within the list."""
+    clip = _with_effect(design, id, index)
+    if clip is None:
+        return _NO_EFFECT
+    effects = moved_part(clip.effects, index, to)
+    return _with_effects(design, view, "Reorder effects of", (clip,), {id: effects})
 
 
 def switch_effect(design: Design, view: View, id: int, index: int, on: bool) -> Edit | Refusal:
     """Switch an effect on or off."""
-    one = _with_effect(design, id, index)
-    if one is None:
-        return _GONE
-    verb = f"Switch {_words(one.effects[index])} {'on' if on else 'off'} in"
-    return _set(design, view, verb, one, index, "on", on)
+    clip = _with_effect(design, id, index)
+    if clip is None:
+        return _NO_EFFECT
+    verb = f"Switch {clip.effects[index].title.lower()} {'on' if on else 'off'} in"
+    return _with_effect_field(design, view, verb, clip, index, "on", on)
 
 
 def change_effect_field(
     design: Design, view: View, id: int, index: int, name: str, value: Any
 ) -> Edit | Refusal:
     """Set a field of an effect."""
-    one = _with_effect(design, id, index)
-    if one is None or name not in specs_of(one.effects[index]):
-        return _GONE
-    label = specs_of(one.effects[index])[name].label.lower()
-    return _set(design, view, f"Change {label} of", one, index, name, value)
+    clip = _with_effect(design, id, index)
+    if clip is None or name not in specs_of(clip.effects[index]):
+        return _NO_EFFECT
+    label = specs_of(clip.effects[index])[name].label.lower()
+    verb = f"Change {label} of"
+    return _with_effect_field(design, view, verb, clip, index, name, value)
 
 
+@refusing
 def set_envelope(
     design: Design, view: View, id: int, points: tuple[Breakpoint, ...]
 ) -> Edit | Refusal:
-    """Give a clip an envelope: that of its last one, or of a new one at the end of the chain."""
-    found = present_clips(design, (id,))
-    if not found:
+    """Set the points of the last envelope of a clip; a clip without one gets it as last effect."""
+    chosen = present_clips(design, (id,))
+    if not chosen:
         return NO_CLIP
-    [one] = found
-    try:
-        drawn = Envelope(points)
-    except InvalidInputError as error:
-        return refused(error)
-    places = [k for k, each in enumerate(one.effects) if isinstance(each, Envelope)]
+    [clip] = chosen
+    envelope = Envelope(points)
+    places = [k for k, effect in enumerate(clip.effects) if isinstance(effect, Envelope)]
     if places:
-        chain = (*one.effects[: places[-1]], drawn, *one.effects[places[-1] + 1 :])
-    elif len(one.effects) < MAX_EFFECTS:
-        chain = (*one.effects, drawn)
+        effects = with_part(clip.effects, places[-1], envelope)
+    elif len(clip.effects) < MAX_EFFECTS:
+        effects = (*clip.effects, envelope)
     else:
-        return Refusal(sentence=f"A clip has at most {MAX_EFFECTS} effects; remove one first.")
-    return _changed(design, view, "Change envelope of", found, {id: chain})
+        return _TOO_MANY_EFFECTS
+    return _with_effects(design, view, "Change envelope of", chosen, {id: effects})
 
 
-def fitted(kind: type[Effect], one: Clip) -> Effect:
-    """A new effect that fits what a clip plays."""
-    length_s = float(f"{min(one.duration_s, 600.0):.12g}")
+def _new_effect(kind: type[Effect], clip: Clip) -> Effect:
+    """Return a new effect that fits the length of a clip."""
+    length_s = float(f"{min(clip.duration_s, 600.0):.12g}")
     if kind is Envelope and length_s > 0.0:
         return Envelope(((0.0, 1.0, "straight"), (length_s, 1.0, "straight")))
     if kind is Fade:
@@ -150,100 +156,89 @@ def fitted(kind: type[Effect], one: Clip) -> Effect:
 
 
 def _with_effect(design: Design, id: int, index: int) -> Clip | None:
-    """The clip, if it has an effect at this place."""
-    for one in present_clips(design, (id,)):
-        if 0 <= index < len(one.effects):
-            return one
+    """Return the clip, if it has an effect with this index."""
+    for clip in present_clips(design, (id,)):
+        if 0 <= index < len(clip.effects):
+            return clip
     return None
 
 
-def _set(
-    design: Design, view: View, verb: str, one: Clip, index: int, name: str, value: Any
+@refusing
+def _with_effect_field(
+    design: Design, view: View, verb: str, clip: Clip, index: int, name: str, value: Any
 ) -> Edit | Refusal:
-    chain = list(one.effects)
-    recipe: Any = chain[index]
-    try:
-        chain[index] = replace(recipe, **{name: value})
-    except InvalidInputError as error:
-        return refused(error)
-    return _changed(design, view, verb, (one,), {one.id: tuple(chain)})
+    effect: Any = clip.effects[index]
+    effects = with_part(clip.effects, index, replace(effect, **{name: value}))
+    return _with_effects(design, view, verb, (clip,), {clip.id: effects})
 
 
-def _changed(
+@refusing
+def _with_effects(
     design: Design,
     view: View,
     verb: str,
     chosen: tuple[Clip, ...],
-    chains: dict[int, tuple[Effect, ...]],
+    effects_by_clip: dict[int, tuple[Effect, ...]],
 ) -> Edit | Refusal:
-    try:
-        after = with_clips(design, {id: {"effects": chain} for id, chain in chains.items()})
-    except InvalidInputError as error:
-        return refused(error)
+    after = change_clips(
+        design, {id: {"effects": effects} for id, effects in effects_by_clip.items()}
+    )
     return Edit(label=f"{verb} {clips_text(design, chosen)}", design=after, view=view)
 
-
-def _words(effect: Effect | type[Effect]) -> str:
-    return effect.title.lower()
-
-
-# Recipes in lists within recipes: what a new part may be, how parts are called and put in order.
-#
-# A clip is a part of layers, an effect one of a clip.  All functions are pure; what they return
-# goes into a design by `skinsource.design.edits.effects.change_field`, as any value of a field
-# does.
 
 Parts = tuple[Any, ...]
 
 
 def choices_of(spec: ModelSpec) -> ChoiceSpec:
-    """What can be chosen for a recipe: its kinds, by name and title.
+    """Return a choice among the kinds that a part can be, by name and title.
 
-    Where there is one kind alone, it is what that holds which is chosen: of a clip the waveform.
+    Where there is only one kind, what it holds is chosen: for a clip its waveform.
     """
-    found = _chosen(spec)
-    options = tuple((kind.__name__, _title(kind)) for kind in found)
-    made = KindSpec if set(found) <= set(waveform_kinds()) else ChoiceSpec
-    return made(label=spec.label, hint=spec.hint, options=options)
+    kinds = _kinds_to_choose(spec)
+    options = tuple((kind.__name__, _title(kind)) for kind in kinds)
+    spec_kind = KindSpec if set(kinds) <= set(waveform_kinds()) else ChoiceSpec
+    return spec_kind(label=spec.label, hint=spec.hint, options=options)
 
 
 def new_part(spec: ModelSpec, name: str, holder: Any = None) -> Any:
-    """A new recipe of `choices_of` ``spec``; an effect fits the clip that is to hold it.
+    """Make a part of the kind that was chosen of `choices_of` ``spec``.
+
+    An effect fits the clip ``holder`` that will hold it.
 
     Raises
     ------
     InvalidInputError
-        Nothing that can be chosen is called so.
+        No kind that can be chosen has this name.
     """
-    kinds, chosen = spec.kinds(), _chosen(spec)
-    kind = next((one for one in chosen if one.__name__ == name), None)
+    kinds, chosen = spec.kinds(), _kinds_to_choose(spec)
+    kind = next((candidate for candidate in chosen if candidate.__name__ == name), None)
     if kind is None:
-        known = ", ".join(one.__name__ for one in chosen)
+        known = ", ".join(candidate.__name__ for candidate in chosen)
         raise InvalidInputError(f"{spec.label} is {quoted(name)}, expected one of {known}")
-    held = _held(kinds[0])
-    if kind not in kinds and held is not None:
-        return kinds[0](**{held[0]: kind()})
+    inner = _inner_field(kinds[0])
+    if kind not in kinds and inner is not None:
+        return kinds[0](**{inner[0]: kind()})
     if kind in effect_kinds() and isinstance(holder, Clip):
-        return fitted(kind, holder)
+        return _new_effect(kind, holder)
     return kind()
 
 
 def part_text(part: Any) -> str:
-    """What a part is called: the user's label, or the title of its kind or of what it holds."""
-    held = _held(type(part))
-    inside = _title(type(getattr(part, held[0]))) if held else ""
-    words = getattr(part, "label", "") or inside or _title(type(part))
+    """Return the user's label of a part, or the title of its kind or of what it holds."""
+    inner = _inner_field(type(part))
+    inner_title = _title(type(getattr(part, inner[0]))) if inner else ""
+    text = getattr(part, "label", "") or inner_title or _title(type(part))
     off = getattr(part, "muted", False) or not getattr(part, "on", True)
-    return f"{words} (off)" if off else words
+    return f"{text} (off)" if off else text
 
 
 def without_part(parts: Parts, index: int) -> Parts:
-    """The parts without one."""
+    """Return the parts without the one at an index."""
     return (*parts[:index], *parts[index + 1 :])
 
 
 def moved_part(parts: Parts, index: int, to: int) -> Parts:
-    """The parts, where one stands at another place, from 0; as far as there is room."""
+    """Return the parts with one moved to another index, within the list."""
     rest = list(parts)
     moved = rest.pop(index)
     rest.insert(min(max(to, 0), len(rest)), moved)
@@ -251,30 +246,30 @@ def moved_part(parts: Parts, index: int, to: int) -> Parts:
 
 
 def with_part(parts: Parts, index: int, part: Any) -> Parts:
-    """The parts with another one in place of one."""
+    """Return the parts with the one at an index replaced."""
     return (*parts[:index], part, *parts[index + 1 :])
 
 
 def change_text(spec: Spec, before: Any, after: Any) -> str:
-    """What is done to a field, for the history: "Change onset of", "Add to parts of"."""
+    """Name a change of a field for the history: "Change onset of", "Add to parts of"."""
     label = spec.label.lower()
     if isinstance(spec, ListSpec) and spec.nests:
         more = len(after) - len(before)
         if more:
             return f"{'Add to' if more > 0 else 'Remove from'} {label} of"
-        if before != after and all(before.count(one) == after.count(one) for one in after):
+        if before != after and all(before.count(part) == after.count(part) for part in after):
             return f"Reorder {label} of"
     return f"Change {label} of"
 
 
-def _chosen(spec: ModelSpec) -> tuple[type, ...]:
+def _kinds_to_choose(spec: ModelSpec) -> tuple[type, ...]:
     kinds = spec.kinds()
-    held = _held(kinds[0]) if len(kinds) == 1 else None
-    return kinds if held is None else held[1].kinds()
+    inner = _inner_field(kinds[0]) if len(kinds) == 1 else None
+    return kinds if inner is None else inner[1].kinds()
 
 
-def _held(kind: type) -> tuple[str, ModelSpec] | None:
-    """The first field of a recipe that holds another one, if any does."""
+def _inner_field(kind: type) -> tuple[str, ModelSpec] | None:
+    """Return name and specification of the first field that holds another model, if any."""
     pairs = specs_of(kind).items()
     return next(((name, spec) for name, spec in pairs if isinstance(spec, ModelSpec)), None)
 
@@ -283,42 +278,45 @@ def _title(kind: type) -> str:
     return str(getattr(kind, "title", kind.__name__))
 
 
-# Numbers and choices of inputs, of their clips, and of what those play.
-
 _OF_TRACK: dict[str, Spec] = {"amplitude": AMPLITUDE, "gain_curve": GAIN_CURVE}
 _OF_CLIP: dict[str, Spec] = {"onset_s": ONSET, "gain": GAIN, "label": LABEL}
 
 
 def change_kind(design: Design, view: View, ids: Iterable[int], kind: str) -> Edit | Refusal:
-    """Let clips of inputs play another kind of waveform, with what both kinds share."""
-    wanted = next((one for one in kinds() if one.__name__ == kind), None)
-    if wanted is None:
-        known = ", ".join(one.__name__ for one in kinds())
+    """Give clips of inputs another kind of waveform, which keeps what both kinds share."""
+    waveform_kind = next(
+        (candidate for candidate in waveform_kinds() if candidate.__name__ == kind), None
+    )
+    if waveform_kind is None:
+        known = ", ".join(candidate.__name__ for candidate in waveform_kinds())
         return Refusal(sentence=f"No waveform is called {quoted(kind)}; there are {known}.")
     rate_hz = facts_of(design.limb).sample_rate_hz
-    return _playing(design, view, ids, lambda clip: as_kind(clip.waveform, wanted, rate_hz))
+    return _with_waveforms(
+        design, view, ids, lambda clip: as_kind(clip.waveform, waveform_kind, rate_hz)
+    )
 
 
 def change_waveform(
     design: Design, view: View, ids: Iterable[int], waveform: Waveform
 ) -> Edit | Refusal:
-    """Let clips of inputs play a waveform."""
-    return _playing(design, view, ids, lambda _: waveform)
+    """Give clips of inputs a waveform."""
+    return _with_waveforms(design, view, ids, lambda _: waveform)
 
 
 def change_field(
     design: Design, view: View, ids: Iterable[int], name: str, value: Any
 ) -> Edit | Refusal:
-    """Set a number or a choice of inputs, of their clips, or of what those play, to one value.
+    """Set a field of inputs, of their clips or of the waveforms of those to one value.
 
-    Inputs without a clip, and clips whose waveform has no field of this name, are left as they are.
+    Inputs without a clip, and clips whose waveform has no field of this name, stay as they are.
     """
     targets = _targets(design, view, ids, name)
     if not targets:
         return NOTHING_CHOSEN
-    return _values_set(design, view, name, [(target, value) for target in targets])
+    return _with_values(design, view, name, [(target, value) for target in targets])
 
 
+@refusing
 def drag_field(
     design: Design,
     view: View,
@@ -329,33 +327,31 @@ def drag_field(
     lead: int | None,
     start: Design,
 ) -> Edit | Refusal:
-    """Set a number of the input ``lead``, or its clip; the others move as far from where they were.
+    """Set a number of the input ``lead`` or its clip, and move those of the others as far.
 
-    They move by the same step, or by the same factor where the number is logarithmic, and stay
-    within what is allowed.  ``start`` is the design as the drag began: the way back leads to it.
+    The others move by the same step, or by the same factor where the number is logarithmic, and
+    stay within what is allowed.  ``start`` is the design when the drag began: all values are
+    computed from it, so that dragging back restores it.
     """
     ids = tuple(ids)
     targets = _targets(design, view, ids, name)
-    dragged = next((one for one in targets if one.leads(lead, view)), None)
+    dragged = next((target for target in targets if target.is_leading(lead, view)), None)
     if dragged is None or not isinstance(dragged.spec(name), NumberSpec):
         return change_field(design, view, ids, name, value)
-    began = {one.key: one for one in _targets(start, view, start.ids, name)}
-    origin = began.get(dragged.key, dragged).value(name)
-    try:
-        dragged.spec(name).checked(value)
-        values = [(dragged, value)]
-        for one in targets:
-            spec = one.spec(name)
-            if one is not dragged and isinstance(spec, NumberSpec):
-                own = began.get(one.key, one).value(name)
-                values.append((one, _moved(own, origin, value, spec)))
-    except InvalidInputError as error:
-        return refused(error)
-    return _values_set(design, view, name, values)
+    at_start = {target.key: target for target in _targets(start, view, start.ids, name)}
+    origin = at_start.get(dragged.key, dragged).value(name)
+    dragged.spec(name).checked(value)
+    values = [(dragged, value)]
+    for target in targets:
+        spec = target.spec(name)
+        if target is not dragged and isinstance(spec, NumberSpec):
+            own_value = at_start.get(target.key, target).value(name)
+            values.append((target, _moved_value(own_value, origin, value, spec)))
+    return _with_values(design, view, name, values)
 
 
 def fields_of(one: Input, clip: Clip | None = None) -> dict[str, Spec]:
-    """What of an input can be set: amplitude, gain curve, and fields of its clip and what it plays.
+    """Return the fields of an input that can be set, with those of a clip and of its waveform.
 
     ``clip`` is one of its clips; None: its first, if it has any.
     """
@@ -364,7 +360,7 @@ def fields_of(one: Input, clip: Clip | None = None) -> dict[str, Spec]:
 
 
 def value_of(one: Input, name: str, clip: Clip | None = None) -> Any:
-    """Value of one of `fields_of`."""
+    """Return the value of one of `fields_of`."""
     clip = clip or next(iter(one.clips), None)
     holder: Any = one if name in _OF_TRACK else clip
     return getattr(holder if name in _OF_TRACK | _OF_CLIP else holder.waveform, name)
@@ -372,7 +368,7 @@ def value_of(one: Input, name: str, clip: Clip | None = None) -> Any:
 
 @dataclass(frozen=True, slots=True)
 class _Target:
-    """An input, or one of its clips, of which a field is set."""
+    """An input, or one of its clips, whose field is set."""
 
     track: Input
     clip: Clip | None
@@ -381,9 +377,10 @@ class _Target:
     def key(self) -> tuple[int, int]:
         return self.track.id, 0 if self.clip is None else self.clip.id
 
-    def leads(self, lead: int | None, view: View) -> bool:
-        apart = self.clip is None or self.clip is clip_of(self.track, view)
-        return self.track.id == lead and apart
+    def is_leading(self, lead: int | None, view: View) -> bool:
+        if self.track.id != lead:
+            return False
+        return self.clip is None or self.clip is clip_of(self.track, view)
 
     def spec(self, name: str) -> Spec:
         return fields_of(self.track, self.clip)[name]
@@ -391,8 +388,8 @@ class _Target:
     def value(self, name: str) -> Any:
         return value_of(self.track, name, self.clip)
 
-    def setting(self, name: str, value: Any) -> dict[str, Any]:
-        """Changes of the input, or of the clip, that give the field its value."""
+    def changes(self, name: str, value: Any) -> dict[str, Any]:
+        """Return the changes of the input, or of the clip, that give the field a value."""
         if self.clip is None or name in _OF_CLIP:
             return {name: value}
         waveform: Any = self.clip.waveform
@@ -400,69 +397,64 @@ class _Target:
 
 
 def _targets(design: Design, view: View, ids: Iterable[int], name: str) -> list[_Target]:
-    chosen = present(design, ids)
+    chosen = present_inputs(design, ids)
     if name in _OF_TRACK:
-        return [_Target(one, None) for one in chosen]
-    pairs = [_Target(one, clip) for one in chosen for clip in clips_of(one, view)]
-    return [one for one in pairs if name in fields_of(one.track, one.clip)]
+        return [_Target(track, None) for track in chosen]
+    pairs = [_Target(track, clip) for track in chosen for clip in clips_of(track, view)]
+    return [target for target in pairs if name in fields_of(target.track, target.clip)]
 
 
-def _values_set(
+@refusing
+def _with_values(
     design: Design, view: View, name: str, values: list[tuple[_Target, Any]]
 ) -> Edit | Refusal:
     changes: dict[int, dict[str, Any]] = {}
-    of_clips: dict[int, dict[str, Any]] = {}
-    try:
-        for target, value in values:
-            setting = target.setting(name, value)
-            changes[target.track.id] = setting if target.clip is None else {}
-            if target.clip is not None:
-                of_clips[target.clip.id] = setting
-    except InvalidInputError as error:
-        return refused(error)
+    clip_changes: dict[int, dict[str, Any]] = {}
+    for target, value in values:
+        changes[target.track.id] = {}
+        if target.clip is None:
+            changes[target.track.id] = target.changes(name, value)
+        else:
+            clip_changes[target.clip.id] = target.changes(name, value)
     target, value = values[0]
     verb = change_text(target.spec(name), target.value(name), value)
-    return changed(design, view, verb, changes, of_clips)
+    return change_inputs(design, view, verb, changes, clip_changes)
 
 
-def _playing(
+@refusing
+def _with_waveforms(
     design: Design, view: View, ids: Iterable[int], waveform: Callable[[Clip], Waveform]
 ) -> Edit | Refusal:
     changes: dict[int, dict[str, Any]] = {}
-    of_clips: dict[int, dict[str, Any]] = {}
-    try:
-        for one in present(design, ids):
-            # What plays nothing yet begins to.
-            changes[one.id] = {} if one.clips else {"clips": (Clip(waveform=waveform(Clip())),)}
-            for clip in clips_of(one, view):
-                of_clips[clip.id] = {"waveform": waveform(clip)}
-    except InvalidInputError as error:
-        return refused(error)
-    return changed(design, view, "Change waveform of", changes, of_clips)
+    clip_changes: dict[int, dict[str, Any]] = {}
+    for track in present_inputs(design, ids):
+        # An input without a clip gets one.
+        changes[track.id] = {} if track.clips else {"clips": (Clip(waveform=waveform(Clip())),)}
+        for clip in clips_of(track, view):
+            clip_changes[clip.id] = {"waveform": waveform(clip)}
+    return change_inputs(design, view, "Change waveform of", changes, clip_changes)
 
 
-def _moved(own: float, origin: float, value: float, spec: NumberSpec) -> float:
-    """``own`` moved as ``origin`` was to become ``value``."""
-    by_factor = spec.logarithmic and min(own, origin, value) > 0
-    moved = own * (value / origin) if by_factor else own + (value - origin)
-    # Sums of decimal steps shall be short to read.
+def _moved_value(own_value: float, origin: float, value: float, spec: NumberSpec) -> float:
+    """Return ``own_value`` moved by the step or factor from ``origin`` to ``value``."""
+    by_factor = spec.logarithmic and min(own_value, origin, value) > 0
+    moved = own_value * (value / origin) if by_factor else own_value + (value - origin)
+    # Sums of decimal steps must stay short to read.
     return nearest(float(f"{moved:.12g}"), spec)
 
 
-# What makes the wavelets of a train alike.
-
-#: How the note in a label begins, so that the next one takes its place.
-NOTED = "Equal on the skin: "
-_BETWEEN = " · "
+#: Beginning of the note in a label, by which the next note finds and replaces it.
+_EQUALISED = "Equal on the skin: "
+_LABEL_SEPARATOR = " · "
 
 
 def equalise_on_skin(
     design: Design, view: View, clip_id: int, levels_db: Sequence[float], measure: str
 ) -> Edit | Refusal:
-    """Give each wavelet of a train the gain with which all arrive alike.
+    """Set the gains of a wavelet train so that all its wavelets have the same level on the skin.
 
-    The softest one keeps its drive, and the others are lowered to it.  The label of the clip notes
-    the limb, the place and the measure: elsewhere, and by other measures, they differ.
+    The softest wavelet keeps its drive, and the others are lowered to it.  The label of the clip
+    notes limb, place and measure, because the levels differ at other places and by other measures.
 
     Parameters
     ----------
@@ -471,7 +463,7 @@ def equalise_on_skin(
     levels_db
         Level of each wavelet without its gain, see `skinsource.engine.levelling.wavelet_levels_db`.
     measure
-        What that is the level of, in words.
+        Name of the quantity that these are levels of.
     """
     try:
         clip, track = design.clip(clip_id), design.track_of(clip_id)
@@ -487,48 +479,46 @@ def equalise_on_skin(
             sentence=f"The wavelet of {worst_hz:g} Hz moves nothing on the skin, so none can be "
             "made like it; take it out, or choose another place."
         )
-    # A hundredth of a dB is less than anything that can be felt or set; -0.0 would be odd.
-    gains_db = tuple(round(softest_db - one, 2) + 0.0 for one in levels_db)
-    note = f"{NOTED}{measure}, {design.limb}, {location_text(track.location, design.limb)}"
-    kept = [words for words in clip.label.split(_BETWEEN) if words and not words.startswith(NOTED)]
-    label = _BETWEEN.join((*kept, note))
+    # Nobody can feel or set less than a hundredth of a dB; adding 0.0 turns -0.0 into 0.0.
+    gains_db = tuple(round(softest_db - level_db, 2) + 0.0 for level_db in levels_db)
+    note = f"{_EQUALISED}{measure}, {design.limb}, {location_text(track.location, design.limb)}"
+    other_parts = [
+        part
+        for part in clip.label.split(_LABEL_SEPARATOR)
+        if part and not part.startswith(_EQUALISED)
+    ]
+    label = _LABEL_SEPARATOR.join((*other_parts, note))
     change = {
         "waveform": replace(train, gains_db=gains_db),
         "label": label if len(label) <= LABEL.longest else note[: LABEL.longest],
     }
-    return changed(design, view, "Equalise wavelets of", {track.id: {}}, {clip_id: change})
+    return change_inputs(design, view, "Equalise wavelets of", {track.id: {}}, {clip_id: change})
 
-
-# What a pen does to a clip.
 
 _NO_BAND = Refusal(
     sentence="In which band this limb was measured is not known; import it with its band."
 )
 
 
+@refusing
 def draw_clip(
     design: Design, view: View, clip_id: int, samples: Floats, sample_rate_hz: float
 ) -> Edit | Refusal:
-    """Let a clip play drawn samples, (n_times,), in place of its waveform; effects stay."""
-    try:
-        waveform = Drawn(Samples(values=samples, sample_rate_hz=sample_rate_hz))
-        after = design.with_clip(clip_id, waveform=waveform)
-        place = location_text(design.track_of(clip_id).location, design.limb)
-    except InvalidInputError as error:
-        return refused(error)
+    """Replace the waveform of a clip by drawn samples, (n_times,); its effects stay."""
+    waveform = Drawn(Samples(values=samples, sample_rate_hz=sample_rate_hz))
+    after = design.with_clip(clip_id, waveform=waveform)
+    place = location_text(design.track_of(clip_id).location, design.limb)
     return Edit(label=f"Draw at {place}", design=after, view=view)
 
 
+@refusing
 def bound_clip(design: Design, view: View, clip_id: int, sample_rate_hz: float) -> Edit | Refusal:
-    """Take away what of a clip's waveform lies outside the measured band; it becomes samples."""
-    try:
-        band_hz = facts_of(design.limb).band_hz
-        if band_hz is None:
-            return _NO_BAND
-        drawn = design.clip(clip_id).waveform.samples(sample_rate_hz)
-        bounded = bounded_to_band(drawn, sample_rate_hz, band_hz)
-    except InvalidInputError as error:
-        return refused(error)
+    """Remove frequencies outside the measured band from a clip's waveform, as samples."""
+    band_hz = facts_of(design.limb).band_hz
+    if band_hz is None:
+        return _NO_BAND
+    drawn = design.clip(clip_id).waveform.samples(sample_rate_hz)
+    bounded = bounded_to_band(drawn, sample_rate_hz, band_hz)
     if bounded.removed == 0.0 and np.array_equal(bounded.samples, drawn):
         return Refusal(sentence="Nothing of the clip lies outside the measured band.")
     outcome = draw_clip(design, view, clip_id, bounded.samples, sample_rate_hz)
@@ -539,15 +529,14 @@ def bound_clip(design: Design, view: View, clip_id: int, sample_rate_hz: float) 
     return Edit(label=label, design=outcome.design, view=outcome.view)
 
 
-# Curves of a glide.
-
 _NO_GLIDE = Refusal(sentence="The clip does not play a glide; choose that waveform first.")
 
 
+@refusing
 def set_glide_curve(
     design: Design, view: View, clip_id: int, column: Column, curve: Curve
 ) -> Edit | Refusal:
-    """Give the glide of a clip another curve of frequency, or of amplitude; the other one stays.
+    """Set the frequency curve or the amplitude curve of a glide; the other curve stays.
 
     Parameters
     ----------
@@ -558,14 +547,11 @@ def set_glide_curve(
     curve
         (time, value), times never falling; the last one ends the glide.
     """
-    try:
-        clip, track = design.clip(clip_id), design.track_of(clip_id)
-        glide = clip.waveform
-        if not isinstance(glide, Glide) or column not in ("frequency", "amplitude"):
-            return _NO_GLIDE
-        waveform = replace(glide, points=with_curve(glide.points, column, curve))
-    except InvalidInputError as error:
-        return refused(error)
-    return changed(
+    clip, track = design.clip(clip_id), design.track_of(clip_id)
+    glide = clip.waveform
+    if not isinstance(glide, Glide) or column not in ("frequency", "amplitude"):
+        return _NO_GLIDE
+    waveform = replace(glide, points=with_curve(glide.points, column, curve))
+    return change_inputs(
         design, view, f"Draw {column} of", {track.id: {}}, {clip_id: {"waveform": waveform}}
     )

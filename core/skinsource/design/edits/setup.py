@@ -1,14 +1,13 @@
-"""What the whole window is about: limb, scaling, and how accelerations are looked at."""
+"""Change the limb, the scaling, the actuators and how results are shown; repair findings."""
 
 from dataclasses import replace
 from typing import Any
 
 from skinsource.actuators.actuation import Actuation
-from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import ALL_AXES, Axes
 from skinsource.base.quoting import quoted
 from skinsource.design.design import Design, audible_inputs
-from skinsource.design.edits.edit import Edit, Refusal, refused
+from skinsource.design.edits.edit import Edit, Refusal, refusing
 from skinsource.design.effects.level import BandLimit
 from skinsource.design.labels import SCALINGS, word_of
 from skinsource.design.view import View
@@ -18,7 +17,7 @@ from skinsource.perception.validity import Finding
 
 
 def change_limb(design: Design, view: View, limb: str) -> Edit | Refusal:
-    """Take another limb; of its axes, those that are looked at now, or all."""
+    """Change the limb; the chosen axes stay as far as the limb has them."""
     facts = facts_of(limb) if isinstance(limb, str) else None
     if facts is None or not facts.known:
         return Refusal(sentence=f"No limb is called {quoted(limb)}; choose one of the list.")
@@ -27,69 +26,63 @@ def change_limb(design: Design, view: View, limb: str) -> Edit | Refusal:
     return Edit(label=f"Change limb to {facts.title}", design=after, view=view)
 
 
+@refusing
 def change_scaling(design: Design, view: View, scaling: Any) -> Edit | Refusal:
-    """Let amplitudes mean something else."""
+    """Change what amplitudes mean."""
     if design.actuated is not None and scaling != "probe":
         return Refusal(
             sentence="Under another scaling drives are no accelerations, and nothing is predicted "
             "through an actuator. Switch off Predict through the actuator first."
         )
-    try:
-        after = replace(design, scaling=scaling)
-    except InvalidInputError as error:
-        return refused(error)
-    words = word_of(SCALINGS, scaling).title
-    return Edit(label=f"Change scaling to {words[:1].lower()}{words[1:]}", design=after, view=view)
+    after = replace(design, scaling=scaling)
+    title = word_of(SCALINGS, scaling).title
+    return Edit(label=f"Change scaling to {title[:1].lower()}{title[1:]}", design=after, view=view)
 
 
 def look_along(design: Design, view: View, axes: Any) -> Edit | Refusal:
-    """Look at other axes."""
-    return _looked_at(design, view, "Change axes", axes=axes)
+    """Choose the axes that are shown."""
+    return _with_view(design, view, "Change axes", axes=axes)
 
 
 def look_by_method(design: Design, view: View, method: Any) -> Edit | Refusal:
-    """Make one signal of several axes in another way."""
-    return _looked_at(design, view, "Change method", method=method)
+    """Choose how several axes become one signal."""
+    return _with_view(design, view, "Change method", method=method)
 
 
 def level_over(design: Design, view: View, span: Any) -> Edit | Refusal:
-    """Let levels average over something else."""
-    return _looked_at(design, view, "Change what levels average over", span=span)
+    """Choose what levels average over."""
+    return _with_view(design, view, "Change what levels average over", span=span)
 
 
 def remove_delay(design: Design, view: View, removed: bool) -> Edit | Refusal:
-    """Shift time axes by the pre-trigger delay, or back; a zoom stays on the same piece."""
+    """Shift time axes by the pre-trigger delay, or back; a zoom keeps showing the same part."""
     if removed == view.delay_removed:
         return Edit(label="Remove delay", design=design, view=view)
-    shown = view.time_range_s
-    if shown is not None:
+    range_s = view.time_range_s
+    if range_s is not None:
         delay_s = facts_of(design.limb).pre_trigger_delay_s
         shift_s = -delay_s if removed else delay_s
-        shown = (shown[0] + shift_s, shown[1] + shift_s)
+        range_s = (range_s[0] + shift_s, range_s[1] + shift_s)
     label = "Remove delay" if removed else "Bring back delay"
-    return _looked_at(design, view, label, delay_removed=removed, time_range_s=shown)
+    return _with_view(design, view, label, delay_removed=removed, time_range_s=range_s)
 
 
 def play_slower(design: Design, view: View, slow_motion: Any) -> Edit | Refusal:
-    """Play so many times slower than it happens."""
-    return _looked_at(design, view, "Change slow motion", slow_motion=slow_motion)
+    """Choose how many times slower than in reality the animation plays."""
+    return _with_view(design, view, "Change slow motion", slow_motion=slow_motion)
 
 
 def _fitting_axes(axes: Axes, before: LimbFacts, after: LimbFacts) -> Axes:
-    """All stay all; else those that the other limb measures along too, and all if there is none."""
+    """Return the axes for another limb: all if all were chosen, else those that it has too."""
     if axes in (before.axes, ALL_AXES):
         return after.axes
     return axes_on(after.name, axes)
 
 
-def _looked_at(design: Design, view: View, label: str, **changes: Any) -> Edit | Refusal:
-    try:
-        return Edit(label=label, design=design, view=replace(view, **changes))
-    except InvalidInputError as error:
-        return refused(error)
+@refusing
+def _with_view(design: Design, view: View, label: str, **changes: Any) -> Edit | Refusal:
+    return Edit(label=label, design=design, view=replace(view, **changes))
 
-
-# What predictions go through: actuators, or nothing.
 
 _NEEDS_PROBE = (
     "Predict through the actuator needs drives that are accelerations or volts. Choose the scaling "
@@ -98,7 +91,7 @@ _NEEDS_PROBE = (
 
 
 def predict_through(design: Design, view: View, actuation: Actuation | None) -> Edit | Refusal:
-    """Predict through actuators; None: without, and the present ones are remembered."""
+    """Predict through actuators; None: without, and the design keeps them switched off."""
     if actuation is not None and actuation.on and design.scaling != "probe":
         return Refusal(sentence=_NEEDS_PROBE)
     if actuation is None and design.actuation is not None:
@@ -111,57 +104,53 @@ def predict_through(design: Design, view: View, actuation: Actuation | None) -> 
     return Edit(label=label, design=replace(design, actuation=actuation), view=view)
 
 
-# Edits that bring a design back to where predictions hold.
-
-_NOTHING = Refusal(sentence="Nothing can be done about this one here.")
-# A hair below the limit, so that rounding does not leave the lamp lit.
-_BELOW = 0.999
+_NO_REPAIR = Refusal(sentence="Nothing can be done about this one here.")
+# Slightly below the limit, so that rounding does not leave the lamp on.
+_BELOW_LIMIT = 0.999
 
 
 def mend(design: Design, view: View, finding: Finding) -> Edit | Refusal:
-    """Do what mends a finding, see `Finding.mend`."""
+    """Repair a finding of the validity check, see `Finding.mend`."""
     if finding.mend == "probe_scaling":
         return change_scaling(design, view, "probe")
     if finding.mend == "quieter":
-        return _quieter(design, view, finding.factor * _BELOW)
+        return _quieter(design, view, finding.factor * _BELOW_LIMIT)
     if finding.mend == "band_limit":
         return _band_limited(design, view)
     if finding.mend == "deselect":
-        kept = tuple(one for one in view.outputs if one not in finding.outputs)
-        if kept == view.outputs:
+        outputs = tuple(output for output in view.outputs if output not in finding.outputs)
+        if outputs == view.outputs:
             return Refusal(sentence="None of the selected outputs is mostly noise.")
         return Edit(
             label="Deselect outputs that are mostly noise",
             design=design,
-            view=replace(view, outputs=kept),
+            view=replace(view, outputs=outputs),
         )
-    return _NOTHING
+    return _NO_REPAIR
 
 
 def _quieter(design: Design, view: View, factor: float) -> Edit | Refusal:
-    """All amplitudes smaller by one factor: what differs between inputs stays."""
-    inputs = tuple(replace(one, amplitude=one.amplitude * factor) for one in design.inputs)
+    """Multiply all amplitudes by one factor, so that the ratios between inputs stay."""
+    inputs = tuple(replace(track, amplitude=track.amplitude * factor) for track in design.inputs)
     return Edit(label="Play within 40 mm/s", design=replace(design, inputs=inputs), view=view)
 
 
+@refusing
 def _band_limited(design: Design, view: View) -> Edit | Refusal:
-    """A band limit at the end of the chain of each clip that is heard."""
-    heard = {one.id for one in audible_inputs(design.inputs)}
+    """Add a band limit as last effect to each clip of the audible inputs."""
+    audible_ids = {track.id for track in audible_inputs(design.inputs)}
     band_hz = facts_of(design.limb).band_hz
     if band_hz is None:
-        return _NOTHING
-    try:
-        limit = BandLimit(low_hz=band_hz[0], high_hz=band_hz[1])
-        inputs = tuple(
-            replace(
-                one,
-                clips=tuple(replace(clip, effects=(*clip.effects, limit)) for clip in one.clips),
-            )
-            if one.id in heard
-            else one
-            for one in design.inputs
+        return _NO_REPAIR
+    band_limit = BandLimit(low_hz=band_hz[0], high_hz=band_hz[1])
+    inputs = tuple(
+        replace(
+            track,
+            clips=tuple(replace(clip, effects=(*clip.effects, band_limit)) for clip in track.clips),
         )
-        after = replace(design, inputs=inputs)
-    except InvalidInputError as error:
-        return refused(error)
+        if track.id in audible_ids
+        else track
+        for track in design.inputs
+    )
+    after = replace(design, inputs=inputs)
     return Edit(label="Limit clips to the measured band", design=after, view=view)

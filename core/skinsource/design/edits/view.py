@@ -1,156 +1,147 @@
-"""Which outputs are looked at closely."""
+"""Change selected outputs, markers, the loop, the gain curve of a track and snapshots."""
 
 from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
-from skinsource.base.errors import InvalidInputError
 from skinsource.base.quoting import quoted
 from skinsource.design.clips import Marker
 from skinsource.design.comparing import EDITED, NUMBERS, Snapshot, gain_text, louder, name_of, shown
 from skinsource.design.design import MAX_MARKERS, Design
-from skinsource.design.edits.edit import Edit, Refusal, changed, refused
+from skinsource.design.edits.edit import Edit, Refusal, change_inputs, refusing
 from skinsource.design.view import View
 
 
+@refusing
 def select_outputs(design: Design, view: View, outputs: Iterable[int]) -> Edit | Refusal:
-    """Select outputs, in this order; none are allowed."""
+    """Select outputs in this order; an empty selection is allowed."""
     chosen = tuple(outputs)
-    try:
-        after = replace(view, outputs=chosen)
-    except InvalidInputError as error:
-        return refused(error)
+    after = replace(view, outputs=chosen)
     if len(chosen) == 1:
         return Edit(label=f"Select output {chosen[0]}", design=design, view=after)
     return Edit(label=f"Select {len(chosen) or 'no'} outputs", design=design, view=after)
 
 
-# What stands on the ruler: markers, the loop; and the gain curve of a track, which lies below.
-
-_GONE = Refusal(sentence="That marker is no longer there.")
+_NO_MARKER = Refusal(sentence="That marker is no longer there.")
 
 
+@refusing
 def add_marker(design: Design, view: View, time_s: float, name: str = "") -> Edit | Refusal:
-    """Set a marker at a time."""
+    """Add a marker at a time."""
     if len(design.markers) >= MAX_MARKERS:
         return Refusal(sentence=f"A design holds at most {MAX_MARKERS} markers; remove one first.")
-    try:
-        new = Marker(time_s=time_s, name=name)
-    except InvalidInputError as error:
-        return refused(error)
+    new = Marker(time_s=time_s, name=name)
     after = replace(design, markers=(*design.markers, new))
     return Edit(label="Add marker", design=after, view=view)
 
 
 def move_marker(design: Design, view: View, index: int, time_s: float) -> Edit | Refusal:
-    """Put a marker, the ``index``-th of the design, at another time."""
-    return _changed(design, view, "Move marker", index, time_s=time_s)
+    """Move the ``index``-th marker of the design to another time."""
+    return _with_marker(design, view, "Move marker", index, time_s=time_s)
 
 
 def rename_marker(design: Design, view: View, index: int, name: str) -> Edit | Refusal:
-    """Give a marker another name."""
-    return _changed(design, view, "Rename marker", index, name=name)
+    """Rename a marker."""
+    return _with_marker(design, view, "Rename marker", index, name=name)
 
 
 def remove_marker(design: Design, view: View, index: int) -> Edit | Refusal:
-    """Take a marker away."""
+    """Remove a marker."""
     if index not in range(len(design.markers)):
-        return _GONE
+        return _NO_MARKER
     markers = (*design.markers[:index], *design.markers[index + 1 :])
     return Edit(label="Remove marker", design=replace(design, markers=markers), view=view)
 
 
+@refusing
 def set_loop(design: Design, view: View, loop_s: tuple[float, float] | None) -> Edit | Refusal:
-    """Choose what is played again and again, begin and end; None: nothing is."""
-    try:
-        after = replace(design, loop_s=loop_s)
-    except InvalidInputError as error:
-        return refused(error)
+    """Set begin and end of the loop that is played again and again; None: no loop."""
+    after = replace(design, loop_s=loop_s)
     return Edit(label="Remove loop" if loop_s is None else "Set loop", design=after, view=view)
 
 
 def set_gain_curve(
     design: Design, view: View, id: int, points: tuple[tuple[float, float], ...]
 ) -> Edit | Refusal:
-    """Give a track a gain curve, breakpoints of s and factor; none: it changes nothing."""
-    return changed(design, view, "Change gain curve of", {id: {"gain_curve": points}})
+    """Set the gain curve of a track, breakpoints of s and factor; empty: no curve."""
+    return change_inputs(design, view, "Change gain curve of", {id: {"gain_curve": points}})
 
 
-def _changed(design: Design, view: View, label: str, index: int, **changes: Any) -> Edit | Refusal:
+@refusing
+def _with_marker(
+    design: Design, view: View, label: str, index: int, **changes: Any
+) -> Edit | Refusal:
     if index not in range(len(design.markers)):
-        return _GONE
-    try:
-        moved = replace(design.markers[index], **changes)
-    except InvalidInputError as error:
-        return refused(error)
-    markers = (*design.markers[:index], moved, *design.markers[index + 1 :])
+        return _NO_MARKER
+    marker = replace(design.markers[index], **changes)
+    markers = (*design.markers[:index], marker, *design.markers[index + 1 :])
     return Edit(label=label, design=replace(design, markers=markers), view=view)
 
 
-# Snapshots of the design, and going from one to another.
+_NO_SNAPSHOT = Refusal(
+    sentence="Nothing is stored to compare with; store a snapshot with Ctrl+1 to 4."
+)
 
-_NONE = Refusal(sentence="Nothing is stored to compare with; store a snapshot with Ctrl+1 to 4.")
 
-
+@refusing
 def store_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
-    """Keep the design as it is now under a number; what was kept under it goes."""
+    """Store the design under a number, in place of the snapshot that has it."""
     if number not in NUMBERS:
         return Refusal(
             sentence=f"No snapshot has the number {quoted(number)}; choose {NUMBERS[0]} to "
             f"{NUMBERS[-1]}."
         )
-    try:
-        # What is in the window stays as loud as it is.
-        new = Snapshot(number=number, design=design, gain=view.match_gain(design))
-        kept = (*_without(view, number), new)
-        after = replace(view, snapshots=kept)
-    except InvalidInputError as error:
-        return refused(error)
+    # The gain keeps the design in the window as loud as it is.
+    new = Snapshot(number=number, design=design, gain=view.match_gain(design))
+    snapshots = (*_without(view, number), new)
+    after = replace(view, snapshots=snapshots)
     return Edit(label=f"Store snapshot {number}", design=design, view=after)
 
 
+@refusing
 def take_snapshot(design: Design, view: View, other: Design) -> Edit | Refusal:
-    """Keep another design, such as one of a file, under the lowest number that is free."""
-    taken = {one.number for one in view.snapshots}
-    free = next((number for number in NUMBERS if number not in taken), None)
+    """Store another design, such as one of a file, under the lowest free number."""
+    used = {snapshot.number for snapshot in view.snapshots}
+    free = next((number for number in NUMBERS if number not in used), None)
     if free is None:
         return Refusal(
             sentence=f"All {len(NUMBERS)} snapshots are taken. Forget one first: Delete on its "
             "card in the panel Compare."
         )
-    try:
-        after = replace(view, snapshots=(*view.snapshots, Snapshot(number=free, design=other)))
-    except InvalidInputError as error:
-        return refused(error)
+    after = replace(view, snapshots=(*view.snapshots, Snapshot(number=free, design=other)))
     return Edit(label=f"Store snapshot {free}", design=design, view=after)
 
 
+@refusing
 def show_snapshot(design: Design, view: View, number: int, gain: float = 1.0) -> Edit | Refusal:
-    """Put a snapshot in place of the design, as it was stored; the view shows it with ``gain``.
+    """Replace the design by a snapshot as it was stored; the view shows it with ``gain``.
 
-    A design that is no snapshot is kept under the number 0, so that the way back leads to it.
+    A design that is no snapshot is stored under the number 0, so that the user can go back to it.
     """
-    wanted = next((one for one in view.snapshots if one.number == number), None)
-    if wanted is None:
-        return _NONE
-    kept = view.snapshots
-    if shown(kept, design) is None:
+    chosen = next((snapshot for snapshot in view.snapshots if snapshot.number == number), None)
+    if chosen is None:
+        return _NO_SNAPSHOT
+    snapshots = view.snapshots
+    if shown(snapshots, design) is None:
         if number == EDITED:
             return Refusal(
                 sentence="What was edited before would replace the present design unseen; store "
                 "that first."
             )
-        kept = (*_without(view, EDITED), Snapshot(number=EDITED, design=design))
-    try:
-        now = replace(wanted, gain=gain)
-        after = replace(view, snapshots=(*(one for one in kept if one.number != number), now))
-    except InvalidInputError as error:
-        return refused(error)
-    return Edit(label=f"Show {name_of(number)}", design=wanted.design, view=after)
+        snapshots = (*_without(view, EDITED), Snapshot(number=EDITED, design=design))
+    shown_now = replace(chosen, gain=gain)
+    after = replace(
+        view,
+        snapshots=(
+            *(snapshot for snapshot in snapshots if snapshot.number != number),
+            shown_now,
+        ),
+    )
+    return Edit(label=f"Show {name_of(number)}", design=chosen.design, view=after)
 
 
 def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
-    """Give the design the amplitudes that it is shown with to match another one."""
+    """Multiply the amplitudes by the gain with which the design is shown to match another one."""
     gain = view.match_gain(design)
     if gain == 1.0:
         return Refusal(sentence="The design is shown with the amplitudes that it has.")
@@ -162,23 +153,21 @@ def keep_match_gain(design: Design, view: View) -> Edit | Refusal:
 
 
 def forget_snapshot(design: Design, view: View, number: int) -> Edit | Refusal:
-    """Forget what is kept under a number."""
-    left = _without(view, number)
-    if len(left) == len(view.snapshots):
-        return _NONE
+    """Remove the snapshot with a number."""
+    remaining = _without(view, number)
+    if len(remaining) == len(view.snapshots):
+        return _NO_SNAPSHOT
     return Edit(
-        label=f"Forget {name_of(number)}", design=design, view=replace(view, snapshots=left)
+        label=f"Forget {name_of(number)}", design=design, view=replace(view, snapshots=remaining)
     )
 
 
+@refusing
 def match_levels(design: Design, view: View, on: bool) -> Edit | Refusal:
-    """Show snapshots as loud as each other, or as loud as they were stored."""
-    try:
-        after = replace(view, levels_matched=on)
-    except InvalidInputError as error:
-        return refused(error)
+    """Show snapshots at matched levels, or as loud as they were stored."""
+    after = replace(view, levels_matched=on)
     return Edit(label="Match levels", design=design, view=after)
 
 
 def _without(view: View, number: int) -> tuple[Snapshot, ...]:
-    return tuple(one for one in view.snapshots if one.number != number)
+    return tuple(snapshot for snapshot in view.snapshots if snapshot.number != number)

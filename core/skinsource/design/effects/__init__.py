@@ -1,8 +1,8 @@
-"""Recipes of what is done to samples of a waveform.
+"""Effects on the samples of a waveform.
 
 An effect is a frozen dataclass with fields from `skinsource.specs.fields`, among them the switch
-`on`, and everything that `Effect` names; what keeps the time takes that from `KeepsTime`.  To add
-one: write a file beside these, and name its class in `EFFECTS`.
+`on`, and everything that `Effect` names; effects that do not change the time inherit `KeepsTime`.
+To add one, write its class in a module of this package and name it in `EFFECTS`.
 """
 
 from skinsource.design.effects.effect import ON, Effect, KeepsTime, own_duration_s
@@ -10,7 +10,7 @@ from skinsource.design.effects.level import BandLimit, Envelope, Fade, Rectify, 
 from skinsource.design.effects.playing import placed, played, played_s
 from skinsource.design.effects.time import Repeat, Reverse, Stretch, Trim, stretched_by
 
-#: Every effect, in the order in which a user meets them.
+#: Every effect, in the order of the menu.
 EFFECTS: tuple[type[Effect], ...] = (
     Envelope,
     Fade,
@@ -25,7 +25,7 @@ EFFECTS: tuple[type[Effect], ...] = (
 
 
 def effect_kinds() -> tuple[type[Effect], ...]:
-    """Every effect that there is now; whoever needs them asks when he does."""
+    """Return every effect; a function, so that tests can add effects."""
     return EFFECTS
 
 

@@ -1,6 +1,6 @@
-"""Curves through breakpoints, and what can be done to their points.
+"""Evaluate curves through breakpoints, and edit their points.
 
-All are pure functions of points, (x, y, segment) with x never falling.
+All are pure functions of points, (x, y, segment), whose x never falls.
 """
 
 from collections.abc import Iterable, Sequence
@@ -18,19 +18,19 @@ from skinsource.specs.breakpoints import SEGMENTS, Breakpoint, Segment, SlopedPo
 
 Points = tuple[Breakpoint, ...]
 
-#: Points that are closer than this are a jump.
+#: Two points that are closer than this make a jump.
 CLOSEST = 1e-9
 #: Levels that a point may have.
 LOWEST, HIGHEST = 0.0, 1000.0
-# Beside a point that stands alone where its curve ends.
-_ALONE_X = 0.02
+# Distance of a second point from a single one at the end of its curve.
+_SECOND_POINT_X = 0.02
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Pieces:
-    """What is between the points: ends, (n,), and slopes there; which are smooth, which held.
+    """The points as arrays, (n,), with slopes, and which segments are smooth or held.
 
-    ``bent`` are those whose slope counts: an end of something smooth.
+    ``bent`` are the points whose slope matters: ends of smooth segments.
     """
 
     x: Floats
@@ -42,73 +42,73 @@ class _Pieces:
 
 
 def curve_at(points: Points, x: Floats) -> Floats:
-    """The curve at ``x``, of its shape; beyond the ends it has the value of the end.
+    """Return the curve at ``x``, of its shape; beyond an end it has the value of that end.
 
-    From the x of several points on it has the value of the last of them.
+    At the x of several points it has the value of the last of them.
     """
     pieces = _pieces(points)
     x = np.asarray(x, np.float64)
     if len(points) == 1:
         return np.full(x.shape, pieces.y[0])
-    at = np.searchsorted(pieces.x, x, side="right") - 1
-    left = np.clip(at, 0, len(points) - 2)
+    index = np.searchsorted(pieces.x, x, side="right") - 1
+    left = np.clip(index, 0, len(points) - 2)
     y0, y1 = pieces.y[left], pieces.y[left + 1]
     length = pieces.x[left + 1] - pieces.x[left]
     jump = length < CLOSEST
     share = np.clip((x - pieces.x[left]) / np.where(jump, 1.0, length), 0.0, 1.0)
-    found = np.where(pieces.held[left] & (at < len(points) - 1), y0, y0 + share * (y1 - y0))
+    values = np.where(pieces.held[left] & (index < len(points) - 1), y0, y0 + share * (y1 - y0))
     smooth = pieces.smooth[left] & ~jump
     if smooth.any():
         d0, d1 = pieces.slope[left] * length, pieces.slope[left + 1] * length
         cubic = _hermite(share, y0, y1, d0, d1)
-        # Rounding alone could pass the ends.
+        # Rounding could pass the levels of the ends.
         cubic = np.clip(cubic, np.minimum(y0, y1), np.maximum(y0, y1))
-        found = np.where(smooth, cubic, found)
-    return np.where(at >= len(points) - 1, pieces.y[-1], found)
+        values = np.where(smooth, cubic, values)
+    return np.where(index >= len(points) - 1, pieces.y[-1], values)
 
 
 def with_point(points: Points, x: float) -> Points:
-    """The points with one more at ``x``, on the curve, which stays as it was but for rounding.
+    """Add a point on the curve at ``x``; the curve changes by rounding alone.
 
-    What is smooth keeps its course by slopes: the new point takes that of the curve, and those
-    whose slope would follow from it keep the one that they had.  Beyond the last point it goes on
-    straight, as level as it was.
+    Slopes keep smooth segments as they are: the new point gets the slope of the curve, and
+    neighbours whose slope would change keep the one that they had.  Beyond the last point the
+    curve stays level.
     """
     x = float(x)
-    place = place_of(points, x)
-    segment = points[place - 1][2] if place else SEGMENTS[0]
+    new_index = place_of(points, x)
+    segment = points[new_index - 1][2] if new_index else SEGMENTS[0]
     y = float(curve_at(points, np.array([x]))[0])
     new: Breakpoint = (x, y, segment)
-    if segment == "smooth" and place < len(points):
-        new = SlopedPoint(x, y, segment, _slope_at(points, place - 1, x))
-    found = [*points[:place], new, *points[place:]]
-    if place == len(points) and segment == "smooth":
-        found[-2] = _like(points[-1], *points[-1][:2], "straight")
-    was, now = _pieces(points), _pieces(tuple(found))
-    rounding = 1e-12 * float(np.abs(was.slope).max())
-    for k in np.flatnonzero(was.bent).tolist():
-        at, slope = (k if k < place else k + 1), float(was.slope[k])
-        if abs(now.slope[at] - slope) > rounding:
-            found[at] = SlopedPoint(*found[at], slope=slope)
-    return tuple(found)
+    if segment == "smooth" and new_index < len(points):
+        new = SlopedPoint(x, y, segment, _slope_at(points, new_index - 1, x))
+    new_points = [*points[:new_index], new, *points[new_index:]]
+    if new_index == len(points) and segment == "smooth":
+        new_points[-2] = _with_slope_of(points[-1], *points[-1][:2], "straight")
+    before, after = _pieces(points), _pieces(tuple(new_points))
+    rounding = 1e-12 * float(np.abs(before.slope).max())
+    for k in np.flatnonzero(before.bent).tolist():
+        index, slope = (k if k < new_index else k + 1), float(before.slope[k])
+        if abs(after.slope[index] - slope) > rounding:
+            new_points[index] = SlopedPoint(*new_points[index], slope=slope)
+    return tuple(new_points)
 
 
 def place_of(points: Points, x: float) -> int:
-    """Where in the list a point at ``x`` is put: behind those that are not later."""
+    """Return the index for a new point at ``x``: after all points that are not later."""
     return sum(point[0] <= x for point in points)
 
 
 def with_point_after(points: Points, index: int, end_x: float) -> tuple[Points, int]:
-    """The points with one more on the curve, halfway from one to the next; and its number.
+    """Add a point on the curve halfway from one to the next; return the points and its index.
 
-    After the last one it is halfway to ``end_x``, or where that lies before it as far beyond it;
-    where that is its own x, as far beyond it as to the middle of what comes before.
+    After the last point it lies halfway to ``end_x``, or as far beyond the last point if ``end_x``
+    lies before it; if they are equal, as far beyond as to the middle of the segment before.
     """
     index = min(max(index, 0), len(points) - 1)
     x = points[index][0]
     following = points[index + 1][0] if index + 1 < len(points) else end_x
     if index + 1 == len(points) and following == x:
-        following = points[index - 1][0] if index else x + _ALONE_X
+        following = points[index - 1][0] if index else x + _SECOND_POINT_X
     half = abs(following - x) / 2.0
     added = with_point(points, x + half)
     return added, next(k for k in range(index + 1, len(added)) if added[k][0] == x + half)
@@ -117,7 +117,7 @@ def with_point_after(points: Points, index: int, end_x: float) -> tuple[Points, 
 def with_point_put(
     points: Points, x: float, y: float, highest: float = HIGHEST
 ) -> tuple[Points, int]:
-    """The points with one more just there, within 0 and ``highest``; and its number."""
+    """Add a point at (x, y), with y from 0 to ``highest``; return the points and its index."""
     x = max(float(x), 0.0)
     added, index = with_point(points, x), place_of(points, x)
     by_y = min(max(y, LOWEST), highest) - added[index][1]
@@ -125,43 +125,43 @@ def with_point_put(
 
 
 def without_chosen(points: Points, indices: Iterable[int]) -> tuple[Points, int]:
-    """The points without some, and the one that is chosen then: the one before the first gone."""
-    gone = set(indices)
-    return without(points, gone), max(min(gone, default=1) - 1, 0)
+    """Remove points; return the rest and the index to select, before the first removed one."""
+    removed = set(indices)
+    return without(points, removed), max(min(removed, default=1) - 1, 0)
 
 
 def without(points: Points, indices: Iterable[int]) -> Points:
-    """The points without some; of all of them the first one stays."""
-    gone = set(indices)
-    stay = [k for k in range(len(points)) if k not in gone] or [0]
-    # Those beside a gap.
-    beside = {k for k in range(1, len(stay)) if stay[k] - stay[k - 1] > 1}
-    return _settled(tuple(points[k] for k in stay), beside)
+    """Remove points; if these are all, the first one stays."""
+    removed = set(indices)
+    stay = [k for k in range(len(points)) if k not in removed] or [0]
+    next_to_gap = {k for k in range(1, len(stay)) if stay[k] - stay[k - 1] > 1}
+    return _settled(tuple(points[k] for k in stay), next_to_gap)
 
 
 def with_segment(points: Points, index: int, segment: Segment) -> Points:
-    """The points, where the curve goes on otherwise after one.
+    """Change the kind of the segment after a point.
 
     Raises
     ------
     InvalidInputError
-        No segment is called so.
+        No kind of segment has this name.
     """
     if segment not in SEGMENTS:
         raise InvalidInputError(
             f"segment {quoted(segment)} is not known; choose from {', '.join(SEGMENTS)}"
         )
     return tuple(
-        _like(point, *point[:2], segment) if k == index else point for k, point in enumerate(points)
+        _with_slope_of(point, *point[:2], segment) if k == index else point
+        for k, point in enumerate(points)
     )
 
 
 def moved(points: Points, indices: Iterable[int], by_x: float, by_y: float) -> Points:
-    """The points with some moved together, as far along as those that stay leave room.
+    """Move points together, along x only as far as the other points leave room.
 
-    Their x stays 0 or more, their y within what is allowed.
+    Their x stays 0 or more, their y within the allowed levels.
     """
-    chosen = _present(points, indices)
+    chosen = {k for k in indices if 0 <= k < len(points)}
     back, forth = -np.inf, np.inf
     for k in chosen:
         x = points[k][0]
@@ -169,17 +169,17 @@ def moved(points: Points, indices: Iterable[int], by_x: float, by_y: float) -> P
         if k + 1 < len(points) and k + 1 not in chosen:
             forth = min(forth, points[k + 1][0] - x)
     step = float(np.clip(by_x, min(back, 0.0), max(forth, 0.0)))
-    found: list[Breakpoint] = []
+    moved_points: list[Breakpoint] = []
     for k, point in enumerate(points):
         x, y, _ = point
         if k not in chosen:
-            found.append(point)
+            moved_points.append(point)
             continue
-        # The sum may pass a point that stays by its last digit.
+        # Rounding of the sum could pass a point that stays.
         stays = next((points[m][0] for m in range(k, len(points)) if m not in chosen), np.inf)
-        least = found[-1][0] if found else 0.0
-        found.append(_at(point, min(max(x + step, least), stays), y + by_y))
-    return _settled(tuple(found), chosen)
+        least = moved_points[-1][0] if moved_points else 0.0
+        moved_points.append(_moved_to(point, min(max(x + step, least), stays), y + by_y))
+    return _settled(tuple(moved_points), chosen)
 
 
 def scaled(
@@ -189,9 +189,9 @@ def scaled(
     factor_x: float,
     factor_y: float,
 ) -> Points:
-    """The points with some scaled about a place, (x, y), within the room between the others."""
-    chosen = _present(points, indices)
-    found = list(points)
+    """Scale points about a centre, (x, y), within the room between the others."""
+    chosen = {k for k in indices if 0 <= k < len(points)}
+    scaled_points = list(points)
     least = 0.0
     for k, point in enumerate(points):
         x, y, _ = point
@@ -199,38 +199,33 @@ def scaled(
             most = next((points[m][0] for m in range(k, len(points)) if m not in chosen), np.inf)
             to_x = about[0] + max(factor_x, 0.0) * (x - about[0])
             to_y = about[1] + factor_y * (y - about[1])
-            found[k] = _at(point, min(max(to_x, least), most), to_y)
+            scaled_points[k] = _moved_to(point, min(max(to_x, least), most), to_y)
             slope = slope_of(point)
             if slope is not None and factor_x > 0.0:
-                found[k] = SlopedPoint(*found[k], slope=slope * factor_y / factor_x)
-        least = found[k][0]
-    return _settled(tuple(found), chosen)
+                scaled_points[k] = SlopedPoint(*scaled_points[k], slope=slope * factor_y / factor_x)
+        least = scaled_points[k][0]
+    return _settled(tuple(scaled_points), chosen)
 
 
-def _present(points: Points, indices: Iterable[int]) -> set[int]:
-    return {k for k in indices if 0 <= k < len(points)}
+def _moved_to(point: Breakpoint, x: float, y: float) -> Breakpoint:
+    return _with_slope_of(point, max(float(x), 0.0), float(min(max(y, LOWEST), HIGHEST)), point[2])
 
 
-def _at(point: Breakpoint, x: float, y: float) -> Breakpoint:
-    """A point at another place."""
-    return _like(point, max(float(x), 0.0), float(min(max(y, LOWEST), HIGHEST)), point[2])
-
-
-def _like(point: Breakpoint, x: float, y: float, segment: Segment) -> Breakpoint:
-    """Another point with the slope, if any, of ``point``."""
+def _with_slope_of(point: Breakpoint, x: float, y: float, segment: Segment) -> Breakpoint:
+    """Return another point with the slope of ``point``, if that has one."""
     slope = slope_of(point)
     return (x, y, segment) if slope is None else SlopedPoint(x, y, segment, slope)
 
 
 def _settled(points: Points, moved_ones: Iterable[int]) -> Points:
-    """The points, with slopes of their own as steep as the curve can be where some were moved.
+    """Limit own slopes next to moved points, so that the curve stays between its points.
 
-    Beside a moved point a slope that was kept may lead beyond the level of the next one; it is
-    made as steep as a cubic surely can be that rises, or falls, throughout.
+    With an old slope the curve could pass the level of the next point.  The limit is the slope with
+    which a cubic surely rises, or falls, throughout.
     """
     if SlopedPoint not in set(map(type, points)):
         return points
-    found = list(points)
+    settled = list(points)
     pieces = _pieces(points)
     for k in sorted({k + d for k in moved_ones for d in (-1, 0)}):
         if not 0 <= k < len(points) - 1 or not pieces.smooth[k]:
@@ -240,15 +235,15 @@ def _settled(points: Points, moved_ones: Iterable[int]) -> Points:
         if length < CLOSEST or _is_monotone(rise, pieces.slope[k], pieces.slope[k + 1]):
             continue
         for end in (k, k + 1):
-            slope = slope_of(found[end])
+            slope = slope_of(settled[end])
             if slope is not None:
                 within = float(np.clip(slope, min(0.0, 3.0 * rise), max(0.0, 3.0 * rise)))
-                found[end] = SlopedPoint(*found[end], slope=within)
-    return tuple(found)
+                settled[end] = SlopedPoint(*settled[end], slope=within)
+    return tuple(settled)
 
 
 def _is_monotone(rise: float, slope0: float, slope1: float) -> bool:
-    """Whether the cubic of these slopes at its ends rises, or falls, throughout."""
+    """Whether the cubic with these slopes at its ends rises, or falls, throughout."""
     if rise == 0.0:
         return slope0 == slope1 == 0.0
     a, b = slope0 / rise, slope1 / rise
@@ -257,7 +252,7 @@ def _is_monotone(rise: float, slope0: float, slope1: float) -> bool:
 
 
 def _slope_at(points: Points, left: int, x: float) -> float:
-    """The slope of the smooth curve after a point, at an ``x`` before the next one."""
+    """Return the slope at ``x`` of the smooth segment after the point ``left``."""
     pieces = _pieces(points)
     length = float(pieces.x[left + 1] - pieces.x[left])
     if length < CLOSEST:
@@ -270,7 +265,7 @@ def _slope_at(points: Points, left: int, x: float) -> float:
 
 
 def _hermite(share: Any, y0: Any, y1: Any, d0: Any, d1: Any) -> Any:
-    """Cubic from y0 to y1 with the rises d0 and d1 over the whole length."""
+    """Return the cubic from y0 to y1 with end slopes d0 and d1, per length of the segment."""
     rest = 1.0 - share
     bend = share * rest * (rest * (d0 - (y1 - y0)) - share * (d1 - (y1 - y0)))
     return y0 + share * (y1 - y0) + bend
@@ -278,16 +273,18 @@ def _hermite(share: Any, y0: Any, y1: Any, d0: Any, d1: Any) -> Any:
 
 @lru_cache(maxsize=64)
 def _pieces(points: Points) -> _Pieces:
-    kinds = [point[2] for point in points]
+    segments = [point[2] for point in points]
     x, y = (np.array([point[k] for point in points], np.float64) for k in (0, 1))
-    smooth, held = (np.array([one == kind for one in kinds]) for kind in ("smooth", "held"))
+    smooth, held = (
+        np.array([segment == name for segment in segments]) for name in ("smooth", "held")
+    )
     slope = np.zeros(len(points))
-    # What is smooth does not look beyond a jump; a held segment ends with one.
+    # Slopes do not depend on points beyond a jump; a held segment ends with one.
     breaks = np.flatnonzero((np.diff(x) < CLOSEST) | held[:-1]) + 1
-    # Where nothing is smooth, no slope follows from the points beside.
+    # Without a smooth segment no slope is needed.
     for run in np.split(np.arange(len(points)), breaks) if smooth.any() else ():
         if len(run) > 1 and smooth[run[:-1]].any():
-            with np.errstate(over="ignore"):  # beside a step of next to nothing it is level
+            with np.errstate(over="ignore"):  # next to a tiny step the slope is 0
                 curve = scipy.interpolate.PchipInterpolator(x[run], y[run])
             slope[run] = curve.derivative()(x[run])
     for k, point in enumerate(points):

@@ -1,4 +1,8 @@
-"""What every effect can do."""
+"""The protocol of effects, and stretching in time without a change of frequencies.
+
+`stretched_in_time` is WSOLA: overlapping pieces move to other times, each to where it continues
+the one before best.
+"""
 
 from typing import ClassVar, Protocol, runtime_checkable
 
@@ -17,35 +21,31 @@ ON = SwitchSpec(label="On", hint="An effect that is off changes nothing")
 class Effect(Protocol):
     """A frozen dataclass that changes samples.
 
-    Sample k of what it takes and of what it gives lies at the own time ``k / rate - shift_s``,
-    with a ``shift_s`` of 0 to less than a sample: a clip that does not start on a sample is drawn
-    at its own instants.  What plays is 0 before own time 0, and from its duration on.
-
-    Attributes
-    ----------
-    title
-        What a user calls it.
+    Samples before and after the effect have an own time: sample k lies at ``k / rate - shift_s``,
+    where ``shift_s`` is 0 up to less than a sample, because a clip can start between two samples.
+    The signal is 0 before own time 0, and from its duration on.  ``title`` is the name for the
+    user.
     """
 
     title: ClassVar[str]
 
     @property
     def on(self) -> bool:
-        """Whether it takes part."""
+        """Whether the effect is applied."""
 
     def length(self, duration_s: float) -> float:
-        """How long it plays what plays ``duration_s``; 0 or more."""
+        """Return the duration after the effect of a signal of ``duration_s``; 0 or more."""
 
     def shift_before(self, shift_s: float, duration_s: float, sample_rate_hz: float) -> float:
-        """Shift of the samples that it takes, so that what it gives has the shift ``shift_s``.
+        """Return the shift of the samples before the effect for the shift ``shift_s`` after it.
 
-        They differ where own time 0 is not kept: what begins at 10.3 samples of something is, on
-        whole samples of its own, something drawn 0.7 samples later.
+        They differ if the effect moves own time 0: a part that begins at 10.3 samples and shall lie
+        on whole samples needs a signal that is drawn 0.7 samples later.
 
         Parameters
         ----------
         duration_s
-            How long plays what it takes.
+            Duration of the signal before the effect.
         """
 
     def applied(
@@ -60,25 +60,25 @@ class Effect(Protocol):
         Parameters
         ----------
         samples : (n_times,)
-            What it is applied to, drawn at ``shift_before(shift_s, …)``.
+            Samples before the effect, with the shift ``shift_before(shift_s, …)``.
         shift_s
-            Shift of what is returned.
+            Shift of the returned samples.
         duration_s
-            How long plays what it is applied to; None: as long as there are samples.
+            Duration of the signal before the effect; None: that of the samples.
         """
 
 
 class KeepsTime:
-    """What effects share that neither move nor stretch time."""
+    """Base of effects that neither move nor stretch time."""
 
     __slots__ = ()
 
     def length(self, duration_s: float) -> float:
-        """How long it plays what plays ``duration_s``: as long."""
+        """Return ``duration_s`` itself."""
         return duration_s
 
     def shift_before(self, shift_s: float, duration_s: float, sample_rate_hz: float) -> float:
-        """Shift of the samples that it takes: the same."""
+        """Return ``shift_s`` itself."""
         del duration_s, sample_rate_hz
         return shift_s
 
@@ -86,29 +86,27 @@ class KeepsTime:
 def own_duration_s(
     samples: Floats, sample_rate_hz: float, shift_s: float, duration_s: float | None
 ) -> float:
-    """Return ``duration_s``; where there is none, that of the samples."""
+    """Return ``duration_s``, or if it is None the duration of the samples."""
     if duration_s is not None:
         return duration_s
     return max(samples.size - (shift_s > 0.0), 0) / sample_rate_hz
 
 
-# Another length with the same frequencies: pieces that overlap where they continue each other.
-
-# What is compared has this rate whatever that of the samples is: at 1300 Hz a piece could only be
-# moved by whole samples, up to a third of a turn of 600 Hz.
+# Pieces are compared at this rate, whatever the rate of the samples: at 1300 Hz a step of one
+# sample would be almost half a turn of 600 Hz.
 _RATE_HZ = 20_800.0
 _STEP = 416  # 20 ms
 _PIECE = 2 * _STEP
-#: How far from its place a piece may be taken: half a turn of 25 Hz.
+#: How far from its regular place a piece can be taken: half a turn of 25 Hz.
 _SEARCH = 416
-# A piece further off has to continue better by this.
-_FAR = 0.02
+# How much better a piece at that distance has to fit than one at its regular place.
+_DISTANCE_PENALTY = 0.02
 
 
 def stretched_in_time(
     samples: Floats, sample_rate_hz: float, factor: float, times_s: Floats
 ) -> Floats:
-    """Samples ``factor`` times as long, at own times of the result, (n_times,).
+    """Return the signal ``factor`` times as long, at own times of the result, (n_times,).
 
     Parameters
     ----------
@@ -126,46 +124,46 @@ def stretched_in_time(
 
 
 def _overlapped(fine: Floats, factor: float) -> Floats:
-    """The signal with its pieces at other times, at the same rate, (n,)."""
+    """Return the signal with its pieces moved to other times, at the same rate, (n,)."""
     n = int(np.ceil(fine.size * factor))
     margin = _STEP + _SEARCH
     padded = np.concatenate((np.zeros(margin), fine, np.zeros(margin + 3 * _PIECE)))
     window = 0.5 * (1.0 - np.cos(2.0 * np.pi * np.arange(_PIECE) / _PIECE))
-    # One piece begins before the start, so that the start itself is whole.
-    found = np.zeros(n + 2 * _PIECE)
-    # Pieces lie on samples; by how much the last one is late is made up for by the next.
-    taken, late = -_STEP, 0.0
-    found[:_PIECE] += window * padded[taken + margin :][:_PIECE]
+    # The first piece begins before the start, so that the start has two pieces as well.
+    overlapped = np.zeros(n + 2 * _PIECE)
+    # Pieces lie on samples; the next piece makes up for the rounding of the last one.
+    source, lag = -_STEP, 0.0
+    overlapped[:_PIECE] += window * padded[source + margin :][:_PIECE]
     for number in range(1, n // _STEP + 2):
-        # The middle of a piece lies where the factor says.
+        # The factor gives the regular place of the middle of a piece.
         place = min(int(np.rint(number * _STEP / factor)), fine.size) - _STEP
-        wanted = padded[min(taken + _STEP, fine.size) + margin :][:_PIECE]
+        continuation = padded[min(source + _STEP, fine.size) + margin :][:_PIECE]
         near = padded[place + margin - _SEARCH :][: _PIECE + 2 * _SEARCH]
-        ideal = place + _best(wanted, near) - late
-        taken = int(np.clip(np.rint(ideal), place - _SEARCH, place + _SEARCH))
-        late = float(np.clip(taken - ideal, -0.5, 0.5))
+        ideal = place + _best_offset(continuation, near) - lag
+        source = int(np.clip(np.rint(ideal), place - _SEARCH, place + _SEARCH))
+        lag = float(np.clip(source - ideal, -0.5, 0.5))
         start = number * _STEP
-        found[start : start + _PIECE] += window * padded[taken + margin :][:_PIECE]
-    return found[_STEP : _STEP + n]
+        overlapped[start : start + _PIECE] += window * padded[source + margin :][:_PIECE]
+    return overlapped[_STEP : _STEP + n]
 
 
-def _best(wanted: Floats, near: Floats) -> float:
-    """How far from the middle of ``near`` the piece lies that is most like ``wanted``."""
-    if not wanted.any():
+def _best_offset(continuation: Floats, near: Floats) -> float:
+    """Return how far from the middle of ``near`` the best piece to continue with lies."""
+    if not continuation.any():
         return 0.0
-    alike = scipy.signal.correlate(near, wanted, mode="valid", method="fft")
+    similarity = scipy.signal.correlate(near, continuation, mode="valid", method="fft")
     energy = np.concatenate(([0.0], np.cumsum(near * near)))
     energy = energy[_PIECE:] - energy[:-_PIECE]
-    far = np.abs(np.arange(alike.size) - _SEARCH) / _SEARCH
+    far = np.abs(np.arange(similarity.size) - _SEARCH) / _SEARCH
     enough = energy > 1e-12 * energy.max(initial=0.0)
-    score = np.where(enough, alike / np.sqrt(np.where(enough, energy, 1.0)), -np.inf)
-    score = score / np.sqrt(wanted @ wanted) - _FAR * far
+    score = np.where(enough, similarity / np.sqrt(np.where(enough, energy, 1.0)), -np.inf)
+    score = score / np.sqrt(continuation @ continuation) - _DISTANCE_PENALTY * far
     best = int(np.argmax(score))
-    return best - _SEARCH + _top(score[max(best - 1, 0) : best + 2])
+    return best - _SEARCH + _peak_offset(score[max(best - 1, 0) : best + 2])
 
 
-def _top(three: Floats) -> float:
-    """Where the parabola through a largest value and its neighbours is highest, -0.5 to 0.5."""
+def _peak_offset(three: Floats) -> float:
+    """Return where the parabola through a maximum and its neighbours peaks, -0.5 to 0.5."""
     if three.size < 3 or not np.isfinite(three).all():
         return 0.0
     bend = three[0] - 2.0 * three[1] + three[2]

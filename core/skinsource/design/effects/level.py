@@ -1,4 +1,4 @@
-"""A drawn course of the level."""
+"""Effects on the level of samples: envelopes, fades, rectifying, soft clipping, band limits."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -22,7 +22,7 @@ VALUE = NumberSpec(label="Level", minimum=0.0, maximum=1000.0, step=0.05)
 POINTS = BreakpointsSpec(
     label="Points", x=TIME, y=VALUE, hint="Time after the start, level, and how it goes on"
 )
-#: One point: as loud as it is.
+#: An envelope that changes nothing.
 UNCHANGED: tuple[Breakpoint, ...] = ((0.0, 1.0, "straight"),)
 
 
@@ -30,20 +30,19 @@ UNCHANGED: tuple[Breakpoint, ...] = ((0.0, 1.0, "straight"),)
 class Envelope(KeepsTime):
     """The level over the time: straight, smooth or held between breakpoints.
 
-    Before the first point it has the level of that, after the last one the level of that; so one
-    point is one level throughout.  Two points at one time, or closer than a nanosecond, are a
-    jump: the earlier one ends what comes before, from that time on counts the last one.
-    Points that go back in time are refused.  A smooth segment is the monotone cubic of Fritsch
-    and Carlson: it never passes the levels of its two ends.  Its slope at a point follows from
-    the points beside, or is the point's own: so a smooth segment can be split and stay as it is.
+    Before the first point the level is that of the first, after the last point that of the last;
+    so a single point is a constant level.  Two points at one time, or closer than a nanosecond,
+    are a jump: the first one ends the segment before, the last one begins the next.  Points that
+    go back in time are refused.  A smooth segment is the monotone cubic of Fritsch and Carlson,
+    which never passes the levels of its two ends.  Its slope at a point follows from the
+    neighbouring points, or is the point's own, so that splitting a segment does not change it.
 
     Attributes
     ----------
     points
         (time in s, level from 0 to 1000, ``"straight"``, ``"smooth"`` or ``"held"``) each; the
-        third may be left out, and a fourth, the point's own slope in levels per second, be added:
-        it is then kept as a `SlopedPoint`, which unpacks as the others do.  Level 1 changes
-        nothing.
+        third may be left out.  A fourth is the point's own slope in levels per second; such a point
+        becomes a `SlopedPoint`, which unpacks as the others do.  Level 1 changes nothing.
 
     References
     ----------
@@ -59,7 +58,7 @@ class Envelope(KeepsTime):
         fields.check(self)
 
     def values_at(self, times_s: Floats) -> Floats:
-        """Levels at own times, of the same shape."""
+        """Return the levels at own times, of the same shape."""
         return curve_at(self.points, times_s)
 
     def applied(
@@ -74,8 +73,6 @@ class Envelope(KeepsTime):
         return samples * self.values_at(own_times(samples.size, sample_rate_hz, shift_s))
 
 
-# In and out.
-
 LENGTH = NumberSpec(
     label="Fade in", unit="s", minimum=0.0, maximum=600.0, step=0.005, hint="From 0 to full level"
 )
@@ -88,7 +85,7 @@ SHAPE = ChoiceSpec(
     hint="Equal power: two clips that cross keep their energy",
 )
 
-# Whatever is shorter is none; no clock tells it from nothing.
+# A shorter fade is none.
 _SHORTEST_S = 1e-9
 
 
@@ -96,16 +93,15 @@ _SHORTEST_S = 1e-9
 class Fade(KeepsTime):
     """Fades in from 0 at the start, and out to 0 at the end.
 
-    With the share u of a fade, 0 at its silent end: ``"straight"`` u; ``"smooth"``
-    (1 - cos(pi u)) / 2; ``"equal power"`` sin(pi u / 2), of which two that cross sum up to the
-    same power.  Where both do not fit, both are shortened by the same factor, and meet.
+    The level at the share u of a fade, 0 at its silent end, is u (``"straight"``),
+    (1 - cos(pi u)) / 2 (``"smooth"``), or sin(pi u / 2) (``"equal power"``: the power of two clips
+    that cross stays constant).  Fades that are together longer than the clip are shortened by the
+    same factor, and meet.
 
     Attributes
     ----------
     in_s, out_s
-        How long they take; 0: none.
-    shape
-        Of both.
+        Lengths of the fades; 0: none.
     """
 
     title: ClassVar[str] = "Fade"
@@ -119,17 +115,17 @@ class Fade(KeepsTime):
         fields.check(self)
 
     def values_at(self, times_s: Floats, duration_s: float) -> Floats:
-        """Levels at own times of what plays for ``duration_s``, of the shape of the times."""
-        both = self.in_s + self.out_s
-        fits = min(1.0, duration_s / both) if both else 1.0
-        found = np.ones(np.shape(times_s))
+        """Return the levels at own times of a clip of ``duration_s``, of the shape of the times."""
+        total_s = self.in_s + self.out_s
+        fits = min(1.0, duration_s / total_s) if total_s else 1.0
+        levels = np.ones(np.shape(times_s))
         for length, since in (
             (self.in_s * fits, times_s),
             (self.out_s * fits, duration_s - times_s),
         ):
             if length > _SHORTEST_S:
-                found = found * self._level(np.clip(since / length, 0.0, 1.0))
-        return found
+                levels = levels * self._level(np.clip(since / length, 0.0, 1.0))
+        return levels
 
     def applied(
         self,
@@ -151,8 +147,6 @@ class Fade(KeepsTime):
         return np.sin(0.5 * np.pi * share)
 
 
-# One polarity only.
-
 WAVE = ChoiceSpec(
     label="Wave",
     options=(("full", "Full wave"), ("half", "Half wave")),
@@ -164,8 +158,8 @@ WAVE = ChoiceSpec(
 class Rectify(KeepsTime):
     r"""Turns up what is below 0 (``"full"``, \\|x\\|), or leaves it out (``"half"``, max(x, 0)).
 
-    A tone gets a mean above 0 and even harmonics; `BandLimit` after it removes what the skin does
-    not get.
+    A tone gets a mean above 0 and even harmonics; a `BandLimit` after it removes what lies outside
+    the measured band.
 
     Attributes
     ----------
@@ -193,8 +187,6 @@ class Rectify(KeepsTime):
         return np.abs(samples) if self.wave == "full" else np.maximum(samples, 0.0)
 
 
-# Limits softly.
-
 DRIVE = NumberSpec(
     label="Drive",
     minimum=0.01,
@@ -220,9 +212,9 @@ class SoftClip(KeepsTime):
     Attributes
     ----------
     drive
-        Factor of what is weak.
+        Gain of small samples.
     level
-        Largest magnitude that can come out.
+        Largest possible magnitude of the result.
     """
 
     title: ClassVar[str] = "Soft clip"
@@ -246,8 +238,6 @@ class SoftClip(KeepsTime):
         return self.level * np.tanh(samples * (self.drive / self.level))
 
 
-# What lies in a band.
-
 LOW = NumberSpec(
     label="Lowest",
     unit="Hz",
@@ -265,9 +255,9 @@ HIGH = NumberSpec(
     logarithmic=True,
     hint="Higher frequencies are removed",
 )
-#: Gain falls from 1 to 0 over this part of an edge frequency, outside the band.
+#: The gain falls from 1 to 0 outside the band, within this share of the edge frequency.
 SLOPE = 0.2
-# The tail of a slope of one hertz has died away after this time.
+# The ringing of a slope of one hertz has died away after this time.
 _TAIL_S_HZ = 6.0
 
 
@@ -276,18 +266,19 @@ class BandLimit(KeepsTime):
     """Keeps what lies in a band, without moving it in time.
 
     The gain is 1 from ``low_hz`` to ``high_hz``, and falls as a raised cosine to 0 at 0.8
-    ``low_hz`` and 1.2 ``high_hz``; the phase is 0.  What would ring before the start and after the
-    end is left out, so that a clip that is cut hard keeps some of what lies outside.
+    ``low_hz`` and 1.2 ``high_hz``; the phase is 0.  Ringing before the start and after the end is
+    cut off, so that a clip with hard ends keeps some frequencies outside the band.
 
     Attributes
     ----------
     low_hz, high_hz
-        Edges; 0 removes nothing below, and an upper edge above half the rate nothing above.
+        Edges of the band; 0 removes no low frequencies, and an upper edge above half the sample
+        rate removes no high ones.
     """
 
     title: ClassVar[str] = "Band limit"
 
-    # Part of the recipe, whatever the limb: so a file means that says no others.
+    # The defaults are the same for every limb, because files leave defaults out.
     low_hz: float = fields.number(BAND_HZ[0], LOW)
     high_hz: float = fields.number(BAND_HZ[1], HIGH)
     on: bool = fields.switch(True, ON)
@@ -301,16 +292,16 @@ class BandLimit(KeepsTime):
             )
 
     def gains_at(self, frequencies_hz: Floats) -> Floats:
-        """Gain at frequencies, of their shape."""
-        found = np.ones(np.shape(frequencies_hz))
+        """Return the gains at frequencies, of their shape."""
+        gains = np.ones(np.shape(frequencies_hz))
         for edge_hz, over_hz in (
             (self.low_hz, self.low_hz - frequencies_hz),
             (self.high_hz, frequencies_hz - self.high_hz),
         ):
             if edge_hz > 0.0:
                 share = np.clip(over_hz / (SLOPE * edge_hz), 0.0, 1.0)
-                found = found * 0.5 * (1.0 + np.cos(np.pi * share))
-        return found
+                gains = gains * 0.5 * (1.0 + np.cos(np.pi * share))
+        return gains
 
     def applied(
         self,
@@ -325,24 +316,24 @@ class BandLimit(KeepsTime):
         length_s = own_duration_s(samples, sample_rate_hz, shift_s, duration_s)
         spectrum, size = self._spectrum(samples, sample_rate_hz)
         gains = self.gains_at(scipy.fft.rfftfreq(size, 1.0 / sample_rate_hz))
-        found: Floats = scipy.fft.irfft(spectrum * gains, size)[: samples.size]
+        limited: Floats = scipy.fft.irfft(spectrum * gains, size)[: samples.size]
         length_s = max(length_s, (samples.size - 1) / sample_rate_hz)
-        return silent_outside(found, sample_rate_hz, shift_s, length_s)
+        return silent_outside(limited, sample_rate_hz, shift_s, length_s)
 
     def share_removed(self, samples: Floats, sample_rate_hz: float) -> float:
-        """Part of the energy of samples, (n_times,), that lies outside; 0 of silence."""
+        """Return the share of the energy of samples, (n_times,), that lies outside the band."""
         if not samples.any():
             return 0.0
         spectrum, size = self._spectrum(samples, sample_rate_hz)
         frequencies_hz = scipy.fft.rfftfreq(size, 1.0 / sample_rate_hz)
         energy = np.abs(spectrum) ** 2
-        # All but the first, and the last of an even number, stand for two.
+        # All bins count twice except the first, and the last if their number is even.
         energy[1 : -1 if size % 2 == 0 else None] *= 2.0
-        kept = energy @ self.gains_at(frequencies_hz) ** 2 / energy.sum()
-        return float(np.clip(1.0 - kept, 0.0, 1.0))
+        share_inside = energy @ self.gains_at(frequencies_hz) ** 2 / energy.sum()
+        return float(np.clip(1.0 - share_inside, 0.0, 1.0))
 
     def _spectrum(self, samples: Floats, sample_rate_hz: float) -> tuple[Complexes, int]:
-        """Spectrum with room for what rings, and its number of samples."""
+        """Return a spectrum with room for the ringing, and its number of samples."""
         edges_hz = [SLOPE * edge_hz for edge_hz in (self.low_hz, self.high_hz) if edge_hz > 0.0]
         tail_s = min(_TAIL_S_HZ / min(edges_hz), 60.0)
         size = scipy.fft.next_fast_len(samples.size + int(tail_s * sample_rate_hz) + 1, real=True)

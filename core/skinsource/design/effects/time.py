@@ -1,4 +1,4 @@
-"""Again and again."""
+"""Effects on the time of samples: repeating, reversing, stretching and trimming."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -40,13 +40,13 @@ GAP = NumberSpec(
 class Repeat:
     """Plays several times, with a rest between.
 
-    Each begins exactly a duration and a gap after the one before.  What then begins between two
-    samples is delayed by a band-limited filter, see `band_limited_delay`.
+    Each repetition begins exactly a duration and a gap after the one before.  One that begins
+    between two samples is delayed by a band-limited filter, see `band_limited_delay`.
 
     Attributes
     ----------
     times
-        How often, 1 to 1000.
+        Number of repetitions, 1 to 1000.
     gap_s
         Rest between the end of one and the beginning of the next.
     """
@@ -61,11 +61,11 @@ class Repeat:
         fields.check(self)
 
     def length(self, duration_s: float) -> float:
-        """How long all of them take."""
+        """Return the length of all repetitions."""
         return self.times * duration_s + (self.times - 1) * self.gap_s
 
     def shift_before(self, shift_s: float, duration_s: float, sample_rate_hz: float) -> float:
-        """Shift of the samples that it takes: the same, that of the first one."""
+        """Return the same shift, which is that of the first repetition."""
         del duration_s, sample_rate_hz
         return shift_s
 
@@ -76,7 +76,7 @@ class Repeat:
         shift_s: float = 0.0,
         duration_s: float | None = None,
     ) -> Floats:
-        """Return all of them, (n_after,).
+        """Return all repetitions, (n_after,).
 
         Raises
         ------
@@ -85,11 +85,11 @@ class Repeat:
         """
         if self.times == 1 or not samples.size:
             return samples
-        one_s = own_duration_s(samples, sample_rate_hz, shift_s, duration_s)
-        check_duration(self.length(one_s))
-        period = (one_s + self.gap_s) * sample_rate_hz
+        single_s = own_duration_s(samples, sample_rate_hz, shift_s, duration_s)
+        check_duration(self.length(single_s))
+        period = (single_s + self.gap_s) * sample_rate_hz
         delayed: dict[float, Floats] = {0.0: samples}
-        found = np.zeros(round((self.times - 1) * period) + samples.size + 2)
+        repeated = np.zeros(round((self.times - 1) * period) + samples.size + 2)
         last = samples.size
         for number in range(self.times):
             part = round(part_of_sample(number * period), 9)
@@ -97,19 +97,16 @@ class Repeat:
                 delayed[part] = band_limited_delay(samples, part)
             start = round(number * period - part)
             last = start + delayed[part].size
-            found[start:last] += delayed[part]
-        return found[:last]
-
-
-# Backwards.
+            repeated[start:last] += delayed[part]
+        return repeated[:last]
 
 
 @dataclass(frozen=True, slots=True)
 class Reverse(KeepsTime):
     """Plays backwards: at the time t what was at the duration less t, at any rate.
 
-    What was at time 0 is played at the very end, for which there is one sample more where the end
-    lies on a sample; so nothing gets lost, and twice backwards is forwards.
+    Time 0 comes at the very end.  If the end lies on a sample, there is one sample more, so that
+    nothing gets lost and reversing twice restores the clip.
     """
 
     title: ClassVar[str] = "Reverse"
@@ -120,7 +117,7 @@ class Reverse(KeepsTime):
         fields.check(self)
 
     def shift_before(self, shift_s: float, duration_s: float, sample_rate_hz: float) -> float:
-        """Shift of the samples that it takes: such that seen from the end they have ``shift_s``."""
+        """Return the shift with which the samples have ``shift_s`` when counted from the end."""
         return part_of_sample(-(duration_s + shift_s) * sample_rate_hz) / sample_rate_hz
 
     def applied(
@@ -134,20 +131,18 @@ class Reverse(KeepsTime):
         if not samples.size:
             return samples
         if duration_s is None:
-            # How long they play depends on the shift they have, and that on how long they play.
+            # Duration and shift depend on each other, so the duration is taken without a shift.
             duration_s = own_duration_s(samples, sample_rate_hz, 0.0, None)
         before_s = self.shift_before(shift_s, duration_s, sample_rate_hz)
         last = round((duration_s + shift_s + before_s) * sample_rate_hz)
         n = floor((duration_s + shift_s) * sample_rate_hz + NEAR) + 1
-        found = np.zeros(n)
-        taken = last - np.arange(n)
-        there = (taken >= 0) & (taken < samples.size)
-        found[there] = samples[taken[there]]
-        found[: samples_until(shift_s * sample_rate_hz)] = 0.0
-        return found
+        backwards = np.zeros(n)
+        sources = last - np.arange(n)
+        within = (sources >= 0) & (sources < samples.size)
+        backwards[within] = samples[sources[within]]
+        backwards[: samples_until(shift_s * sample_rate_hz)] = 0.0
+        return backwards
 
-
-# Longer or shorter.
 
 FACTOR = NumberSpec(
     label="Factor",
@@ -177,18 +172,18 @@ PITCH = ChoiceSpec(
 class Stretch:
     """Makes a clip longer or shorter.
 
-    ``"moves"``: what was at the time t comes at factor times t, so that each frequency is divided
-    by the factor, by band-limited interpolation; faster than half the sample rate nothing is left.
-    ``"stays"``: overlapping pieces of 40 ms are taken at other times, each where it continues
-    the last one best within 20 ms (WSOLA); tones keep their frequency, single taps may come
-    twice, or be left out where much is.
+    ``"moves"``: time t becomes factor times t by band-limited interpolation, so that each frequency
+    is divided by the factor; frequencies beyond half the sample rate are lost.
+    ``"stays"``: overlapping pieces of 40 ms move to other times, each to where it continues the
+    last one best within 20 ms (WSOLA); tones keep their frequency, but single taps may come twice
+    or be left out.
 
     Attributes
     ----------
     factor
-        Length afterwards over length before.
+        Length afterwards divided by length before.
     to_s
-        Length afterwards; 0: as the factor says.
+        Length afterwards; 0: the factor gives it.
     pitch
         ``"moves"`` or ``"stays"``.
 
@@ -209,15 +204,15 @@ class Stretch:
         fields.check(self)
 
     def factor_of(self, duration_s: float) -> float:
-        """Factor by which something of this length is stretched."""
+        """Return the factor for a clip of this length."""
         return self.to_s / duration_s if self.to_s and duration_s > 0.0 else self.factor
 
     def length(self, duration_s: float) -> float:
-        """How long it is afterwards."""
+        """Return the length afterwards."""
         return self.factor_of(duration_s) * duration_s
 
     def shift_before(self, shift_s: float, duration_s: float, sample_rate_hz: float) -> float:
-        """Shift of the samples that it takes: none, unless it changes nothing."""
+        """Return 0, since the result is computed at any shift; or the shift for a factor of 1."""
         del sample_rate_hz
         return shift_s if self.factor_of(duration_s) == 1.0 else 0.0
 
@@ -244,15 +239,15 @@ class Stretch:
         n = sample_count(length_s, sample_rate_hz) + (shift_s > 0.0)
         times_s = own_times(n, sample_rate_hz, shift_s)
         if self.pitch == "stays":
-            found = stretched_in_time(samples, sample_rate_hz, factor, times_s)
+            stretched = stretched_in_time(samples, sample_rate_hz, factor, times_s)
         else:
             places = times_s * (sample_rate_hz / factor)
-            found = values_between(samples, places, min(1.0, factor))
-        return silent_outside(found, sample_rate_hz, shift_s, max(length_s, n / sample_rate_hz))
+            stretched = values_between(samples, places, min(1.0, factor))
+        return silent_outside(stretched, sample_rate_hz, shift_s, max(length_s, n / sample_rate_hz))
 
 
 def stretched_by(effects: Sequence[Effect], duration_s: float) -> float:
-    """By what frequencies of something so long are divided by its effects; 1: they stay."""
+    """Return the factor by which effects divide the frequencies of a waveform of this length."""
     factor = 1.0
     for effect in effects:
         if effect.on:
@@ -261,8 +256,6 @@ def stretched_by(effects: Sequence[Effect], duration_s: float) -> float:
             duration_s = effect.length(duration_s)
     return factor
 
-
-# A part of what plays.
 
 LONGEST_S = 3600.0
 START = NumberSpec(
@@ -282,16 +275,14 @@ LENGTH = NumberSpec(
 class Trim:
     """A part of what plays, as it is: samples before it and behind it are left out.
 
-    The samples at a time t with ``start_s <= t < start_s + duration_s`` are in it, so that two
-    parts of which one ends where the other begins are together what they were cut from; what a
-    signal that is no formula has around its ends stays with them.
+    The part has the samples at times t with ``start_s <= t < start_s + duration_s``, so that two
+    parts, one of which ends where the other begins, add up to the whole.  Samples around the ends
+    of a resampled signal stay with the ends.
 
     Attributes
     ----------
     start_s, duration_s
-        Where it begins, and its length; the clip then starts with what was at ``start_s``.
-    on
-        An effect that is off changes nothing.
+        Begin and length of the part; the clip then starts with what was at ``start_s``.
     """
 
     title: ClassVar[str] = "Trim"
@@ -304,14 +295,14 @@ class Trim:
         fields.check(self)
 
     def length(self, duration_s: float) -> float:
-        """How long it plays what plays ``duration_s``."""
+        """Return the length of the part of a clip of ``duration_s``."""
         return min(self.duration_s, max(duration_s - self.start_s, 0.0))
 
     def shift_before(self, shift_s: float, duration_s: float, sample_rate_hz: float) -> float:
-        """Shift of the samples that it takes: their time 0 lies ``start_s`` before its own."""
+        """Return the shift of the samples before, whose time 0 lies ``start_s`` earlier."""
         del duration_s
-        _, behind = parted((shift_s - self.start_s) * sample_rate_hz)
-        return behind / sample_rate_hz
+        _, shift = parted((shift_s - self.start_s) * sample_rate_hz)
+        return shift / sample_rate_hz
 
     def applied(
         self,
@@ -321,15 +312,15 @@ class Trim:
         duration_s: float | None = None,
     ) -> Floats:
         """Return the part, (n_after,)."""
-        taken_s = self.shift_before(shift_s, 0.0, sample_rate_hz)
-        before_s = own_duration_s(samples, sample_rate_hz, taken_s, duration_s)
+        shift_before_s = self.shift_before(shift_s, 0.0, sample_rate_hz)
+        before_s = own_duration_s(samples, sample_rate_hz, shift_before_s, duration_s)
         length_s = self.length(before_s)
         if length_s == 0.0:
             return samples[:0].copy()
         left_out, _ = parted((shift_s - self.start_s) * sample_rate_hz)
         part = samples[-left_out:].copy()
         if self.start_s > 0.0:
-            # Between two samples it starts behind the first.
+            # A part that starts between two samples has none at the first of them.
             part[: shift_s > 0.0] = 0.0
         if (before_s - self.start_s - length_s) * sample_rate_hz > NEAR:
             part = part[: ceil((length_s + shift_s) * sample_rate_hz - NEAR)]

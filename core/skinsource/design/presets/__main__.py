@@ -5,7 +5,7 @@ from skinsource.design.presets.shipped import SHIPPED
 
 
 def main() -> None:
-    """Write every file anew, and delete those of presets that are no more."""
+    """Write all files anew, and delete those of removed presets."""
     folder = shipped_folder()
     for old in folder.glob(f"*{SUFFIX}"):
         old.unlink()

@@ -1,9 +1,9 @@
-"""The library: clips that are kept under a name, to be placed in any design.
+"""Presets: clips under a name, to be placed in any design.
 
-A preset is a `skinsource.design.clips.Fragment` with a name, tags, a source and a description.
-Each is a file of its own, see `skinsource.design.presets.presets`: those that the library ships lie
-in its data folder, and are made by ``python -m skinsource.design.presets``; those of the
-user in the user's.
+A preset is a `skinsource.design.clips.Fragment` with a name, tags, a source and a description, in a
+file of its own: a JSON text with a checksum, see `skinsource.specs.codec`.  The shipped presets are
+in the data folder of the library, where ``python -m skinsource.design.presets`` writes them; those
+of the user are in the user's folder.
 """
 
 import re
@@ -19,18 +19,15 @@ from skinsource.base.errors import FileFormatError, InvalidInputError, SkinSourc
 from skinsource.base.files import is_there, make_folder, named, read_bytes, reason_of, write_bytes
 from skinsource.base.json_text import MAX_TEXT_BYTES
 from skinsource.base.quoting import sentence
-from skinsource.design.clips import MAX_EFFECTS, Clip, Fragment, Lane
+from skinsource.design.clips import MAX_EFFECTS, Clip, Fragment
 from skinsource.design.design import Design, Input, audible_indices
 from skinsource.design.edits.clips import fragment_of
 from skinsource.design.effects.level import Envelope
 from skinsource.design.waveforms.samples import Layers
-from skinsource.specs import codec as text
-from skinsource.specs import fields, models
+from skinsource.specs import codec, fields, models
 from skinsource.specs.breakpoints import Breakpoint
 from skinsource.specs.numbers import ListSpec, ModelSpec
 from skinsource.specs.spec import Address, TextSpec
-
-# What the library holds: a piece of a design under a name.
 
 MAX_TAGS = 20
 
@@ -44,20 +41,18 @@ FRAGMENT = ModelSpec(label="Clips", kinds=lambda: (Fragment,))
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Preset:
-    """Clips that are kept under a name.
+    """Clips of one or more tracks under a name.
 
     Attributes
     ----------
     name
-        What it is for; not empty.
+        Says what it is for; not empty.
     tags
-        Words that it is found by.
+        Words for the search.
     source
-        Where its numbers come from.
+        Origin of its numbers.
     description
-        What it is, in a sentence or two.
-    fragment
-        The clips, of one track or several.
+        One or two sentences.
     """
 
     name: str = fields.field(NAME)
@@ -72,55 +67,53 @@ class Preset:
             raise InvalidInputError("Preset.name is empty; give it one that says what it is for")
 
 
-def tags_of(words: str) -> tuple[str, ...]:
-    """Tags as they are typed: between commas, each once, without blanks around them.
+def tags_of(text: str) -> tuple[str, ...]:
+    """Split a typed text at commas into tags, each once and without blanks around it.
 
     >>> tags_of("tap, texture,, tap ")
     ('tap', 'texture')
     """
-    tags = (" ".join(part.split()) for part in words.split(","))
+    tags = (" ".join(part.split()) for part in text.split(","))
     return tuple(dict.fromkeys(tag for tag in tags if tag))
 
 
-# A preset as a file: one JSON text with a checksum, see `skinsource.specs.codec`.
-
-#: What the text says that it is.
+#: Name of the format in the text of a preset.
 FORMAT = "skinsource preset"
 SUFFIX = ".skinpreset"
 
 
 def preset_text(preset: Preset) -> str:
-    """The preset as a text; the same preset gives the same text.
+    """Return a preset as a text; equal presets give equal texts.
 
     Raises
     ------
     InvalidInputError
-        It holds so many samples that it could not be read again.
+        The preset holds too many samples to be read again.
     """
-    return text.to_text(models.encode(preset), FORMAT) + "\n"
+    return codec.to_text(models.encode(preset), FORMAT) + "\n"
 
 
-def preset_from(words: str) -> Preset:
-    """The preset that `preset_text` wrote.
+def preset_from(text: str) -> Preset:
+    """Read a preset that `preset_text` wrote.
 
     Raises
     ------
     FileFormatError, InvalidInputError
         The text is something else, is damaged, or was written in another version.
     """
-    found: Preset = models.decode(text.from_text(words, FORMAT), (Preset,), Address())
-    return found
+    preset: Preset = models.decode(codec.from_text(text, FORMAT), (Preset,), Address())
+    return preset
 
 
 def read_preset(path: Path) -> Preset:
-    """The preset in a file.
+    """Read the preset in a file.
 
     Raises
     ------
     StorageError
         The file cannot be read.
     FileFormatError
-        It holds none, and why.
+        The file holds no preset; the message says why.
     """
     content = read_bytes(path, most=MAX_TEXT_BYTES + 1)
     try:
@@ -130,14 +123,12 @@ def read_preset(path: Path) -> Preset:
 
 
 def why(error: SkinSourceError) -> str:
-    """What went wrong, as one sentence."""
+    """Return the message of an error as one sentence."""
     return sentence(str(error))
 
 
-# The presets of a folder.
-
 FOLDER = "presets"
-#: Files of one folder that are read.
+#: Most files of a folder that are read.
 MOST_FILES = 2000
 
 _DIGITS = re.compile(r"(\d+)")
@@ -153,7 +144,7 @@ class Entry:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fault:
-    """A file, or the folder, that was left out, and why."""
+    """A file, or the folder, that could not be read, and why."""
 
     path: Path
     sentence: str
@@ -161,14 +152,14 @@ class Fault:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PresetFolder:
-    """What a folder holds.
+    """The content of a folder.
 
     Attributes
     ----------
     entries
-        By name, "Tone 50 Hz" before "Tone 100 Hz".
+        Sorted by name, "Tone 50 Hz" before "Tone 100 Hz".
     faults
-        What was left out.
+        Files that could not be read.
     """
 
     entries: tuple[Entry, ...] = ()
@@ -176,24 +167,24 @@ class PresetFolder:
 
 
 def shipped_folder() -> Path:
-    """Where the presets of the library lie."""
+    """Return the folder of the shipped presets."""
     return data_folder() / FOLDER
 
 
 def users_folder() -> Path:
-    """Where those of the user lie; it need not be there yet."""
+    """Return the folder of the user's presets, which need not exist yet."""
     return user_folder() / FOLDER
 
 
 def read_preset_folder(folder: Path) -> PresetFolder:
-    """Read the presets of a folder; what is none, or cannot be read, is named and left out."""
+    """Read the presets of a folder; files that cannot be read are listed as faults."""
     try:
-        paths = sorted(path for path in folder.iterdir() if _is_meant(path))
+        paths = sorted(path for path in folder.iterdir() if _is_preset(path))
     except (FileNotFoundError, NotADirectoryError):
         return PresetFolder()
     except OSError as error:
-        words = f"{named(folder)}: cannot be looked through ({reason_of(error)})."
-        return PresetFolder(faults=(Fault(path=folder, sentence=words),))
+        problem = f"{named(folder)}: cannot be looked through ({reason_of(error)})."
+        return PresetFolder(faults=(Fault(path=folder, sentence=problem),))
     entries, faults = [], []
     for path in paths[:MOST_FILES]:
         try:
@@ -201,102 +192,92 @@ def read_preset_folder(folder: Path) -> PresetFolder:
         except SkinSourceError as error:
             faults.append(Fault(path=path, sentence=why(error)))
     if len(paths) > MOST_FILES:
-        words = f"{named(folder)}: holds {len(paths)} presets, the first {MOST_FILES} are read."
-        faults.append(Fault(path=folder, sentence=words))
+        problem = f"{named(folder)}: holds {len(paths)} presets, the first {MOST_FILES} are read."
+        faults.append(Fault(path=folder, sentence=problem))
     entries.sort(key=lambda entry: (_by_number(entry.preset.name), entry.path))
     return PresetFolder(entries=tuple(entries), faults=tuple(faults))
 
 
-def _is_meant(path: Path) -> bool:
+def _is_preset(path: Path) -> bool:
     return path.suffix == SUFFIX and not path.name.startswith(".")
 
 
 def _by_number(name: str) -> tuple[tuple[int, str], ...]:
-    """Whole numbers in a name count as such."""
+    """Return a sort key in which numbers within a name count as numbers."""
     parts = _DIGITS.split(name.casefold())
     return tuple((int(part), "") if k % 2 else (0, part) for k, part in enumerate(parts))
 
 
-# Finding presets by words.
+def matching(entries: Iterable[Entry], query: str, tag: str = "") -> tuple[Entry, ...]:
+    """Return the entries that hold every word of ``query``, and have ``tag`` if one is given.
 
-
-def matching(entries: Iterable[Entry], words: str, tag: str = "") -> tuple[Entry, ...]:
-    """Entries that hold every one of ``words``, and have the ``tag`` where one is given.
-
-    A word is looked for in name, tags, description and source, in capitals or not.  First come
-    those with all words in their names, then those with all in names and tags, then the others;
-    otherwise they stay in their order.
+    Words are searched in name, tags, description and source, whatever their case.  Entries with all
+    words in the name come first, then those with all in name and tags, then the others; within
+    these groups the order stays.
     """
-    wanted = words.casefold().split()
+    terms = query.casefold().split()
     ranked = [
-        (_rank(entry, wanted), entry) for entry in entries if not tag or tag in entry.preset.tags
+        (rank, entry)
+        for entry in entries
+        if (not tag or tag in entry.preset.tags) and (rank := _rank(entry, terms)) is not None
     ]
-    found = sorted(((rank, entry) for rank, entry in ranked if rank < _NONE), key=_first)
-    return tuple(entry for _, entry in found)
+    return tuple(entry for _, entry in sorted(ranked, key=lambda pair: pair[0]))
 
 
-_NONE = 3
-
-
-def _first(pair: tuple[int, Entry]) -> int:
-    return pair[0]
-
-
-def _rank(entry: Entry, wanted: list[str]) -> int:
+def _rank(entry: Entry, terms: list[str]) -> int | None:
+    """Return 0 if the name holds all terms, 1 with the tags, 2 with all texts; else None."""
     preset = entry.preset
     name = preset.name.casefold()
     tagged = "\n".join((name, *preset.tags)).casefold()
     everything = "\n".join((tagged, preset.description, preset.source)).casefold()
     for rank, searched in enumerate((name, tagged, everything)):
-        if all(word in searched for word in wanted):
+        if all(term in searched for term in terms):
             return rank
-    return _NONE
+    return None
 
-
-# Writing, renaming and deleting the user's presets.
 
 _LONGEST_STEM = 60
-#: No file of Windows can be called so, whatever follows behind a dot.
-_TAKEN = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)?")
+#: Names that Windows reserves, whatever the suffix.
+_RESERVED = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)?")
 
 
 def save_preset(folder: Path, preset: Preset) -> Path:
-    """Write a preset to a new file in ``folder``, which is made where it is not there.
+    """Write a preset to a new file in ``folder``, which is made if needed.
 
     Returns
     -------
-    The file; it is called like the preset, as far as files can be.
+    The file, whose name follows the name of the preset.
 
     Raises
     ------
     StorageError
         The folder cannot be written, or the disk is full.
     InvalidInputError
-        The preset holds so many samples that it could not be read again.
+        The preset holds too many samples to be read again.
     """
     content = preset_text(preset).encode()
     make_folder(folder)
-    path = _free(folder, preset.name)
+    path = _free_path(folder, preset.name)
     write_bytes(path, content)
     return path
 
 
 def rename_preset(folder: Path, path: Path, name: str) -> Path:
-    """Give a preset of ``folder`` another name, and its file one like it; returns the file.
+    """Rename a preset of ``folder`` and its file; return the new file.
 
     Raises
     ------
     StorageError, FileFormatError
-        It cannot be read or written.
+        The preset cannot be read or written.
     InvalidInputError
-        It is not in ``folder``, or the name is none.
+        The preset is not in ``folder``, or the name is not allowed.
     """
     _check_own(folder, path)
     before = read_preset(path)
     after = replace(before, name=" ".join(name.split()))
     if after == before:
         return path
-    # Written first: whatever happens, one of them is there.
+    # The new file comes first, so that a failure never loses the preset.
     new = save_preset(folder, after)
     delete_preset(folder, path)
     return new
@@ -308,9 +289,9 @@ def delete_preset(folder: Path, path: Path) -> None:
     Raises
     ------
     StorageError
-        It cannot be deleted.
+        The file cannot be deleted.
     InvalidInputError
-        It is not in ``folder``.
+        The preset is not in ``folder``.
     """
     _check_own(folder, path)
     try:
@@ -330,10 +311,10 @@ def _check_own(folder: Path, path: Path) -> None:
         )
 
 
-def _free(folder: Path, name: str) -> Path:
-    """A file that is not there yet, called like the preset."""
+def _free_path(folder: Path, name: str) -> Path:
+    """Return the path of a new file named after the preset."""
     stem = re.sub(r"[^a-z0-9]+", "-", name.casefold()).strip("-")[:_LONGEST_STEM].strip("-")
-    if _TAKEN.fullmatch(stem):
+    if _RESERVED.fullmatch(stem):
         stem = f"preset-{stem}".strip("-")
     path, number = folder / f"{stem}{SUFFIX}", 1
     while is_there(path):
@@ -342,82 +323,74 @@ def _free(folder: Path, name: str) -> Path:
     return path
 
 
-# Making presets of what is open.
-
-
 def whole_design(design: Design) -> Fragment | None:
-    """All clips of a design as they are heard; None where there are none.
+    """Return all clips of a design as a fragment that sounds the same; None without clips.
 
-    A fragment has no mute, no solo and no gain curve of tracks: clips of silent tracks become
-    muted, and a gain curve becomes an `Envelope` of each clip below it.
+    A fragment has no mute, solo or gain curve of tracks: clips of silent tracks become muted, and a
+    gain curve becomes an `Envelope` of each clip of its track.
     """
-    heard = audible_indices(design.inputs)
+    audible = audible_indices(design.inputs)
     inputs = tuple(
-        replace(one, clips=tuple(_alone(one, clip, index in heard) for clip in one.clips))
-        for index, one in enumerate(design.inputs)
+        replace(
+            track,
+            clips=tuple(_with_track_applied(track, clip, index in audible) for clip in track.clips),
+        )
+        for index, track in enumerate(design.inputs)
     )
     return fragment_of(replace(design, inputs=inputs), (clip.id for clip in design.clips))
 
 
-def _alone(one: Input, clip: Clip, heard: bool) -> Clip:
-    """The clip with what its track does to it."""
-    if one.gain_curve and len(clip.effects) == MAX_EFFECTS:
-        # There is no room for another one but around it.
-        inside = replace(clip, onset_s=0.0, gain=1.0, muted=False, id=0)
-        clip = replace(clip, waveform=Layers((inside,)), effects=())
+def _with_track_applied(track: Input, clip: Clip, audible: bool) -> Clip:
+    """Return a clip with mute and gain curve of its track."""
+    if track.gain_curve and len(clip.effects) == MAX_EFFECTS:
+        # No further effect fits, so the clip becomes a layer of a new one.
+        inner = replace(clip, onset_s=0.0, gain=1.0, muted=False, id=0)
+        clip = replace(clip, waveform=Layers((inner,)), effects=())
     effects = clip.effects
-    if one.gain_curve:
-        effects = (*effects, Envelope(_points(one.gain_curve, clip)))
-    if effects is clip.effects and (heard or clip.muted):
+    if track.gain_curve:
+        effects = (*effects, Envelope(_points(track.gain_curve, clip)))
+    if effects is clip.effects and (audible or clip.muted):
         return clip
-    return replace(clip, effects=effects, muted=clip.muted or not heard)
+    return replace(clip, effects=effects, muted=clip.muted or not audible)
 
 
 def _points(curve: tuple[tuple[float, float], ...], clip: Clip) -> tuple[Breakpoint, ...]:
-    """The gain curve over the own time of a clip: as far as the first point behind its end."""
-    own: list[Breakpoint] = [(time_s - clip.onset_s, gain, "straight") for time_s, gain in curve]
-    before = sum(point[0] <= 0.0 for point in own)
-    behind = next((k for k, point in enumerate(own) if point[0] >= clip.duration_s), len(own))
-    whole = Envelope(tuple((time_s, gain, "straight") for time_s, gain in curve))
-    start = float(whole.values_at(np.array([clip.onset_s]))[0])
-    return ((0.0, start, "straight"), *own[before : behind + 1])
+    """Return a gain curve over the own time of a clip, up to the first point after its end."""
+    shifted: list[Breakpoint] = [
+        (time_s - clip.onset_s, gain, "straight") for time_s, gain in curve
+    ]
+    before = sum(point[0] <= 0.0 for point in shifted)
+    last = next((k for k, point in enumerate(shifted) if point[0] >= clip.duration_s), len(shifted))
+    track_envelope = Envelope(tuple((time_s, gain, "straight") for time_s, gain in curve))
+    start = float(track_envelope.values_at(np.array([clip.onset_s]))[0])
+    return ((0.0, start, "straight"), *shifted[before : last + 1])
 
 
-# What the clips of a fragment sound like together.
-
-#: What is longer is too much for a picture.
+#: Longest fragment for a picture.
 LONGEST_S = 60.0
 
 
 def mixed(fragment: Fragment, sample_rate_hz: float) -> Floats:
-    """Sum of all lanes, (n_times,), from the earliest onset on; muted clips are silent.
+    """Return the sum of all lanes, (n_times,), from the earliest onset on; muted clips are silent.
 
     Raises
     ------
     InvalidInputError
-        It lasts longer than `LONGEST_S`, or holds something that cannot be played at this rate.
+        The fragment is longer than `LONGEST_S`, or a clip cannot be played at this rate.
     """
     if fragment.duration_s > LONGEST_S:
         raise InvalidInputError(
             f"{fragment.duration_s:.3g} s are too long for a picture, expected at most "
             f"{LONGEST_S:g} s; place it to see it"
         )
-    played = [
-        (first, lane.amplitude * gain * samples)
-        for lane in fragment.lanes
-        for first, gain, samples in _clips(lane, sample_rate_hz)
-    ]
+    played = []
+    for lane in fragment.lanes:
+        for clip in lane.clips:
+            if not clip.muted:
+                first, samples = clip.sampled(sample_rate_hz)
+                played.append((first, lane.amplitude * clip.gain * samples))
     n = max((first + samples.size for first, samples in played), default=0)
     total = np.zeros(n)
     for first, samples in played:
         total[first : first + samples.size] += samples
     return total
-
-
-def _clips(lane: Lane, sample_rate_hz: float) -> list[tuple[int, float, Floats]]:
-    found = []
-    for clip in lane.clips:
-        if not clip.muted:
-            first, samples = clip.sampled(sample_rate_hz)
-            found.append((first, clip.gain, samples))
-    return found

@@ -1,4 +1,8 @@
-"""Short ways to write presets down."""
+"""The presets that the library ships.
+
+``python -m skinsource.design.presets`` writes their files to the data folder; then update the list
+of data files with ``python tests/core/test_shipped_files.py``.
+"""
 
 from collections.abc import Iterable
 
@@ -24,18 +28,17 @@ from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.design.waveforms.wavelets import Chirplet, Gabor, Morlet, Ricker
 from skinsource.specs.breakpoints import Breakpoint
 
-#: What stands as source where no publication gives the numbers.
-OURS = "Our choice."
-#: The pad of digit II, where the first window has its input too; where presets of one track go
-#: when no track is selected.
-PAD_OF_II = 7
+#: Source of presets whose numbers are in no publication.
+_OURS = "Our choice."
+#: Location of presets of one track: the pad of digit II, as for the first input of a new design.
+_PAD_OF_II = 7
 
 
-def preset(
-    name: str, tags: str, description: str, *clips: Clip | Waveform, source: str = OURS
+def _preset(
+    name: str, tags: str, description: str, *clips: Clip | Waveform, source: str = _OURS
 ) -> Preset:
     """Return a preset of one track."""
-    lane = Lane(location=PAD_OF_II, clips=tuple(map(_as_clip, clips)))
+    lane = Lane(location=_PAD_OF_II, clips=tuple(map(_as_clip, clips)))
     return Preset(
         name=name,
         tags=tags_of(tags),
@@ -45,8 +48,8 @@ def preset(
     )
 
 
-def preset_of_tracks(
-    name: str, tags: str, description: str, tracks: Iterable[Input], source: str = OURS
+def _preset_of_tracks(
+    name: str, tags: str, description: str, tracks: Iterable[Input], source: str = _OURS
 ) -> Preset:
     """Return a preset of several tracks."""
     design = Design(limb="", inputs=tuple(tracks))
@@ -58,11 +61,13 @@ def preset_of_tracks(
     )
 
 
-def _as_clip(one: Clip | Waveform) -> Clip:
-    return one if isinstance(one, Clip) else Clip(waveform=one)
+def _as_clip(clip_or_waveform: Clip | Waveform) -> Clip:
+    return (
+        clip_or_waveform if isinstance(clip_or_waveform, Clip) else Clip(waveform=clip_or_waveform)
+    )
 
 
-# Sweeps, roughness, vibrato and ramps: what changes while it lasts.
+# Sweeps, roughness, vibrato and ramps.
 
 _BAND = "25 to 600 Hz is the band that the impulse responses are measured for; the rest is ours."
 _ROUGH = (
@@ -72,11 +77,11 @@ _ROUGH = (
 )
 
 
-def _roughness(modulator_hz: float, words: str) -> Preset:
-    return preset(
+def _roughness(modulator_hz: float, sentence: str) -> Preset:
+    return _preset(
         f"Roughness {modulator_hz:g} Hz",
         "roughness, modulated, AM, texture",
-        f"200 Hz, swelling {modulator_hz:g} times a second down to silence. {words}",
+        f"200 Hz, swelling {modulator_hz:g} times a second down to silence. {sentence}",
         AmplitudeModulated(200.0, modulator_hz, duration_s=0.6, window="tukey"),
         source=_ROUGH,
     )
@@ -88,21 +93,21 @@ def _shaped(*points: Breakpoint) -> Clip:
 
 
 MODULATED: tuple[Preset, ...] = (
-    preset(
+    _preset(
         "Sweep 25 to 600 Hz, even",
         "sweep, chirp, test",
         "One second through the measured band, each hertz for the same time.",
         Chirp(25.0, 600.0, 1.0),
         source=_BAND,
     ),
-    preset(
+    _preset(
         "Sweep 25 to 600 Hz, by octaves",
         "sweep, chirp, test, logarithmic",
         "One second through the measured band, each octave for the same time.",
         Chirp(25.0, 600.0, 1.0, "logarithmic"),
         source=_BAND,
     ),
-    preset(
+    _preset(
         "Sweep 600 to 25 Hz, by octaves",
         "sweep, chirp, falling, logarithmic",
         "One second down through the measured band: it spreads as it goes on.",
@@ -113,25 +118,25 @@ MODULATED: tuple[Preset, ...] = (
     _roughness(20.0, "Felt as rough."),
     _roughness(40.0, "Felt as finely rough."),
     _roughness(70.0, "Nearly smooth."),
-    preset(
+    _preset(
         "Vibrato",
         "modulated, FM, wobble",
         "150 Hz that goes up and down by 40 Hz, eight times a second.",
         FrequencyModulated(150.0, 8.0, 40.0, 0.75, window="tukey"),
     ),
-    preset(
+    _preset(
         "Ramp up",
         "ramp, envelope, rising",
         "150 Hz that grows evenly over 0.6 s and stops.",
         _shaped((0.0, 0.0, "straight"), (0.59, 1.0, "straight"), (0.6, 0.0, "straight")),
     ),
-    preset(
+    _preset(
         "Ramp down",
         "ramp, envelope, falling, fade",
         "150 Hz that starts at once and fades evenly over 0.6 s.",
         _shaped((0.0, 0.0, "straight"), (0.01, 1.0, "straight"), (0.6, 0.0, "straight")),
     ),
-    preset(
+    _preset(
         "Swell",
         "ramp, envelope, breath",
         "150 Hz that comes and goes smoothly.",
@@ -140,17 +145,17 @@ MODULATED: tuple[Preset, ...] = (
 )
 
 
-# Clips on several tracks that are felt as something that moves.
+# Motions over several tracks.
 
 _BURST = Tone(200.0, duration_s=0.1)
 _FINGERTIPS = (2, 3, 4, 5)
 
 
-def _moving(name: str, tags: str, words: str, motion: Motion) -> Preset:
-    return preset_of_tracks(
+def _moving(name: str, tags: str, sentence: str, motion: Motion) -> Preset:
+    return _preset_of_tracks(
         name,
         f"motion, several places, {tags}",
-        f"{words} {motion.law} Edit > Motion… makes others.",
+        f"{sentence} {motion.law} Edit > Motion… makes others.",
         motion.tracks(),
         source=motion.source,
     )
@@ -202,7 +207,7 @@ MOVING: tuple[Preset, ...] = (
 )
 
 
-# Tones and noise: what is steady while it lasts.
+# Steady tones and noise.
 
 _LENGTH_S = 0.5
 _TALBOT = (
@@ -219,21 +224,21 @@ _TEXTURE = (
 )
 
 
-def _tone(hz: float, words: str, source: str, tags: str = "") -> Preset:
-    return preset(
+def _tone(hz: float, sentence: str, source: str, tags: str = "") -> Preset:
+    return _preset(
         f"Tone {hz:g} Hz",
         f"tone, steady, {tags}",
-        f"Half a second of a sine of {hz:g} Hz with soft edges. {words}",
+        f"Half a second of a sine of {hz:g} Hz with soft edges. {sentence}",
         Tone(hz, duration_s=_LENGTH_S),
         source=source,
     )
 
 
-def _texture(name: str, seed: int, low_hz: float, high_hz: float, words: str) -> Preset:
-    return preset(
+def _texture(name: str, seed: int, low_hz: float, high_hz: float, sentence: str) -> Preset:
+    return _preset(
         name,
         "noise, texture, steady",
-        f"Noise of {low_hz:g} to {high_hz:g} Hz for half a second. {words}",
+        f"Noise of {low_hz:g} to {high_hz:g} Hz for half a second. {sentence}",
         Noise(seed, _LENGTH_S, low_hz, high_hz),
         source=_TEXTURE,
     )
@@ -243,7 +248,7 @@ STEADY: tuple[Preset, ...] = (
     _tone(30.0, "Felt as flutter.", _TALBOT, "flutter, low"),
     _tone(50.0, "Felt between flutter and vibration; it travels far.", _TALBOT, "low"),
     _tone(100.0, "Felt as vibration.", _TALBOT),
-    _tone(150.0, "A usual frequency of small actuators.", "Our choice."),
+    _tone(150.0, "A usual frequency of small actuators.", _OURS),
     _tone(200.0, "Where the skin begins to be most sensitive.", _BOLANOWSKI),
     _tone(250.0, "About where the skin is most sensitive.", _BOLANOWSKI, "high"),
     _texture("Rough texture", 1, 25.0, 100.0, "As of coarse weave."),
@@ -253,7 +258,7 @@ STEADY: tuple[Preset, ...] = (
 )
 
 
-# Taps, clicks, impacts, and signals made of them.
+# Taps, clicks, impacts, and signals of them.
 
 _UPSTREAM = "The tap of the SkinSource dataset's own software; how many, and when, is our choice."
 _IMPACT = (
@@ -264,15 +269,17 @@ _IMPACT = (
 
 
 def _at(*times: tuple[float, Waveform, float]) -> tuple[Clip, ...]:
-    """Clips of (onset in s, waveform, gain)."""
-    return tuple(Clip(onset_s=onset, waveform=one, gain=gain) for onset, one, gain in times)
+    """Return clips of (onset in s, waveform, gain)."""
+    return tuple(
+        Clip(onset_s=onset, waveform=waveform, gain=gain) for onset, waveform, gain in times
+    )
 
 
-def _impact(name: str, words: str, hz: float, decay_s: float, duration_s: float) -> Preset:
-    return preset(
+def _impact(name: str, sentence: str, hz: float, decay_s: float, duration_s: float) -> Preset:
+    return _preset(
         name,
         "impact, contact, damped",
-        f"{words} {hz:g} Hz that decay with {decay_s * 1e3:g} ms.",
+        f"{sentence} {hz:g} Hz that decay with {decay_s * 1e3:g} ms.",
         DampedSine(hz, decay_s, duration_s),
         source=_IMPACT,
     )
@@ -281,65 +288,65 @@ def _impact(name: str, words: str, hz: float, decay_s: float, duration_s: float)
 _LOW, _HIGH = DampedSine(45.0, 0.03, 0.18), DampedSine(60.0, 0.022, 0.14)
 
 TOUCHES: tuple[Preset, ...] = (
-    preset("Tap", "tap, contact", "A pulse of 16 ms to one side.", Tap(), source=_UPSTREAM),
-    preset(
+    _preset("Tap", "tap, contact", "A pulse of 16 ms to one side.", Tap(), source=_UPSTREAM),
+    _preset(
         "Centred tap",
         "tap, contact",
         "A pulse of 20 ms whose mean is 0, so that it leaves no movement behind.",
         CentredTap(),
     ),
-    preset(
+    _preset(
         "Double tap",
         "tap, signal",
         "Two taps, 120 ms from start to start.",
         *_at((0.0, CentredTap(), 1.0), (0.12, CentredTap(), 1.0)),
     ),
-    preset(
+    _preset(
         "Triple tap",
         "tap, signal",
         "Three taps, 120 ms from start to start.",
         *_at(*((0.12 * k, CentredTap(), 1.0) for k in range(3))),
     ),
-    preset(
+    _preset(
         "Click",
         "click, button, short",
         "A very short burst about 200 Hz, as of a button.",
         Gabor(200.0, 1.0),
     ),
-    preset(
+    _preset(
         "Tick train",
         "click, train, wheel",
         "Ticks of 4 ms, ten a second, as of a wheel with notches.",
         PulseTrain(10.0, 0.004, 1.0),
     ),
-    preset(
+    _preset(
         "Heartbeat",
         "heart, pulse, rhythm, repeated",
         "Three beats at 60 a minute, each of a strong low thud and a weaker one 0.3 s later.",
         *_at(
             *(
-                (k + late, one, gain)
+                (k + delay_s, waveform, gain)
                 for k in range(3)
-                for late, one, gain in ((0.0, _LOW, 1.0), (0.3, _HIGH, 0.6))
+                for delay_s, waveform, gain in ((0.0, _LOW, 1.0), (0.3, _HIGH, 0.6))
             )
         ),
     ),
     _impact("Soft impact", "As on rubber.", 60.0, 0.015, 0.12),
     _impact("Wooden impact", "As on wood.", 120.0, 0.012, 0.1),
     _impact("Hard impact", "As on metal.", 300.0, 0.03, 0.2),
-    preset(
+    _preset(
         "Alert",
         "signal, notification, strong",
         "Three bursts of 200 Hz, 150 ms long with 100 ms between them.",
         *_at(*((0.25 * k, Tone(200.0, duration_s=0.15), 1.0) for k in range(3))),
     ),
-    preset(
+    _preset(
         "Confirm",
         "signal, notification, rising",
         "A short low burst and a higher one.",
         *_at((0.0, Tone(100.0, duration_s=0.08), 0.7), (0.12, Tone(200.0, duration_s=0.12), 1.0)),
     ),
-    preset(
+    _preset(
         "Refuse",
         "signal, notification, error, falling",
         "A short high burst and a longer low one.",
@@ -348,7 +355,7 @@ TOUCHES: tuple[Preset, ...] = (
 )
 
 
-# Single wavelets, and trains of them that spread or draw together.
+# Single wavelets, and trains of them.
 
 _UP = (50.0, 84.1, 141.4, 237.8, 400.0)
 _TRAIN = (
@@ -368,56 +375,56 @@ _CHIRPLET = (
 )
 
 WAVELETS: tuple[Preset, ...] = (
-    preset(
+    _preset(
         "Ricker pulse",
         "wavelet, pulse, short",
         "The shortest pulse about 100 Hz that leaves no movement behind.",
         Ricker(100.0),
         source=f"{_RICKER} The frequency is our choice.",
     ),
-    preset(
+    _preset(
         "Gabor 80 Hz",
         "wavelet, burst, low",
         "A burst that is narrow in time and frequency; low, so that it travels far.",
         Gabor(80.0),
         source=_GABOR,
     ),
-    preset(
+    _preset(
         "Gabor 250 Hz",
         "wavelet, burst, high",
         "A burst that is narrow in time and frequency; high, so that it stays near.",
         Gabor(250.0),
         source=_GABOR,
     ),
-    preset(
+    _preset(
         "Morlet 150 Hz",
         "wavelet, burst",
         "A burst of six cycles whose mean is 0.",
         Morlet(150.0),
         source=_MORLET,
     ),
-    preset(
+    _preset(
         "Rising chirplet",
         "wavelet, chirp, rising",
         "A burst whose frequency rises through 150 Hz.",
         Chirplet(150.0, 1500.0, 0.03),
         source=_CHIRPLET,
     ),
-    preset(
+    _preset(
         "Contracting train",
         "wavelet, train, contracting, single actuator",
         "Five wavelets from 50 up to 400 Hz: what is felt draws together about the actuator.",
         WaveletTrain(_UP),
         source=_TRAIN,
     ),
-    preset(
+    _preset(
         "Expanding train",
         "wavelet, train, expanding, single actuator",
         "Five wavelets from 400 down to 50 Hz: what is felt spreads away from the actuator.",
         WaveletTrain(_UP[::-1]),
         source=_TRAIN,
     ),
-    preset(
+    _preset(
         "Contracting train, equal energy",
         "wavelet, train, contracting, single actuator",
         "Five wavelets from 50 up to 400 Hz with the same energy each. Edit > Equal on the skin "
@@ -425,7 +432,7 @@ WAVELETS: tuple[Preset, ...] = (
         WaveletTrain(_UP, equalise="energy"),
         source=_TRAIN,
     ),
-    preset(
+    _preset(
         "Breathing train",
         "wavelet, train, expanding, contracting, single actuator",
         "Nine wavelets, from 400 down to 50 Hz and back: what is felt spreads and draws together.",
@@ -434,10 +441,5 @@ WAVELETS: tuple[Preset, ...] = (
     ),
 )
 
-
-# The presets that the library ships, as they are made; the files lie in its data folder.
-#
-# ``python -m skinsource.design.presets`` writes the files anew; the list of data files
-# follows with ``python tests/core/test_shipped_files.py``.
 
 SHIPPED: tuple[Preset, ...] = (*STEADY, *MODULATED, *TOUCHES, *WAVELETS, *MOVING)

@@ -1,8 +1,8 @@
-"""Recipes of what one actuator plays.
+"""Waveforms: what one actuator plays.
 
 A waveform is a frozen dataclass with fields from `skinsource.specs.fields`, and everything that
-`Waveform` names.  To add one: write a file beside these, and name its class in `COMMON` or `MORE`
-(`every_kind`).
+`Waveform` names.  To add one, write its class in a module of this package and name it in `COMMON`
+or `MORE` of `skinsource.design.waveforms.catalog`.
 """
 
 from skinsource.design.waveform import Waveform

@@ -1,6 +1,6 @@
 """Every kind of waveform, in the order of the menu."""
 
-from skinsource.design.waveform import Waveform, tell_kinds
+from skinsource.design.waveform import Waveform, register_kinds
 from skinsource.design.waveforms.periodic import PulseTrain, Saw, Square, Triangle
 from skinsource.design.waveforms.pulses import CentredTap, DampedSine, Impulse, Noise, Tap
 from skinsource.design.waveforms.samples import Drawn, Formula, Layers, Recording
@@ -14,7 +14,7 @@ from skinsource.design.waveforms.tones import (
 from skinsource.design.waveforms.wavelet_train import WaveletTrain
 from skinsource.design.waveforms.wavelets import Chirplet, Gabor, Morlet, Ricker
 
-#: The eight kinds that a menu of waveforms shows at once, in the order in which a user meets them.
+#: The eight kinds that a menu of waveforms shows at once, in its order.
 COMMON: tuple[type[Waveform], ...] = (
     Tone,
     Chirp,
@@ -25,7 +25,7 @@ COMMON: tuple[type[Waveform], ...] = (
     WaveletTrain,
     Formula,
 )
-#: All others, which it shows under "More".
+#: All other kinds, which the menu shows under "More".
 MORE: tuple[type[Waveform], ...] = (
     Ricker,
     Morlet,
@@ -48,8 +48,8 @@ KINDS: tuple[type[Waveform], ...] = (*COMMON, *MORE)
 
 
 def kinds() -> tuple[type[Waveform], ...]:
-    """Every kind of waveform that there is now; whoever needs them asks when he does."""
+    """Return every kind of waveform; a function, so that tests can add kinds."""
     return KINDS
 
 
-tell_kinds(kinds)
+register_kinds(kinds)

@@ -1,5 +1,6 @@
-"""A square wave."""
+"""Square, saw and triangle waves and pulse trains, made of their harmonics without aliases."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import pi
 from typing import ClassVar
@@ -10,13 +11,13 @@ from numpy.typing import NDArray
 from skinsource.base.arrays import Complexes, Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.design.waveform import DURATION, WINDOW
-from skinsource.design.waveforms.tones import FREQUENCY, PHASE, count_of, harmonic_burst
+from skinsource.design.waveforms.tones import FREQUENCY, PHASE, count_of
 from skinsource.signals.generators import WindowName
 from skinsource.signals.synthesis import burst, check_below_half_rate, sampled_series
 from skinsource.specs import fields
 from skinsource.specs.numbers import NumberSpec
 
-# Slower than 1 Hz, it is a few edges: each a clip of its own.
+# A slower wave would be a few edges, for which clips of their own do better.
 FUNDAMENTAL = replace(FREQUENCY, minimum=1.0)
 DUTY = NumberSpec(
     label="Duty", minimum=0.01, maximum=0.99, step=0.01, hint="Share of each period that is high"
@@ -28,10 +29,10 @@ class Square:
     """A square wave without aliases: 1 for the first part of each period, then -1.
 
     Its Fourier series, 2 duty - 1 + sum of (4 / pi h) sin(pi h duty) cos(2 pi h (u - duty / 2))
-    at the turn u = frequency t + phase / 2 pi, up to half the sample rate.  What has peak 1 is
-    the full series: cut off anywhere, it passes 1 beside each edge (Gibbs), by 18 % with many
-    harmonics left and by 27 % with the fundamental alone.  Its harmonics are the same at every
-    rate.  The burst is cut out of it with hard ends, or by the window.
+    at the turn u = frequency t + phase / 2 pi, up to half the sample rate.  The full series has
+    peak 1: with fewer harmonics it passes 1 at each edge (Gibbs), by 18 % with many harmonics and
+    by 27 % with the fundamental alone.  Its harmonics are the same at every rate.  The burst is
+    cut out of the wave with hard ends, or by the window.
 
     Attributes
     ----------
@@ -61,15 +62,12 @@ class Square:
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,); 1 is the height of the square wave without limit of its band."""
         mean = 2.0 * self.duty - 1.0
-        return harmonic_burst(self, self._series, sample_rate_hz, shift_s, mean=mean)
+        return _harmonic_burst(self, self._series, sample_rate_hz, shift_s, mean=mean)
 
     def _series(self, harmonics: Floats) -> Complexes:
         half = pi * np.remainder(harmonics * self.duty, 2.0)
         turned: Complexes = np.exp(-1j * half)
         return turned * (4.0 / (pi * harmonics) * np.sin(half))
-
-
-# A sawtooth wave.
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,10 +76,10 @@ class Saw:
 
     Its Fourier series, the sum of (2 / pi h) (-1)^(h + 1) sin(2 pi h u) at the turn
     u = frequency t + phase / 2 pi, up to half the sample rate; without that limit it is 2 u for
-    -1/2 < u < 1/2.  It starts as a sine does, without a click, and falls at half a period.  What
-    has peak 1 is the full series: cut off anywhere, it passes 1 by up to 18 % beside the fall
-    (Gibbs).  Its harmonics are the same at every rate.  The burst is cut out of it with hard ends,
-    or by the window.
+    -1/2 < u < 1/2.  It starts as a sine does, without a click, and falls at half a period.  The
+    full series has peak 1: with fewer harmonics it passes 1 by up to 18 % at the fall (Gibbs).
+    Its harmonics are the same at every rate.  The burst is cut out of the wave with hard ends, or
+    by the window.
 
     Attributes
     ----------
@@ -107,15 +105,12 @@ class Saw:
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,); 1 is the height of the saw without limit of its band."""
-        return harmonic_burst(self, _series, sample_rate_hz, shift_s)
+        return _harmonic_burst(self, _saw_series, sample_rate_hz, shift_s)
 
 
-def _series(harmonics: Floats) -> Complexes:
+def _saw_series(harmonics: Floats) -> Complexes:
     odd = np.remainder(harmonics, 2.0) == 1.0
     return -1j * np.where(odd, 2.0, -2.0) / (pi * harmonics)
-
-
-# A triangle wave.
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,8 +119,8 @@ class Triangle:
 
     Its Fourier series, the sum over odd h of (8 / pi² h²) (-1)^((h - 1) / 2) sin(2 pi h u) at
     the turn u = frequency t + phase / 2 pi, up to half the sample rate; without that limit it is
-    1 - 4 |u - 1/4| for -1/4 < u < 3/4.  What has peak 1 is the full series; cut off, it stays
-    within 1.  Its harmonics are the same at every rate.  The burst is cut out of it with hard
+    1 - 4 |u - 1/4| for -1/4 < u < 3/4.  The full series has peak 1; with fewer harmonics it stays
+    below.  Its harmonics are the same at every rate.  The burst is cut out of the wave with hard
     ends, or by the window.
 
     Attributes
@@ -152,7 +147,7 @@ class Triangle:
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,); 1 is the height of the triangle without limit of its band."""
-        return harmonic_burst(self, _triangle_series, sample_rate_hz, shift_s)
+        return _harmonic_burst(self, _triangle_series, sample_rate_hz, shift_s)
 
 
 def _triangle_series(harmonics: Floats) -> Complexes:
@@ -160,7 +155,34 @@ def _triangle_series(harmonics: Floats) -> Complexes:
     return -8j * sign / (pi * harmonics) ** 2
 
 
-# Pulses at a steady rate.
+def _harmonic_burst(
+    waveform: Square | Saw | Triangle,
+    series: Callable[[Floats], Complexes],
+    sample_rate_hz: float,
+    shift_s: float,
+    *,
+    mean: float = 0.0,
+) -> Floats:
+    """Cut a burst out of a periodic wave, (n_times,).
+
+    Parameters
+    ----------
+    series, mean
+        Coefficients of the harmonics, and the mean of the wave: see
+        `skinsource.signals.synthesis.sampled_series`.
+    """
+    check_below_half_rate("frequency_hz", waveform.frequency_hz, sample_rate_hz)
+    wave = sampled_series(
+        series,
+        waveform.frequency_hz,
+        waveform.phase_rad,
+        count_of(waveform.duration_s, sample_rate_hz, shift_s),
+        sample_rate_hz,
+        shift_s,
+        mean=mean,
+    )
+    return burst(wave, waveform.window, sample_rate_hz, shift_s)
+
 
 RATE = replace(FUNDAMENTAL, label="Rate", felt_hz=None, hint="Pulses per second")
 PULSE = NumberSpec(
@@ -179,10 +201,10 @@ class PulseTrain:
     """Rectangular pulses without aliases: 1 for the first part of each period, then 0.
 
     Their Fourier series, d + sum of (2 / pi h) sin(pi h d) cos(2 pi h (u - d / 2)) at the turn
-    u = rate t + phase / 2 pi, up to half the sample rate; d = rate times pulse.  What has peak 1
-    is the full series: cut off, it passes 1 and 0 beside each edge (Gibbs), and pulses shorter
+    u = rate t + phase / 2 pi, up to half the sample rate; d = rate times pulse.  The full series
+    has peak 1: with fewer harmonics it passes 1 and 0 at each edge (Gibbs), and pulses shorter
     than two samples are lower, since only part of them lies in the band.  Its harmonics are the
-    same at every rate.  The burst is cut out of it with hard ends, or by the window.
+    same at every rate.  The burst is cut out of the wave with hard ends, or by the window.
 
     Attributes
     ----------
@@ -222,7 +244,7 @@ class PulseTrain:
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,); 1 is the height of the pulses without limit of their band."""
         check_below_half_rate("rate_hz", self.rate_hz, sample_rate_hz)
-        found = sampled_series(
+        wave = sampled_series(
             self._series,
             self.rate_hz,
             self.phase_rad,
@@ -231,7 +253,7 @@ class PulseTrain:
             shift_s,
             mean=self._duty,
         )
-        return burst(found, self.window, sample_rate_hz, shift_s)
+        return burst(wave, self.window, sample_rate_hz, shift_s)
 
     def _series(self, harmonics: Floats) -> Complexes:
         half = pi * np.remainder(harmonics * self._duty, 2.0)

@@ -1,4 +1,4 @@
-"""A light tap."""
+"""Taps, impulses, damped sines and noise."""
 
 from dataclasses import dataclass, replace
 from math import pi
@@ -35,8 +35,6 @@ class Tap:
         return tap(sample_rate_hz=sample_rate_hz, shift_s=shift_s)
 
 
-# A tap that leaves nothing moving.
-
 WIDTH = NumberSpec(
     label="Width",
     unit="s",
@@ -53,14 +51,15 @@ class CentredTap:
     """A tap whose mean is 0: as an acceleration it leaves neither velocity nor displacement.
 
     (cos(2 pi t / T) + cos(4 pi t / T)) / 2 for |t| <= T / 2: a crest of 1 and of a third of the
-    width, between two troughs of -0.56, with a level start and end.  It takes n = round(T rate)
+    width, between two troughs of -0.56, with a level start and end.  It has n = round(T rate)
     samples, about their middle: t = (k - (n - 1) / 2) / rate.  The upstream tap (`Tap`) has half
     of its energy below 25 Hz, where nothing was measured, and leaves a velocity.
 
     Attributes
     ----------
     width_s
-        T, 4 ms to 10 s; its second cosine, of 2 / T, has to stay below half the sample rate.
+        T, 4 ms to 10 s; the frequency of its second cosine, 2 / T, must be below half the sample
+        rate.
     """
 
     title: ClassVar[str] = "Centred tap"
@@ -85,27 +84,24 @@ class CentredTap:
         shift_s = shift_of(shift_s, sample_rate_hz)
         n = sample_count(self.width_s, sample_rate_hz)
         turn = about_middle(n, sample_rate_hz, shift_s) / self.width_s
-        found = 0.5 * (np.cos(2.0 * pi * turn) + np.cos(4.0 * pi * turn))
-        found[np.abs(turn) > 0.5] = 0.0
-        return begun(found, shift_s)
-
-
-# A single sample.
+        pulse = 0.5 * (np.cos(2.0 * pi * turn) + np.cos(4.0 * pi * turn))
+        pulse[np.abs(turn) > 0.5] = 0.0
+        return begun(pulse, shift_s)
 
 
 @dataclass(frozen=True, slots=True)
 class Impulse:
-    """One sample of 1: what comes out is the impulse response itself.
+    """One sample of 1, whose result is the impulse response itself.
 
     It is one sample at any rate, so its energy depends on the rate: at half the rate it has twice
-    the area.  Between two samples it is the closest to a delayed one that these two can be: the
-    onset is right, frequencies near 0 are up to 2.1 dB stronger, and high ones are weaker, 600 Hz
-    by up to 16 dB where the sample rate is 1300 Hz.
+    the area.  If it starts between two samples, these two approximate a delayed impulse: the onset
+    is right, frequencies near 0 are up to 2.1 dB stronger, and high ones are weaker, 600 Hz by up
+    to 16 dB at a sample rate of 1300 Hz.
     """
 
     title: ClassVar[str] = "Impulse"
 
-    # As it is drawn; it plays one sample of whatever limb.
+    # The length that is drawn; in fact it is one sample at the rate of the limb.
     duration_s: ClassVar[float] = 1 / SAMPLE_RATE_HZ
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
@@ -113,8 +109,6 @@ class Impulse:
         shift = shift_of(shift_s, sample_rate_hz)
         return band_limited_delay(impulse(sample_rate_hz=sample_rate_hz), shift * sample_rate_hz)
 
-
-# A sine that dies away.
 
 DECAY = NumberSpec(
     label="Decay",
@@ -129,10 +123,10 @@ DECAY = NumberSpec(
 
 @dataclass(frozen=True, slots=True)
 class DampedSine:
-    """A sine with an exponential decay, as of something that is struck.
+    """A sine with an exponential decay, as of a struck object.
 
-    exp(-t / decay) sin(2 pi frequency t + phase).  What has peak 1 is the decay: it starts at 1,
-    and the first crest, a quarter of a period later, is lower.
+    exp(-t / decay) sin(2 pi frequency t + phase).  The decay starts at 1, and the first crest, a
+    quarter of a period later, is lower.
 
     Attributes
     ----------
@@ -141,7 +135,7 @@ class DampedSine:
     decay_s
         Time constant, 0.1 ms to 60 s.
     duration_s
-        Length, 0.001 to 600 s; what is left then is cut off.
+        Length, 0.001 to 600 s; the rest of the decay is cut off.
     phase_rad
         Phase at onset.
     window
@@ -165,20 +159,18 @@ class DampedSine:
         fields.check(self)
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
-        """Drive, (n_times,), that stays below its decay of peak 1."""
+        """Drive, (n_times,), below a decay that starts at 1."""
         check_below_half_rate("frequency_hz", self.frequency_hz, sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
-        found = turns(self.frequency_hz, n, sample_rate_hz, shift_s)
-        found *= 2.0 * pi
-        found += self.phase_rad
-        np.sin(found, out=found)
+        wave = turns(self.frequency_hz, n, sample_rate_hz, shift_s)
+        wave *= 2.0 * pi
+        wave += self.phase_rad
+        np.sin(wave, out=wave)
         decay = instants(self.duration_s, sample_rate_hz, shift_s)
         decay /= -self.decay_s
-        found *= np.exp(decay, out=decay)
-        return burst(found, self.window, sample_rate_hz, shift_s)
+        wave *= np.exp(decay, out=decay)
+        return burst(wave, self.window, sample_rate_hz, shift_s)
 
-
-# A burst of noise.
 
 SEED = NumberSpec(
     label="Seed", minimum=0, maximum=2**31 - 1, whole=True, hint="The same seed, the same noise"
@@ -203,9 +195,9 @@ NOISE_DURATION = NumberSpec(
 
 @dataclass(frozen=True, slots=True)
 class Noise:
-    """Gaussian noise, flat within a band and nothing outside.
+    """Gaussian noise, flat within a band and zero outside.
 
-    A sum of waves at multiples of 1 / ``duration_s``; its peak at its samples is 1.  A window
+    It is a sum of waves at multiples of 1 / ``duration_s``, and its largest sample is 1.  A window
     widens the spectrum a little.
 
     Attributes
@@ -215,7 +207,7 @@ class Noise:
     duration_s
         Length; at least 1 / (``high_hz`` - ``low_hz``).
     low_hz, high_hz
-        The band; both ends belong to it.
+        The band, both ends included.
     window
         ``"none"``, ``"tukey"`` or ``"hanning"``.
     """
@@ -224,7 +216,7 @@ class Noise:
 
     seed: int = fields.number(0, SEED)
     duration_s: float = fields.number(0.2, NOISE_DURATION)
-    # Part of the recipe, whatever the limb: so a file means that says no others.
+    # The defaults are the same for every limb, because files leave defaults out.
     low_hz: float = fields.number(BAND_HZ[0], LOW)
     high_hz: float = fields.number(BAND_HZ[1], HIGH)
     window: WindowName = fields.choice("tukey", WINDOW)

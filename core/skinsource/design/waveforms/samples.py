@@ -1,4 +1,4 @@
-"""A waveform drawn by hand."""
+"""Waveforms of given samples: drawings, recordings, formulas, and layers of clips."""
 
 from dataclasses import dataclass
 from functools import lru_cache, reduce
@@ -19,13 +19,20 @@ from skinsource.specs.samples import Samples
 from skinsource.specs.spec import ChoiceSpec, TextSpec
 
 SAMPLES = SamplesSpec(label="Samples", hint="What was drawn")
-#: A single swell of 0.1 s: something to draw on.
+#: A single swell of 0.1 s, with which a drawing starts.
 SWELL = Samples(values=window("hanning", 130), sample_rate_hz=SAMPLE_RATE_HZ)
+
+
+def _convert_samples(waveform: "Drawn | Recording") -> None:
+    """Convert an array or a list to samples at 1300 Hz."""
+    if isinstance(waveform.samples, np.ndarray | list | tuple):
+        samples = Samples(values=np.asarray(waveform.samples), sample_rate_hz=SAMPLE_RATE_HZ)
+        object.__setattr__(waveform, "samples", samples)
 
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """Samples as they were drawn; nothing is scaled, 1 is the peak of other waveforms.
+    """Samples as they were drawn, without scaling; 1 is the peak of other waveforms.
 
     The signal is the band-limited one that the samples describe.  ``samples(sample_rate_hz)``
     gives them bit by bit at their own rate, and otherwise the signal, see `Samples`.
@@ -33,7 +40,7 @@ class Drawn:
     Attributes
     ----------
     samples
-        `Samples` without a unit; of an array or a list at 1300 Hz they are made.
+        `Samples` without a unit; an array or a list is converted, with 1300 Hz.
     """
 
     title: ClassVar[str] = "Drawn"
@@ -41,9 +48,7 @@ class Drawn:
     samples: Samples = fields.field(SAMPLES, SWELL)
 
     def __post_init__(self) -> None:
-        if isinstance(self.samples, np.ndarray | list | tuple):
-            made = Samples(values=np.asarray(self.samples), sample_rate_hz=SAMPLE_RATE_HZ)
-            object.__setattr__(self, "samples", made)
+        _convert_samples(self)
         fields.check(self)
 
     @property
@@ -51,8 +56,6 @@ class Drawn:
         """Length."""
         return self.samples.duration_s
 
-
-# A recording.
 
 RECORDING_SAMPLES = SamplesSpec(label="Samples", unit=None, hint="What was recorded")
 NAME = TextSpec(label="Name", longest=200, one_line=True, hint="Where it comes from")
@@ -65,21 +68,21 @@ SOURCE_RATE = OptionalSpec(
 
 @dataclass(frozen=True, slots=True)
 class Recording:
-    """Samples that something else made; nothing is scaled, so the peak is what was recorded.
+    """Samples of a recording, without scaling, so that the peak is the recorded one.
 
     The signal is the band-limited one that the samples describe.  ``samples(sample_rate_hz)``
-    gives them bit by bit at their own rate, and otherwise the signal, see `Samples`.  Where it is
-    cut off hard, resampling lets the first and last 0.1 s ring.
+    gives them bit by bit at their own rate, and otherwise the signal, see `Samples`.  Resampling
+    a recording with hard ends makes its first and last 0.1 s ring.
 
     Attributes
     ----------
     samples
-        `Samples` of any unit; of an array or a list at 1300 Hz they are made.  To begin with,
-        a swell of 0.1 s stands for them.
+        `Samples` of any unit; an array or a list is converted, with 1300 Hz.  The default is a
+        swell of 0.1 s.
     name
-        Where they come from: "tap.wav, channel 1".
+        Their origin: "tap.wav, channel 1".
     source_rate_hz
-        Sample rate that they had there, or ``None`` where nobody knows.
+        Sample rate of the origin, or ``None`` if it is not known.
     """
 
     title: ClassVar[str] = "Recording"
@@ -89,9 +92,7 @@ class Recording:
     source_rate_hz: float | None = fields.field(SOURCE_RATE, None)
 
     def __post_init__(self) -> None:
-        if isinstance(self.samples, np.ndarray | list | tuple):
-            made = Samples(values=np.asarray(self.samples), sample_rate_hz=SAMPLE_RATE_HZ)
-            object.__setattr__(self, "samples", made)
+        _convert_samples(self)
         fields.check(self)
 
     @property
@@ -99,8 +100,6 @@ class Recording:
         """Length."""
         return self.samples.duration_s
 
-
-# A signal that a text describes.
 
 TEXT = TextSpec(
     label="Formula",
@@ -110,17 +109,16 @@ TEXT = TextSpec(
     hint="Of t in s, such as sin(2*pi*100*t) * hann(). Functions: "
     + ", ".join(function.usage for function in functions.FUNCTIONS.values()),
 )
-# So much is tried when it is made, at one rate for all limbs; the rest when it is played.
+# A new formula is checked over this time at 1300 Hz; the rest is checked when it is played.
 _TRIED_S = 10.0
 
 
 @dataclass(frozen=True, slots=True)
 class Formula:
-    """What a text says, for a duration; see `skinsource.signals.formula` for the language.
+    """A formula for a duration; see `skinsource.signals.formula` for the language.
 
-    It plays as written: its peak is what the formula gives, neither scaled nor limited.
-    It is a function of time alone, sampled at any rate; what it holds above half the rate
-    folds down, as it does with any formula that is sampled.
+    It plays as written: the peak of the formula is neither scaled nor limited.  It is a function
+    of time alone, sampled at any rate; frequencies above half the rate alias.
 
     Attributes
     ----------
@@ -146,7 +144,7 @@ class Formula:
         Raises
         ------
         FormulaError
-            A result is no finite number.
+            A result is not finite.
         """
         count = count_of(self.duration_s, sample_rate_hz, shift_s)
         return _played(self.text, count, sample_rate_hz, shift_s, self.duration_s)
@@ -154,7 +152,7 @@ class Formula:
 
 @lru_cache(maxsize=256)
 def _try(text: str, duration_s: float) -> None:
-    """Raise what playing it raises; what was tried, as of many clips alike, is good for ever."""
+    """Raise what playing raises; the cache serves many clips with the same formula."""
     count = count_of(min(duration_s, _TRIED_S), SAMPLE_RATE_HZ, 0.0)
     _played(text, count, SAMPLE_RATE_HZ, 0.0, duration_s)
 
@@ -165,11 +163,9 @@ def _played(
     return playing.played(reading.read(text), count, sample_rate_hz, shift_s, duration_s)
 
 
-# Several clips as one waveform.
-
 Mode = Literal["sum", "product"]
 
-#: Clips in one group; groups may stand in groups.
+#: Most clips in one group; groups can be nested.
 MAX_PARTS = 100
 
 PARTS = ListSpec(
@@ -192,12 +188,12 @@ class Layers:
 
     .. math:: x(t) = \sum_k g_k x_k(t - t_k) \quad\text{or}\quad \prod_k g_k x_k(t - t_k)
 
-    Each part is sampled at its own instants.  A muted one takes no part, but its length counts.
+    Each part is sampled at its own instants.  A muted part is left out, but its length counts.
 
     Attributes
     ----------
     parts
-        Clips; their onsets count from the start of the whole.
+        Clips; their onsets count from the start of the layers.
     mode
         ``"sum"`` or ``"product"``; the product is 0 where a part does not play.
     """
@@ -212,29 +208,29 @@ class Layers:
 
     @property
     def duration_s(self) -> float:
-        """To the end of the last part."""
-        return max(one.end_s for one in self.parts)
+        """Time to the end of the last part."""
+        return max(part.end_s for part in self.parts)
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
         """Drive, (n_times,); its peak follows from the parts."""
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
-        heard = [self._placed(one, n, sample_rate_hz, shift_s) for one in self._in_order()]
-        if not heard:
+        parts = [self._placed(part, n, sample_rate_hz, shift_s) for part in self._in_order()]
+        if not parts:
             return np.zeros(n)
-        together = np.multiply if self.mode == "product" else np.add
-        total: Floats = reduce(together, heard)
+        combine = np.multiply if self.mode == "product" else np.add
+        total: Floats = reduce(combine, parts)
         return total
 
     def _in_order(self) -> list[Clip]:
-        # The order in which they are listed plays no part, not even for rounding.
+        # The result must not depend on the order of the parts, not even by rounding.
         return sorted(
-            (one for one in self.parts if not one.muted),
-            key=lambda one: (one.onset_s, one.gain, repr(one)),
+            (part for part in self.parts if not part.muted),
+            key=lambda part: (part.onset_s, part.gain, repr(part)),
         )
 
-    def _placed(self, one: Clip, n: int, sample_rate_hz: float, shift_s: float) -> Floats:
-        first, own = one.sampled(sample_rate_hz, shift_s)
-        found = np.zeros(n)
-        within = own[: max(n - first, 0)]
-        found[first : first + within.size] = one.gain * within
-        return found
+    def _placed(self, part: Clip, n: int, sample_rate_hz: float, shift_s: float) -> Floats:
+        first, samples = part.sampled(sample_rate_hz, shift_s)
+        aligned = np.zeros(n)
+        within = samples[: max(n - first, 0)]
+        aligned[first : first + within.size] = part.gain * within
+        return aligned

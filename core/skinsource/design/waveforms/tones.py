@@ -1,16 +1,15 @@
-"""A sine burst."""
+"""Tones: sine bursts, modulated tones, chirps and glides."""
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from decimal import Decimal, localcontext
 from itertools import pairwise
 from math import ceil, pi
-from typing import Any, ClassVar, Literal, Protocol
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from skinsource.base.arrays import Complexes, Floats
+from skinsource.base.arrays import Floats
 from skinsource.base.errors import InvalidInputError
 from skinsource.base.published import BAND_HZ
 from skinsource.design.waveform import DURATION, LONGEST_S, WINDOW, lists_to_tuples
@@ -23,7 +22,6 @@ from skinsource.signals.synthesis import (
     check_below_half_rate,
     linear_sweep_turns,
     logarithmic_sweep_turns,
-    sampled_series,
 )
 from skinsource.specs import fields
 from skinsource.specs.numbers import NumberSpec, PointsSpec
@@ -79,23 +77,16 @@ class Tone:
         )
 
 
-# When the samples of a recipe lie.
-
-__all__ = ["count_of", "instants", "shift_of", "turns"]
-
-
 def count_of(duration_s: float, sample_rate_hz: float, shift_s: float) -> int:
-    """Samples that a recipe takes: one more where it does not start on one."""
+    """Return the number of samples of a waveform: one more if it starts between two samples."""
     return sample_count(duration_s, sample_rate_hz) + (shift_of(shift_s, sample_rate_hz) > 0.0)
 
 
 def instants(duration_s: float, sample_rate_hz: float, shift_s: float = 0.0) -> Floats:
-    """A recipe's own time at its samples, (n_times,), in s; the first is negative if shifted."""
+    """Return a waveform's own time at its samples, (n_times,), in s; with a shift from below 0."""
     n = count_of(duration_s, sample_rate_hz, shift_s)
     return np.arange(n) / sample_rate_hz - shift_s
 
-
-# A tone that swells and fades.
 
 CARRIER = replace(FREQUENCY, label="Carrier")
 MODULATOR = replace(
@@ -114,8 +105,8 @@ class AmplitudeModulated:
     """A tone whose amplitude is modulated by a sine.
 
     (1 + depth cos(2 pi modulator t + modulator phase)) / (1 + depth)
-    sin(2 pi carrier t + phase): three lines, at the carrier and one modulator below and above.
-    Its loudest moments have peak 1.
+    sin(2 pi carrier t + phase): three spectral lines, at the carrier and one modulator below and
+    above it.  Its loudest moments have peak 1.
 
     Attributes
     ----------
@@ -151,22 +142,20 @@ class AmplitudeModulated:
             highest_hz = self.carrier_hz + self.modulator_hz
             check_below_half_rate("carrier_hz + modulator_hz", highest_hz, sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
-        found = turns(self.carrier_hz, n, sample_rate_hz, shift_s)
-        found *= 2.0 * pi
-        found += self.phase_rad
-        np.sin(found, out=found)
+        wave = turns(self.carrier_hz, n, sample_rate_hz, shift_s)
+        wave *= 2.0 * pi
+        wave += self.phase_rad
+        np.sin(wave, out=wave)
         swell = turns(self.modulator_hz, n, sample_rate_hz, shift_s)
         swell *= 2.0 * pi
         swell += self.modulator_phase_rad
         np.cos(swell, out=swell)
         swell *= self.depth
         swell += 1.0
-        found *= swell
-        found /= 1.0 + self.depth
-        return burst(found, self.window, sample_rate_hz, shift_s)
+        wave *= swell
+        wave /= 1.0 + self.depth
+        return burst(wave, self.window, sample_rate_hz, shift_s)
 
-
-# A tone that swings up and down.
 
 DEVIATION = NumberSpec(
     label="Deviation",
@@ -184,15 +173,15 @@ class FrequencyModulated:
 
     sin(2 pi carrier t + phase + (deviation / modulator) (sin(2 pi modulator t + modulator phase)
     - sin(modulator phase))): the frequency is carrier + deviation cos(2 pi modulator t +
-    modulator phase).  The lines beside the carrier, one modulator apart, have no end: by Carson's
-    rule 98 % of the energy lie within deviation + modulator of it, and what lies at or above half
-    the sample rate folds down, as with the formula sampled.
+    modulator phase).  Spectral lines on both sides of the carrier, one modulator apart, have no
+    end: by Carson's rule 98 % of the energy lies within deviation + modulator of the carrier.
+    Lines at or above half the sample rate alias, as in any sampled formula.
 
     Attributes
     ----------
     carrier_hz, modulator_hz, deviation_hz
-        Frequency, swings per second, and how far they go; carrier + deviation, the highest
-        frequency that it passes, must be below half the sample rate.
+        Mean frequency, swings per second, and their size; carrier + deviation, the highest
+        frequency, must be below half the sample rate.
     duration_s
         Length, 0.001 to 600 s.
     phase_rad, modulator_phase_rad
@@ -228,21 +217,19 @@ class FrequencyModulated:
         check_below_half_rate("carrier_hz + deviation_hz", highest_hz, sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
         swing = turns(self.modulator_hz, n, sample_rate_hz, shift_s)
-        # Of a small angle the sine is more exact, and the deviation may multiply it by thousands.
+        # The sine of a small angle is more exact, and the deviation may multiply its error.
         swing -= np.rint(swing)
         swing *= 2.0 * pi
         swing += self.modulator_phase_rad
         np.sin(swing, out=swing)
         swing -= np.sin(self.modulator_phase_rad)
         swing *= self.deviation_hz / self.modulator_hz
-        found = turns(self.carrier_hz, n, sample_rate_hz, shift_s)
-        found *= 2.0 * pi
-        found += self.phase_rad
-        found += swing
-        return burst(np.sin(found, out=found), self.window, sample_rate_hz, shift_s)
+        wave = turns(self.carrier_hz, n, sample_rate_hz, shift_s)
+        wave *= 2.0 * pi
+        wave += self.phase_rad
+        wave += swing
+        return burst(np.sin(wave, out=wave), self.window, sample_rate_hz, shift_s)
 
-
-# A tone that rises or falls.
 
 Law = Literal["linear", "logarithmic"]
 
@@ -274,13 +261,13 @@ class Chirp:
     phase_rad
         Phase at onset.
     window
-        ``"none"``, ``"tukey"`` or ``"hanning"``.  None to begin with: it would take away the
-        first and the last frequencies.
+        ``"none"``, ``"tukey"`` or ``"hanning"``.  The default is none, because a window removes
+        the first and the last frequencies.
     """
 
     title: ClassVar[str] = "Chirp"
 
-    # Part of the recipe, whatever the limb: so a file means that says no others.
+    # The defaults are the same for every limb, because files leave defaults out.
     start_hz: float = fields.number(BAND_HZ[0], START)
     end_hz: float = fields.number(BAND_HZ[1], END)
     duration_s: float = fields.number(1.0, DURATION)
@@ -297,17 +284,15 @@ class Chirp:
         check_below_half_rate("end_hz", self.end_hz, sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
         if self.start_hz == self.end_hz:
-            found = turns(self.start_hz, n, sample_rate_hz, shift_s)
+            wave = turns(self.start_hz, n, sample_rate_hz, shift_s)
         else:
             swept = linear_sweep_turns if self.law == "linear" else logarithmic_sweep_turns
             ends_hz = self.start_hz, self.end_hz
-            found = swept(ends_hz, self.duration_s, n, sample_rate_hz, shift_s)
-        found *= 2.0 * pi
-        found += self.phase_rad
-        return burst(np.sin(found, out=found), self.window, sample_rate_hz, shift_s)
+            wave = swept(ends_hz, self.duration_s, n, sample_rate_hz, shift_s)
+        wave *= 2.0 * pi
+        wave += self.phase_rad
+        return burst(np.sin(wave, out=wave), self.window, sample_rate_hz, shift_s)
 
-
-# A tone whose frequency and amplitude are drawn.
 
 #: Time, frequency, amplitude.
 Point = tuple[float, float, float]
@@ -329,9 +314,9 @@ _SHORTEST_S = 0.001
 class Glide:
     """A sine whose frequency f(t) and amplitude a(t) go straight from point to point.
 
-    a(t) sin(2 pi p(t)), with p(t) the integral of f from 0 to t: piecewise a parabola, whose
+    a(t) sin(2 pi p(t)), where p(t) is the integral of f from 0 to t: pieces of parabolas, whose
     turns are added up exactly, so that the phase is wrong by less than 1e-12 rad at any time.
-    Two points at one time are a step of frequency or amplitude; the phase never jumps.
+    Two points at one time make a step of frequency or amplitude; the phase never jumps.
 
     Attributes
     ----------
@@ -363,7 +348,7 @@ class Glide:
 
     @classmethod
     def like(cls, waveform: Any) -> "Glide":
-        """A glide with the frequency of a waveform that has one, or two, and with its length."""
+        """Return a glide with the length and frequencies of a waveform that has one or two."""
         low_hz: Any = getattr(waveform, "start_hz", getattr(waveform, "frequency_hz", None))
         high_hz: Any = getattr(waveform, "end_hz", low_hz)
         if low_hz is None or waveform.duration_s < _SHORTEST_S:
@@ -371,103 +356,38 @@ class Glide:
         return cls(((0.0, low_hz, 1.0), (waveform.duration_s, high_hz, 1.0)))
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
-        """Drive, (n_times,), within the drawn amplitude of peak 1 or less."""
+        """Drive, (n_times,), within the drawn amplitude of at most 1."""
         check_below_half_rate("frequency_hz", max(hz for _, hz, _ in self.points), sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
-        found = np.zeros(n)
+        wave = np.zeros(n)
         rate, shift = Decimal(sample_rate_hz), Decimal(shift_s)
         turned = Decimal(0)
         first = 1 if shift_s else 0
         for before, after in pairwise(((0.0, *self.points[0][1:]), *self.points)):
             with localcontext(prec=DIGITS):
-                (start, low, _), (end, high, _) = (map(Decimal, one) for one in (before, after))
-                began, until = turned, min(ceil((end + shift) * rate), n)
+                (start, low, _), (end, high, _) = (map(Decimal, point) for point in (before, after))
+                turns_before, until = turned, min(ceil((end + shift) * rate), n)
                 turned = (turned + (low + high) / 2 * (end - start)) % 1
                 if until <= first:
                     continue
-                course = low, (high - low) / (end - start), first / rate - shift - start
-            found[first:until] = _stretch(
-                began, course, (before, after), until - first, sample_rate_hz
+                chirp = low, (high - low) / (end - start), first / rate - shift - start
+            wave[first:until] = _glide_piece(
+                turns_before, chirp, (before, after), until - first, sample_rate_hz
             )
             first = until
-        return found
+        return wave
 
 
-def _stretch(
+def _glide_piece(
     turned: Decimal,
-    course: tuple[Decimal, Decimal, Decimal],
+    chirp: tuple[Decimal, Decimal, Decimal],
     ends: tuple[Point, Point],
     n: int,
     rate_hz: float,
 ) -> NDArray[np.float64]:
-    """Samples between two points, from the time ``course[2]`` after the first on, (n,)."""
-    low, slope, since = course
+    """Return samples between two points, from the time ``chirp[2]`` after the first on, (n,)."""
+    low, slope, since = chirp
     (start_s, _, low_level), (end_s, _, high_level) = ends
     part = (float(since) + np.arange(n) / rate_hz) / (end_s - start_s)
     level = low_level + (high_level - low_level) * np.clip(part, 0.0, 1.0)
     return level * np.sin(2.0 * pi * bent_turns(turned, low, slope, since, n, rate_hz))
-
-
-# A burst of a wave that is made of its harmonics.
-
-
-class PeriodicBurst(Protocol):
-    """The fields that such recipes have in common."""
-
-    @property
-    def frequency_hz(self) -> float:
-        """How often it repeats in a second."""
-        ...
-
-    @property
-    def duration_s(self) -> float:
-        """Length of the burst."""
-        ...
-
-    @property
-    def phase_rad(self) -> float:
-        """Phase of the first harmonic at onset."""
-        ...
-
-    @property
-    def window(self) -> WindowName:
-        """How the burst fades."""
-        ...
-
-
-def harmonic_burst(
-    recipe: PeriodicBurst,
-    series: Callable[[Floats], Complexes],
-    sample_rate_hz: float,
-    shift_s: float,
-    *,
-    mean: float = 0.0,
-) -> Floats:
-    """Cut a burst out of a periodic wave, (n_times,).
-
-    Parameters
-    ----------
-    recipe
-        Says how often the wave repeats, where it begins, how long it lasts, and how it fades.
-    series, mean
-        Coefficients of its harmonics, and what it swings about: see
-        `skinsource.signals.synthesis.sampled_series`.
-    sample_rate_hz, shift_s
-        As for each recipe's ``samples``.
-
-    Raises
-    ------
-    InvalidInputError
-        The frequency is not below half the sample rate.
-    """
-    check_below_half_rate("frequency_hz", recipe.frequency_hz, sample_rate_hz)
-    found = sampled_series(
-        series,
-        recipe.frequency_hz,
-        recipe.phase_rad,
-        count_of(recipe.duration_s, sample_rate_hz, shift_s),
-        sample_rate_hz,
-        shift_s,
-        mean=mean,
-    )
-    return burst(found, recipe.window, sample_rate_hz, shift_s)

@@ -1,4 +1,4 @@
-"""Frequencies of a train of wavelets, one after the other."""
+"""Trains of wavelets of several frequencies, one after the other, and their frequencies."""
 
 from dataclasses import dataclass
 from decimal import Decimal, localcontext
@@ -32,7 +32,7 @@ def frequency_sweep(
     spacing: Spacing = "logarithmic",
     order: Order = "up",
 ) -> tuple[float, ...]:
-    """Frequencies from one to another, for `WaveletTrain`.
+    """Return frequencies from one to another, for `WaveletTrain`.
 
     >>> frequency_sweep(50.0, 400.0, 4)
     (50.0, 100.0, 200.0, 400.0)
@@ -42,9 +42,9 @@ def frequency_sweep(
     Parameters
     ----------
     low_hz, high_hz
-        The ends, both exactly among them; a single frequency is the lower.
+        The ends, both included; a single frequency is the lower end.
     count
-        How many, 1 to 1000.
+        Number of frequencies, 1 to 1000.
     spacing
         ``"linear"``: equal steps; ``"logarithmic"``: equal factors.
     order
@@ -54,8 +54,8 @@ def frequency_sweep(
     Raises
     ------
     InvalidInputError
-        An end is no positive number, the ends are not in order, or the count, the spacing or the
-        order is none.
+        An end is not positive, the ends are not in order, or count, spacing or order is not
+        allowed.
     """
     low, high = positive_number("low_hz", low_hz), positive_number("high_hz", high_hz)
     if low > high:
@@ -66,13 +66,17 @@ def frequency_sweep(
     one_of("spacing", spacing, ("linear", "logarithmic"))
     one_of("order", order, ("up", "down"))
     part = np.arange(count) / max(count - 1, 1)
-    found = low + (high - low) * part if spacing == "linear" else low * (high / low) ** part
-    # Twelve digits are what one can read; the ends are as they were given.
-    values = (low, *(float(f"{one:.12g}") for one in found[1:-1]), *(high,) * (count > 1))
+    frequencies_hz = (
+        low + (high - low) * part if spacing == "linear" else low * (high / low) ** part
+    )
+    # Twelve digits are readable; the ends stay exact.
+    values = (
+        low,
+        *(float(f"{frequency_hz:.12g}") for frequency_hz in frequencies_hz[1:-1]),
+        *(high,) * (count > 1),
+    )
     return values[::-1] if order == "down" else values
 
-
-# Wavelets of several frequencies, one after the other.
 
 Family = Literal["gabor", "ricker", "hann"]
 Equalise = Literal["none", "energy"]
@@ -123,16 +127,16 @@ class WaveletTrain:
     - ``"ricker"``: (1 - 2 a) exp(-a), a = (pi f t)², for |t| <= 1.5 / f; cycles do not matter
     - ``"hann"``: (1 + cos(2 pi t / T)) / 2 sin(2 pi f t) for |t| <= T / 2, T = cycles / f
 
-    Wavelets that are longer than their slot overlap their neighbours, and add to them.  Where the
-    first or the last one is, the train starts earlier or ends later by as much, and all of it is
-    moved so that it starts at 0: nothing is cut.  Middles need not lie on samples.  The peak of
-    each w is 1 (of a Hann burst a little less); gains above 0 dB, and overlaps, go beyond.
+    Wavelets that are longer than their slot overlap their neighbours, and add to them.  If the
+    first or the last one is longer, the train is longer by as much, and starts at 0 all the same:
+    nothing is cut.  Middles need not lie on samples.  The peak of each w is 1 (of a Hann burst a
+    little less); gains above 0 dB and overlaps go beyond.
 
     Attributes
     ----------
     frequencies_hz
         f_j, 1 to 1000 of them, each 0.1 Hz up to below half the sample rate; see
-        `frequency_sweep`.  A list or an array will do.
+        `frequency_sweep`.  A list or an array is converted.
     cycles
         0.5 to 10 000.
     slot_s
@@ -140,16 +144,15 @@ class WaveletTrain:
     family
         ``"gabor"``, ``"ricker"`` or ``"hann"``.
     equalise
-        ``"none"``: A_j is 1.  ``"energy"``: the integrals of w² are alike, which for one shape
-        are as 1 / f, so that A_j = sqrt(f_j / highest f).
+        ``"none"``: A_j is 1.  ``"energy"``: all wavelets have the same energy; for one shape it is
+        proportional to 1 / f, so that A_j = sqrt(f_j / highest f).
     gains_db
-        Of each wavelet, on top of that, -120 to 40 dB; as many as frequencies, or none.
+        Additional gain of each wavelet, -120 to 40 dB; one for each frequency, or none.
 
     Notes
     -----
-    The five frequencies that it starts with, 50 to 400 Hz in equal factors, and 4 cycles in slots
-    of 120 ms are a choice of this studio, after trains of wavelets whose frequencies steer how far
-    a single actuator is felt.
+    The default frequencies, five from 50 to 400 Hz in equal factors, and 4 cycles in slots of
+    120 ms are our choice, after trains whose frequencies steer how far a single actuator is felt.
 
     References
     ----------
@@ -180,35 +183,37 @@ class WaveletTrain:
 
     @property
     def duration_s(self) -> float:
-        """As many slots as wavelets, and what the first and the last wavelet need beyond."""
+        """Length of all slots, and of the parts of the first and last wavelet beyond them."""
         early_s, late_s = self._beyond_s()
         return len(self.frequencies_hz) * self.slot_s + early_s + late_s
 
     def middles_s(self) -> tuple[float, ...]:
-        """When the middle of each wavelet comes, from the start of the train."""
+        """Return the time of the middle of each wavelet, from the start of the train."""
         early_s, _ = self._beyond_s()
         return tuple(early_s + (j + 0.5) * self.slot_s for j in range(len(self.frequencies_hz)))
 
     def gains(self) -> tuple[float, ...]:
-        """A_j, the factor of each wavelet."""
+        """Return A_j, the factor of each wavelet."""
         highest_hz = max(self.frequencies_hz)
-        equal = [
+        equal_factors = [
             (frequency_hz / highest_hz) ** 0.5 if self.equalise == "energy" else 1.0
             for frequency_hz in self.frequencies_hz
         ]
-        own_db = self.gains_db or (0.0,) * len(equal)
-        return tuple(one * 10.0 ** (db / 20.0) for one, db in zip(equal, own_db, strict=True))
+        own_db = self.gains_db or (0.0,) * len(equal_factors)
+        return tuple(
+            factor * 10.0 ** (db / 20.0) for factor, db in zip(equal_factors, own_db, strict=True)
+        )
 
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of wavelets of peak 1."""
         check_below_half_rate("frequencies_hz", max(self.frequencies_hz), sample_rate_hz)
         n = count_of(self.duration_s, sample_rate_hz, shift_s)
-        found = np.zeros(n)
+        total = np.zeros(n)
         rate, shift = Decimal(sample_rate_hz), Decimal(shift_s)
         for frequency_hz, middle_s, gain in zip(
             self.frequencies_hz, self.middles_s(), self.gains(), strict=True
         ):
-            # Both ends belong to it, however the length of the train is rounded.
+            # A hair more, so that rounding does not cut an end.
             reach = Decimal(self._reach_s(frequency_hz) * (1.0 + 1e-9))
             with localcontext(prec=DIGITS):
                 middle = Decimal(middle_s) + shift
@@ -216,13 +221,13 @@ class WaveletTrain:
                 after = min(floor((middle + reach) * rate) + 1, n)
                 start = first / rate - middle
             if first < after:
-                found[first:after] += gain * self._wavelet(
+                total[first:after] += gain * self._wavelet(
                     frequency_hz, start, after - first, sample_rate_hz
                 )
-        return found
+        return total
 
     def _beyond_s(self) -> tuple[float, float]:
-        """How far the train reaches before its first slot and after its last one."""
+        """Return how far the train reaches before its first slot and after its last one."""
         count, slot_s = len(self.frequencies_hz), self.slot_s
         reach_s = [self._reach_s(frequency_hz) for frequency_hz in self.frequencies_hz]
         early_s = max(reach - (j + 0.5) * slot_s for j, reach in enumerate(reach_s))
@@ -230,7 +235,7 @@ class WaveletTrain:
         return max(early_s, 0.0), max(late_s, 0.0)
 
     def _reach_s(self, frequency_hz: float) -> float:
-        """Half the length of a wavelet."""
+        """Return half the length of a wavelet."""
         periods = {
             "gabor": 4.0 * self.cycles / (2.0 * pi),
             "ricker": 1.5,
@@ -239,7 +244,7 @@ class WaveletTrain:
         return periods[self.family] / frequency_hz
 
     def _wavelet(self, frequency_hz: float, start: Decimal, n: int, rate_hz: float) -> Floats:
-        """Samples of one wavelet from the time ``start`` after its middle on, (n,)."""
+        """Return n samples of one wavelet from the time ``start`` after its middle on."""
         time_s = float(start) + np.arange(n) / rate_hz
         if self.family == "ricker":
             a = np.square(pi * frequency_hz * time_s)

@@ -1,4 +1,4 @@
-"""A tone within a Gaussian."""
+"""Single wavelets: Gabor, Morlet, Ricker, and the chirplet."""
 
 from dataclasses import dataclass
 from decimal import Decimal, localcontext
@@ -27,10 +27,10 @@ from skinsource.specs.numbers import NumberSpec
 
 @dataclass(frozen=True, slots=True)
 class Gabor:
-    """A tone within a Gaussian: of all bursts the one that is narrowest in time and frequency.
+    """A tone within a Gaussian, the burst that is narrowest in time and frequency together.
 
     exp(-t² / 2 sigma²) cos(2 pi f t + phase), with sigma = cycles / (2 pi f), cut at t = ±4 sigma,
-    where 0.03 % of the peak are left.  It takes n = round(8 sigma rate) samples, about their
+    where 0.03 % of the peak are left.  It has n = round(8 sigma rate) samples, about their
     middle: t = (k - (n - 1) / 2) / rate.  The peak of the formula is 1; no sample need lie on it.
     The phase is wrong by less than 1e-12 rad.
 
@@ -40,9 +40,9 @@ class Gabor:
         f, 0.1 Hz up to below half the sample rate.  The spectrum is a Gaussian about it, with a
         standard deviation of f / cycles.
     cycles
-        0.5 to 10 000; about so many are seen.
+        0.5 to 10 000; about as many are visible.
     phase_rad
-        At the middle: 0 is a crest, -pi / 2 a rising zero.
+        Phase at the middle: 0 is a crest, -pi / 2 a rising zero.
 
     References
     ----------
@@ -78,15 +78,13 @@ class Gabor:
         envelope /= self.sigma_s
         np.square(envelope, out=envelope)
         envelope *= -0.5
-        found = turns_about_middle(self.frequency_hz, n, sample_rate_hz, shift_s)
-        found *= 2.0 * pi
-        found += self.phase_rad
-        np.cos(found, out=found)
-        found *= np.exp(envelope, out=envelope)
-        return begun(found, shift_s)
+        wave = turns_about_middle(self.frequency_hz, n, sample_rate_hz, shift_s)
+        wave *= 2.0 * pi
+        wave += self.phase_rad
+        np.cos(wave, out=wave)
+        wave *= np.exp(envelope, out=envelope)
+        return begun(wave, shift_s)
 
-
-# The Morlet wavelet.
 
 W0 = NumberSpec(
     label="w0",
@@ -110,7 +108,7 @@ class Morlet:
     Attributes
     ----------
     frequency_hz
-        f, 0.1 Hz up to below half the sample rate; for w0 below 3 the spectrum is highest above
+        f, 0.1 Hz up to below half the sample rate; for w0 below 3 the spectrum has its peak above
         it.
     w0
         1 to 1000.
@@ -145,19 +143,16 @@ class Morlet:
         shift_s = shift_of(shift_s, sample_rate_hz)
         n = sample_count(self.duration_s, sample_rate_hz)
         u = about_middle(n, sample_rate_hz, shift_s) / self._s
-        found = np.cos(2.0 * pi * turns_about_middle(self.frequency_hz, n, sample_rate_hz, shift_s))
+        wave = np.cos(2.0 * pi * turns_about_middle(self.frequency_hz, n, sample_rate_hz, shift_s))
         peak = -expm1(-(self.w0**2) / 2.0)
-        found -= 1.0 - peak
-        found *= np.exp(-0.5 * np.square(u)) / peak
-        return begun(found, shift_s)
-
-
-# The Mexican hat.
+        wave -= 1.0 - peak
+        wave *= np.exp(-0.5 * np.square(u)) / peak
+        return begun(wave, shift_s)
 
 
 @dataclass(frozen=True, slots=True)
 class Ricker:
-    """The Ricker wavelet, or Mexican hat: the shortest pulse that leaves no velocity behind.
+    """The Ricker wavelet, or Mexican hat, the shortest pulse that leaves no velocity.
 
     (1 - 2 a) exp(-a), with a = (pi f t)², cut at t = ±1.5 / f, where 1e-8 is left.  It takes
     n = round(3 rate / f) samples, about their middle: t = (k - (n - 1) / 2) / rate.  Its spectrum
@@ -194,8 +189,6 @@ class Ricker:
         return begun((1.0 - 2.0 * a) * np.exp(-a), shift_s)
 
 
-# A tone within a Gaussian whose frequency rises or falls.
-
 SLOPE = NumberSpec(
     label="Slope",
     unit="Hz/s",
@@ -213,8 +206,8 @@ SIGMA = NumberSpec(
     logarithmic=True,
     hint="Standard deviation of its Gaussian; it lasts eight of them",
 )
-#: Beyond so many standard deviations lies half a per cent of the energy.
-_HEARD = 2.0
+#: Standard deviations on each side that hold all but half a per cent of the energy.
+_SIGMAS_OF_ENERGY = 2.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -229,7 +222,8 @@ class Chirplet:
     Attributes
     ----------
     frequency_hz
-        f, 0.1 Hz up to below half the sample rate, as all that it plays within 2 sigma has to be.
+        f, 0.1 Hz up to below half the sample rate; the same holds for all frequencies within
+        2 sigma.
     rate_hz_per_s
         c, up to ±1e6 Hz/s.
     sigma_s
@@ -258,7 +252,7 @@ class Chirplet:
     def samples(self, sample_rate_hz: float, shift_s: float = 0.0) -> NDArray[np.float64]:
         """Drive, (n_times,), of a formula of peak 1."""
         check_below_half_rate("frequency_hz", self.frequency_hz, sample_rate_hz)
-        highest_hz = self.frequency_hz + abs(self.rate_hz_per_s) * _HEARD * self.sigma_s
+        highest_hz = self.frequency_hz + abs(self.rate_hz_per_s) * _SIGMAS_OF_ENERGY * self.sigma_s
         if highest_hz >= sample_rate_hz / 2:
             raise InvalidInputError(
                 f"rate_hz_per_s is {self.rate_hz_per_s:g}: within 2 sigma the frequency reaches "
