@@ -437,7 +437,7 @@ class Shaping(QObject):
 
     def _points(self) -> Points:
         effects = () if self._clip is None else self._clip.effects
-        envelopes = [one for one in effects if isinstance(one, Envelope)]
+        envelopes = [effect for effect in effects if isinstance(effect, Envelope)]
         return envelopes[-1].points if envelopes else UNCHANGED
 
     def _change(self, points: Points, gesture: int | None) -> None:
@@ -509,7 +509,7 @@ class ClipEditorPanel(Panel):
     def clip(self) -> Clip | None:
         """The clip that was selected last, or the first one of the selected track."""
         selected = self._view.selected_input
-        track = next((one for one in self._design.inputs if one.id == selected), None)
+        track = next((track for track in self._design.inputs if track.id == selected), None)
         return None if track is None else clip_of(track, self._view)
 
     def show_state(self, design: Design, view: View) -> None:
@@ -527,7 +527,7 @@ class ClipEditorPanel(Panel):
         self._show()
 
     def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
-        self._unplayable = frozenset(one.id for one in unplayable)
+        self._unplayable = frozenset(track.id for track in unplayable)
         if self.clip is not None:
             self._say(self.clip)
 
@@ -628,9 +628,9 @@ class ClipEditorPanel(Panel):
             self.use("look")
         else:
             # Points that are not seen are not changed.
-            for one in (self._gliding, self._shaping):
-                if self._canvas.tool is one.tool:
-                    one.press(wanted, event)
+            for shaper in (self._gliding, self._shaping):
+                if self._canvas.tool is shaper.tool:
+                    shaper.press(wanted, event)
             self._canvas.lay_out()
 
 

@@ -201,7 +201,7 @@ def _about(low: float, high: float, side: int, by: float) -> tuple[float, float]
 def _places(points: Points, chosen: tuple[int, ...]) -> tuple[list[float], list[float]]:
     """Times and values of the chosen points."""
     there = [points[k] for k in chosen if k < len(points)]
-    return [one[0] for one in there], [one[1] for one in there]
+    return [point[0] for point in there], [point[1] for point in there]
 
 
 def _box(content: EditorContent, points: Points, chosen: tuple[int, ...]) -> QRectF | None:
@@ -209,7 +209,7 @@ def _box(content: EditorContent, points: Points, chosen: tuple[int, ...]) -> QRe
     if len(times) < 2:
         return None
     places = list(map(content.at, times, values))
-    x, y = [one.x() for one in places], [one.y() for one in places]
+    x, y = [place.x() for place in places], [place.y() for place in places]
     tight = QRectF(QPointF(min(x), min(y)), QPointF(max(x), max(y)))
     box = tight.adjusted(-_BESIDE_PX, -_BESIDE_PX, _BESIDE_PX, _BESIDE_PX)
     # No handle lies where it could not be seen.
@@ -223,7 +223,7 @@ def _handles(
     if box is None or box.isEmpty():
         return []
     times, values = map(set, _places(points, chosen))
-    found = []
+    handles = []
     for along, up in _SIDES:
         # Points of the same time cannot be drawn apart, those of the same value upwards alone.
         if (along and len(times) == 1) or (up < 0 and len(values) == 1):
@@ -232,8 +232,8 @@ def _handles(
             continue
         x = box.center().x() + along * box.width() / 2
         y = box.center().y() - up * box.height() / 2
-        found.append((Handle(along, up), QPointF(x, y)))
-    return found
+        handles.append((Handle(along, up), QPointF(x, y)))
+    return handles
 
 
 # A drag of breakpoints in the clip editor.
@@ -372,18 +372,18 @@ class Pen(QObject):
         rate_hz = content.sample_rate_hz
         try:
             if self._zeroes:
-                found = zeroed(self._before, self._first[0], time_s, rate_hz)
+                samples = zeroed(self._before, self._first[0], time_s, rate_hz)
             else:
                 if held & Held.ShiftModifier:
                     self._stroke = Stroke.through((self._first, (time_s, value)))
                 else:
                     self._stroke = self._stroke.to(time_s, value, self._last_s)
-                found = drawn_over(self._before, self._stroke, rate_hz)
+                samples = drawn_over(self._before, self._stroke, rate_hz)
         except InvalidInputError as error:
             self.refused.emit(str(error))
             return
         self._last_s, self._changed = time_s, True
-        self.drawn.emit(found, self._number)
+        self.drawn.emit(samples, self._number)
 
     def release(self, content: EditorContent) -> None:
         self._first = None
@@ -509,7 +509,7 @@ class EnvelopeTool(QObject):
         if drag.box is not None:
             covered = QRectF(drag.box, at).normalized()
             self.chosen = tuple(
-                k for k, one in enumerate(drag.points) if covered.contains(content.at(*one[:2]))
+                k for k, point in enumerate(drag.points) if covered.contains(content.at(*point[:2]))
             )
             return
         if held & Held.ControlModifier:
@@ -548,7 +548,7 @@ class EnvelopeTool(QObject):
         if at is not None:
             index = _point_at(content, points, at)
         else:
-            index = next((one for one in self.chosen if one < len(points)), None)
+            index = next((number for number in self.chosen if number < len(points)), None)
         if index is not None:
             if index not in self.chosen:
                 self.chosen = (index,)
@@ -630,7 +630,7 @@ class EnvelopeTool(QObject):
 
 def _envelope_places(content: EditorContent, points: Points) -> tuple[Floats, Floats]:
     """Where points lie, (n,) each, px."""
-    times_s, values = np.array([one[:2] for one in points]).reshape(-1, 2).T
+    times_s, values = np.array([point[:2] for point in points]).reshape(-1, 2).T
     return content.curve(times_s, values)
 
 
@@ -649,7 +649,7 @@ def _segment_at(content: EditorContent, points: Points, at: QPointF) -> int | No
     value = float(algebra.curve_at(points, np.array([time_s]))[0])
     if abs(content.y(value) - at.y()) > ENVELOPE_CATCH_PX:
         return None
-    return sum(one[0] <= time_s for one in points) - 1
+    return sum(point[0] <= time_s for point in points) - 1
 
 
 # Frequency and amplitude of a glide, as two curves over its waveform.
@@ -798,4 +798,6 @@ def of_column(content: EditorContent, column: Column) -> EditorContent:
     """The content with the values of a curve upright."""
     if column == "amplitude":
         return content
-    return FrequencyContent(**{one.name: getattr(content, one.name) for one in fields(content)})
+    return FrequencyContent(
+        **{field.name: getattr(content, field.name) for field in fields(content)}
+    )

@@ -103,7 +103,9 @@ class EditorContent:
 
 def reach_of(*signals: Floats | None) -> float:
     """The largest value that is to be seen: round, and never less than a peak of 1 needs."""
-    peaks = [float(np.abs(one).max()) for one in signals if one is not None and one.size]
+    peaks = [
+        float(np.abs(signal).max()) for signal in signals if signal is not None and signal.size
+    ]
     peak = max(peaks, default=0.0)
     if peak <= 1.0:
         return REACH
@@ -300,8 +302,8 @@ class EditorItem(pyqtgraph.GraphicsObject):
         ratio, width_px = dots_in_px(painter), content.area.width()
         time_s = np.arange(samples.size) / content.sample_rate_hz
         wave, across = wave_of(time_s, samples[np.newaxis]), max(round(width_px * ratio), 1)
-        found = columns_of(time_s, content.scale.shown_s, across)
-        seen = course_of(found, samples[np.newaxis], wave, width_px, ratio)
+        columns = columns_of(time_s, content.scale.shown_s, across)
+        seen = course_of(columns, samples[np.newaxis], wave, width_px, ratio)
         x, y = _places(content, seen.line)
         painter.setOpacity(opacity)
         sharp = seen.line.strokes and not is_on_paper()
@@ -312,7 +314,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
         else:
             painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
         if not seen.line.strokes and content.scale.px_per_s / content.sample_rate_hz >= _DOTS_PX:
-            self._paint_samples(painter, *_places(content, found.points(samples[np.newaxis])))
+            self._paint_samples(painter, *_places(content, columns.points(samples[np.newaxis])))
         painter.setOpacity(1.0)
 
     def _paint_samples(self, painter: QPainter, x: Floats, y: Floats) -> None:
@@ -431,7 +433,7 @@ class VisibleClip(QObject):
 
     @property
     def _whole_s(self) -> Range:
-        counts = [one.size for one in (self._drawn, self._played) if one is not None]
+        counts = [samples.size for samples in (self._drawn, self._played) if samples is not None]
         length = max(max(counts, default=0) / self._rate_hz, _LEAST_S)
         return (0.0, length * (1 + _BEHIND))
 
@@ -698,7 +700,9 @@ class SpectrumStrip(QWidget):
     def _paint_band(self, painter: QPainter, area: QRectF, highest: float) -> None:
         if self._band_hz is None:
             return
-        low, high = (area.left() + min(one / highest, 1.0) * area.width() for one in self._band_hz)
+        low, high = (
+            area.left() + min(edge_hz / highest, 1.0) * area.width() for edge_hz in self._band_hz
+        )
         for left, right in ((area.left(), low), (high, area.right())):
             outside = QRectF(left, area.top(), right - left, area.height())
             painter.fillRect(outside, QColor(current_theme().window))

@@ -77,7 +77,7 @@ def title(compared: Compared) -> str:
 
 def matching_text(compared: Sequence[Compared], *, matched: bool) -> str:
     """By what quantity the designs are alike, and how much of it they have."""
-    known = [one for one in compared if played_db(one) is not None]
+    known = [side for side in compared if played_db(side) is not None]
     if len(known) < 2:
         return ""
     if not matched:
@@ -96,7 +96,7 @@ def difference_captions(present: Compared, other: Compared, *, matched: bool) ->
     words = "dB, as stored"
     if matched:
         words = f"dB, {matched_text((other, present)) or LEVELS_MATCHED}"
-    mine, theirs = (one.snapshot.design.limb for one in (present, other))
+    mine, theirs = (side.snapshot.design.limb for side in (present, other))
     if mine == theirs:
         return heading, words
     return heading, f"{words}, {short_limb_title(mine)} minus {short_limb_title(theirs)}"

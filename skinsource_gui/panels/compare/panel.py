@@ -126,13 +126,13 @@ class ComparePanel(Panel):
         self.words.setText(matching_text(compared, matched=matched))
         self.words.setToolTip(self.words.text())
         present = self._present(compared)
-        levels = [played_db(one) for one in compared]
+        levels = [played_db(side) for side in compared]
         loudest = max((level for level in levels if level is not None), default=0.0)
         for card in self.cards:
-            one = next((one for one in compared if one.snapshot.number == card.number), None)
-            card.setVisible(card.number != EDITED or one is not None)
-            small, scale = self._map_of(one, loudest)
-            card.show_snapshot(one, small, scale, present=one is not None and one is present)
+            side = next((side for side in compared if side.snapshot.number == card.number), None)
+            card.setVisible(card.number != EDITED or side is not None)
+            small, scale = self._map_of(side, loudest)
+            card.show_snapshot(side, small, scale, present=side is not None and side is present)
         self._row.fold()
         self.map.show_difference(self._difference(compared, present))
 
@@ -165,23 +165,23 @@ class ComparePanel(Panel):
             return None
         held = shown(self._view.snapshots, self._design)
         number = EDITED if held is None else held.number
-        return next((one for one in compared if one.snapshot.number == number), None)
+        return next((side for side in compared if side.snapshot.number == number), None)
 
     def _map_of(
-        self, one: Compared | None, loudest_db: float
+        self, side: Compared | None, loudest_db: float
     ) -> tuple[SmallMap | None, Scale | None]:
         """The map of a card, in colours that mean the same on all of them."""
-        if one is None or one.values is None:
+        if side is None or side.values is None:
             return None, None
-        scale, gain = scale_of_levels(np.array(loudest_db), level_look(self._view)), gain_db(one)
+        scale, gain = scale_of_levels(np.array(loudest_db), level_look(self._view)), gain_db(side)
         low, high = scale.range_db
-        return self._maps.map_of(one.values), replace(scale, range_db=(low - gain, high - gain))
+        return self._maps.map_of(side.values), replace(scale, range_db=(low - gain, high - gain))
 
     def _difference(self, compared: Sequence[Compared], present: Compared | None) -> Difference:
         wanted = None if self._design is None else other_than(self._view.snapshots, self._design)
         if wanted is None or present is None:
             return Difference(words=why_no_comparison(self._view.snapshots))
-        other = next((one for one in compared if one.snapshot.number == wanted.number), None)
+        other = next((side for side in compared if side.snapshot.number == wanted.number), None)
         if other is None or other.values is None or present.values is None:
             problem = "" if other is None else other.problem or present.problem or COMPUTING
             return Difference(words=problem)

@@ -51,7 +51,7 @@ class Heading(QLabel):
 
     def _fit(self) -> None:
         two_lines = self._height_of(_TWO_LINES)
-        fitting = (one for one in self._phrases if self._height_of(one) <= two_lines)
+        fitting = (phrase for phrase in self._phrases if self._height_of(phrase) <= two_lines)
         words = next(fitting, self._phrases[-1])
         self.setText(words)
         # What is left out is said where somebody points at it.
@@ -162,34 +162,34 @@ class FrequencyAndAmplitudePanel(Panel):
         self._design, self._view = design, view
         control = settings_of(view, self.name, ControlSettings).control
         self._control.set_value(control)
-        one = _turned_input(design, view)
-        known = one is not None
+        track = _turned_input(design, view)
+        known = track is not None
         self._amplitude_part.setVisible(known and control in (ALL, AMPLITUDE))
         self._onset_part.setVisible(False)
-        if one is not None:
-            self._show_input(design, view, one, control)
+        if track is not None:
+            self._show_input(design, view, track, control)
         else:
             words = how_to_select_input if design.inputs else how_to_add
             self._words.show_phrases(words(self.in_sight))
             self._show_frequency(None)
         self._row.fold()
 
-    def _show_input(self, design: Design, view: View, one: Input, control: str) -> None:
-        clip = clip_of(one, view)
+    def _show_input(self, design: Design, view: View, track: Input, control: str) -> None:
+        clip = clip_of(track, view)
         playing = EMPTY.capitalize()
         if clip is not None:
             playing = f"{clip.waveform.title}{stretched_text(clip)}"
-        played = f"{playing} at place {one.location}"
-        factor = is_gain(design, one)
+        played = f"{playing} at place {track.location}"
+        factor = is_gain(design, track)
         if factor:
-            played += f" · peak {peak_text(design, one)}"
+            played += f" · peak {peak_text(design, track)}"
         title = scenes.title_of(design) if design.title else ""
         self._words.show_phrases(*((f"{title} · {played}", title) if title else ()), played)
         if clip is not None:
             self._onset.set_value(clip.onset_s)
             self._onset_part.setVisible(control == ONSET)
         self._amplitude.set_spec(AMPLITUDE_GAIN if factor else amplitude_spec(design))
-        self._amplitude.set_value(one.amplitude)
+        self._amplitude.set_value(track.amplitude)
         self._show_frequency(clip if control in (ALL, FREQUENCY) else None)
 
     def show_in_sight(self, names: frozenset[str]) -> None:
@@ -197,8 +197,8 @@ class FrequencyAndAmplitudePanel(Panel):
         if self._design is not None:
             self.show_state(self._design, self._view)
 
-    def _show_frequency(self, one: Clip | None) -> None:
-        spec = None if one is None else specs_of(one.waveform).get(_FREQUENCY)
+    def _show_frequency(self, clip: Clip | None) -> None:
+        spec = None if clip is None else specs_of(clip.waveform).get(_FREQUENCY)
         if spec != self._spec:
             self._spec = spec
             self._drop_frequency()
@@ -207,8 +207,8 @@ class FrequencyAndAmplitudePanel(Panel):
                 self._frequency.edited.connect(self._change)
                 self._turned.hold(self._frequency.label, self._frequency)
         self._turned.setVisible(self._frequency is not None)
-        if self._frequency is not None and one is not None:
-            self._frequency.set_value(getattr(one.waveform, _FREQUENCY))
+        if self._frequency is not None and clip is not None:
+            self._frequency.set_value(getattr(clip.waveform, _FREQUENCY))
 
     def _choose_control(self, control: str, _gesture: int | None) -> None:
         settings = ControlSettings(control=control)
@@ -223,8 +223,8 @@ class FrequencyAndAmplitudePanel(Panel):
 
     def _change(self, name: str, value: float, gesture: int | None) -> None:
         if self._design is not None:
-            one = _turned_input(self._design, self._view)
-            ids = self._view.selected_inputs or (() if one is None else (one.id,))
+            track = _turned_input(self._design, self._view)
+            ids = self._view.selected_inputs or (() if track is None else (track.id,))
             outcome = edits.change_field(self._design, self._view, ids, name, value)
             self.edited.emit(outcome, gesture)
 
@@ -233,4 +233,4 @@ def _turned_input(design: Design, view: View) -> Input | None:
     """The selected input; where there is only one, nobody has to select it."""
     if len(design.inputs) == 1:
         return design.inputs[0]
-    return next((one for one in design.inputs if one.id == view.selected_input), None)
+    return next((track for track in design.inputs if track.id == view.selected_input), None)

@@ -125,7 +125,7 @@ def part_of(time_s: Floats, curves: Floats, zoom: tuple[float, float] | None) ->
 
 
 def diagrams_of_proportion(
-    found: Proportion,
+    result: Proportion,
     rows: tuple[int, ...],
     time_s: Floats,
     zoom: tuple[float, float] | None,
@@ -141,32 +141,32 @@ def diagrams_of_proportion(
     outputs, (n_outputs, n_bins), which is drawn in place of that of ``rows``.
     """
     growth = _growth_in_bands if bands else _growth
-    highest = float(found.frequency_hz[-1]) if found.frequency_hz.size else 1.0
+    highest = float(result.frequency_hz[-1]) if result.frequency_hz.size else 1.0
     title = "Adjusted R²" if every is None else "Adjusted R², all outputs"
     return (
-        _overlay(found, rows, time_s, zoom, unit),
-        growth(found, rows, unit),
+        _overlay(result, rows, time_s, zoom, unit),
+        growth(result, rows, unit),
         Diagram(
             x=Axis(shown=(0.0, 1.05 * highest), title="Frequency (Hz)"),
             y=Axis(shown=(0.0, 1.1), title=title, short="Adjusted R²"),
-            curves=_straight(found, rows) if every is None else _worst_and_median(found, every),
+            curves=_straight(result, rows) if every is None else _worst_and_median(result, every),
         ),
     )
 
 
-def _straight(found: Proportion, rows: tuple[int, ...]) -> tuple[Curve, ...]:
+def _straight(result: Proportion, rows: tuple[int, ...]) -> tuple[Curve, ...]:
     return tuple(
-        Curve(x=found.frequency_hz, y=found.adjusted_r2[row], rank=rank, width_px=0.0)
+        Curve(x=result.frequency_hz, y=result.adjusted_r2[row], rank=rank, width_px=0.0)
         for rank, row in enumerate(rows)
     )
 
 
-def _worst_and_median(found: Proportion, every: Floats) -> tuple[Curve, ...]:
+def _worst_and_median(result: Proportion, every: Floats) -> tuple[Curve, ...]:
     """Dots and a line through bands in which some output is heard."""
     heard = np.isfinite(every).any(axis=0)
     if not heard.any():
         return ()
-    x, known = found.frequency_hz[heard], every[:, heard]
+    x, known = result.frequency_hz[heard], every[:, heard]
     median, worst = np.nanmedian(known, axis=0), np.nanmin(known, axis=0)
     return (
         Curve(x=x, y=median, rank=None, width_px=_WIDEST_PX, pale=_PALE, label="median"),
@@ -174,22 +174,26 @@ def _worst_and_median(found: Proportion, every: Floats) -> tuple[Curve, ...]:
     )
 
 
-def bands_shown(found: Proportion) -> list[int]:
+def bands_shown(result: Proportion) -> list[int]:
     """Which of the bands are drawn one by one: those at the frequencies of the figure."""
-    apart_hz = np.abs(found.frequency_hz - np.array(_SHOWN_HZ)[:, None])
-    return [int(one.argmin()) for one in apart_hz if one.size and one.min() <= BIN_HZ]
+    apart_hz = np.abs(result.frequency_hz - np.array(_SHOWN_HZ)[:, None])
+    return [
+        int(distances_hz.argmin())
+        for distances_hz in apart_hz
+        if distances_hz.size and distances_hz.min() <= BIN_HZ
+    ]
 
 
 def _overlay(
-    found: Proportion,
+    result: Proportion,
     rows: tuple[int, ...],
     time_s: Floats,
     zoom: tuple[float, float] | None,
     unit: StrengthUnit,
 ) -> Diagram:
-    part = part_of(time_s, found.divided[:, rows], zoom)
-    x, y = finer(time_s, found.divided[:, rows] / unit.factor, *part)
-    n = len(found.strengths)
+    part = part_of(time_s, result.divided[:, rows], zoom)
+    x, y = finer(time_s, result.divided[:, rows] / unit.factor, *part)
+    n = len(result.strengths)
     widths = np.linspace(_WIDEST_PX, _NARROWEST_PX, n)
     over = tuple(
         Curve(x=x, y=y[k, rank], rank=rank, width_px=_over_time(x, widths[k]), pale=_pale(k, n))
@@ -200,31 +204,31 @@ def _overlay(
     return Diagram(x=_time(x), y=axis, curves=over)
 
 
-def _growth(found: Proportion, rows: tuple[int, ...], unit: StrengthUnit) -> Diagram:
-    at = found.strengths * unit.factor
+def _growth(result: Proportion, rows: tuple[int, ...], unit: StrengthUnit) -> Diagram:
+    at = result.strengths * unit.factor
     lines: list[Curve] = []
     for rank, row in enumerate(rows):
-        level = found.rms[:, row]
-        lines.append(Curve(x=at, y=found.line[:, row], rank=rank, width_px=1.2, pale=_PALE))
+        level = result.rms[:, row]
+        lines.append(Curve(x=at, y=result.line[:, row], rank=rank, width_px=1.2, pale=_PALE))
         lines.append(Curve(x=at, y=level, rank=rank, width_px=0.0))
     return Diagram(
         x=_strengths((0.0, 1.05 * float(at[-1])), unit),
-        y=Axis(shown=(0.0, _top(found.rms[:, rows])), title="RMS (m/s²)"),
+        y=Axis(shown=(0.0, _top(result.rms[:, rows])), title="RMS (m/s²)"),
         curves=tuple(lines),
     )
 
 
-def _growth_in_bands(found: Proportion, rows: tuple[int, ...], unit: StrengthUnit) -> Diagram:
+def _growth_in_bands(result: Proportion, rows: tuple[int, ...], unit: StrengthUnit) -> Diagram:
     """The same in bands, whose outputs differ by powers of ten: over logarithmic axes."""
-    at = found.strengths * unit.factor
+    at = result.strengths * unit.factor
     lines: list[Curve] = []
     ends: list[float] = []
     for rank, row in enumerate(rows):
-        for band in bands_shown(found):
-            level, line = found.band_rms[:, row, band], found.band_line[:, row, band]
+        for band in bands_shown(result):
+            level, line = result.band_rms[:, row, band], result.band_line[:, row, band]
             if level.min() <= 0.0 or line.min() <= 0.0:
                 continue  # silent there
-            label = f"{found.frequency_hz[band]:.0f} Hz"
+            label = f"{result.frequency_hz[band]:.0f} Hz"
             lines.append(Curve(x=at, y=line, rank=rank, width_px=1.2, pale=_PALE, label=label))
             lines.append(Curve(x=at, y=level, rank=rank, width_px=0.0))
             ends += [float(level.min()), float(level.max())]
@@ -243,16 +247,16 @@ def _strengths(shown: tuple[float, float], unit: StrengthUnit, *, log: bool = Fa
 
 
 def diagrams_of_superposition(
-    found: Superposition,
+    result: Superposition,
     rows: tuple[int, ...],
     time_s: Floats,
     zoom: tuple[float, float] | None,
 ) -> tuple[Diagram, ...]:
     """The sum below the joint response, and the one over the other."""
-    both = np.stack((found.separate, found.joint))[:, rows]
+    both = np.stack((result.separate, result.joint))[:, rows]
     part = part_of(time_s, both, zoom)
     x, (separate, joint) = finer(time_s, both, *part)
-    wide_px, narrow_px = (_over_time(x, one) for one in (_WIDEST_PX, _NARROWEST_PX))
+    wide_px, narrow_px = (_over_time(x, width_px) for width_px in (_WIDEST_PX, _NARROWEST_PX))
     over = tuple(
         curve
         for rank in range(len(rows))
@@ -277,7 +281,7 @@ def part_text(
     shown_s: tuple[float, float], time_s: Floats, zoom: tuple[float, float] | None = None
 ) -> str:
     """Which part is drawn over time where that is not all there is, or not all of the zoom."""
-    first, last = (f"{1e3 * one:.0f}" for one in shown_s)
+    first, last = (f"{1e3 * edge_s:.0f}" for edge_s in shown_s)
     if zoom is not None:
         step_s = float(time_s[-1] - time_s[0]) / max(time_s.size - 1, 1)
         if min(zoom[1], float(time_s[-1])) - shown_s[1] < 1.5 * step_s:
@@ -288,21 +292,21 @@ def part_text(
     return f"over time the loudest part, {first} to {last} ms: zoom Traces for another"
 
 
-def proportion_text(found: Proportion, every: Straightness | None = None) -> str:
+def proportion_text(result: Proportion, every: Straightness | None = None) -> str:
     """What was found, in a sentence."""
-    words = f"{len(found.strengths)} strengths, divided by them: {_apart_words(found.apart)}"
-    r2 = (found if every is None else every).adjusted_r2
+    words = f"{len(result.strengths)} strengths, divided by them: {_apart_words(result.apart)}"
+    r2 = (result if every is None else every).adjusted_r2
     known, whose = r2[np.isfinite(r2)], "" if every is None else f" of all {len(r2)} outputs"
     if not known.size:  # A short response may have no frequency in the band of its limb.
         return words
     return f"{words} · adjusted R²{whose} in bands of 2 Hz {known.min():.6f} at least"
 
 
-def superposition_text(found: Superposition) -> str:
+def superposition_text(result: Superposition) -> str:
     """What was found, in a sentence."""
-    known = found.correlation[np.isfinite(found.correlation)]
+    known = result.correlation[np.isfinite(result.correlation)]
     alike = f" · r {known.min():.6f} at least" if known.size else ""
-    return f"Sum of separate and joint, wide and thin: {_apart_words(found.apart)}{alike}"
+    return f"Sum of separate and joint, wide and thin: {_apart_words(result.apart)}{alike}"
 
 
 def _apart_words(apart: float) -> str:

@@ -23,9 +23,9 @@ def x_with_room_for_labels(axes: Axes, curves: tuple[Curve, ...], metrics: QFont
     labelled = [curve for curve in curves if curve.label]
     if not labelled:
         return axes.x
-    needed_px = max(metrics.horizontalAdvance(one.label) for one in labelled) + 4.0 * DOT_PX
+    needed_px = max(metrics.horizontalAdvance(curve.label) for curve in labelled) + 4.0 * DOT_PX
     part = max(1.0 - needed_px / max(axes.frame.width(), 1.0), _LEAST_OF_CURVES)
-    low, last = axes.x.shown[0], max(float(one.x[-1]) for one in labelled)
+    low, last = axes.x.shown[0], max(float(curve.x[-1]) for curve in labelled)
     high = low * (last / low) ** (1.0 / part) if axes.x.log else low + (last - low) / part
     return replace(axes.x, shown=(low, float(high)))
 
@@ -56,11 +56,11 @@ def places_of_labels(
     letters = scaled(font, max(fits, _LEAST_PART)) if fits < 1.0 else font
     line = QFontMetricsF(letters).height()
     apart = _APART * line
-    ends = sorted(ends[: max(int(frame.height() / apart + 1e-6), 1)], key=lambda one: one[0])
+    ends = sorted(ends[: max(int(frame.height() / apart + 1e-6), 1)], key=lambda end: end[0])
     return letters, [
         (QRectF(x + 2.0 * DOT_PX, y - line / 2, frame.right() - x - 2.0 * DOT_PX, line), curve)
         for y, (_, x, curve) in zip(
-            _apart([one[0] for one in ends], apart, frame.top(), frame.bottom()), ends, strict=True
+            _apart([end[0] for end in ends], apart, frame.top(), frame.bottom()), ends, strict=True
         )
     ]
 
@@ -122,29 +122,29 @@ class DiagramsPicture(Figure):
         metrics = QFontMetricsF(painter.font())
         draw_legend(painter, head, self.outputs, current_theme())
         self._placed = []
-        for area, one in zip(areas, self.diagrams, strict=True):
+        for area, diagram in zip(areas, self.diagrams, strict=True):
             painter.save()
             # Labels of y begin at the left edge of their area.
             painter.translate(area.topLeft())
             inner = QRectF(QPointF(), area.size())
-            axes = fitted_axes(inner, one.x, one.y, metrics)
-            longer = x_with_room_for_labels(axes, one.curves, metrics)
-            axes = fitted_axes(inner, longer, one.y, metrics)
+            axes = fitted_axes(inner, diagram.x, diagram.y, metrics)
+            longer = x_with_room_for_labels(axes, diagram.curves, metrics)
+            axes = fitted_axes(inner, longer, diagram.y, metrics)
             axes.paint(painter, current_theme())
             painter.setClipRect(axes.frame.adjusted(-DOT_PX, -DOT_PX, DOT_PX, DOT_PX))
-            for curve in one.curves:
+            for curve in diagram.curves:
                 _draw(painter, axes, curve, current_theme())
-            write_labels(painter, axes, one.curves, current_theme())
+            write_labels(painter, axes, diagram.curves, current_theme())
             painter.restore()
             self._placed.append((area.topLeft(), axes))
 
     def read(self, at: QPointF) -> str:
         for origin, axes in self._placed:
-            found = axes.value_at(at - origin)
-            if found is not None:
+            values = axes.value_at(at - origin)
+            if values is not None:
                 across, up = (
                     f"{axis.title}: {value * axis.factor:.4g}"
-                    for axis, value in zip((axes.x, axes.y), found, strict=True)
+                    for axis, value in zip((axes.x, axes.y), values, strict=True)
                 )
                 return minus(f"{across} · {up}")
         return ""

@@ -80,7 +80,7 @@ class ComparedDesigns:
 def compared_designs(compared: Sequence[Compared]) -> ComparedDesigns:
     """All of the designs; or, where what is edited is something else, those that are stored."""
     every = _held(compared)
-    stored = [one for one in compared if one.snapshot.number != EDITED]
+    stored = [side for side in compared if side.snapshot.number != EDITED]
     if every.is_linear or len(stored) == len(compared):
         return every
     alone = _held(stored, _STORED_ALONE)
@@ -88,7 +88,7 @@ def compared_designs(compared: Sequence[Compared]) -> ComparedDesigns:
 
 
 def _held(compared: Sequence[Compared], words: str = "") -> ComparedDesigns:
-    designs = [one.snapshot.design for one in compared]
+    designs = [side.snapshot.design for side in compared]
     return ComparedDesigns(
         compared=compared,
         strengths=strengths_of(designs),
@@ -103,7 +103,7 @@ _Lines = list[tuple[str, ...]]
 
 
 def tab_separated(
-    found: Proportion | Superposition,
+    result: Proportion | Superposition,
     outputs: tuple[int, ...],
     axes: tuple[str, ...],
     unit: StrengthUnit,
@@ -118,14 +118,14 @@ def tab_separated(
     """
     channels = [(output, axis) for output in outputs for axis in axes]
     lines: _Lines
-    if isinstance(found, Proportion) and every is not None:
+    if isinstance(result, Proportion) and every is not None:
         lines = _straight(every, axes)
-    elif isinstance(found, Proportion):
+    elif isinstance(result, Proportion):
         names = [f"{output}_{axis}" for output, axis in channels]
-        lines = (_by_band if bands else _by_strength)(found, names, unit)
+        lines = (_by_band if bands else _by_strength)(result, names, unit)
     else:
         lines = [("output", "axis", "pearson_r")]
-        for (output, axis), r in zip(channels, found.correlation, strict=True):
+        for (output, axis), r in zip(channels, result.correlation, strict=True):
             lines.append((str(output), axis, copied(r)))
     return "".join("\t".join(line) + "\n" for line in lines)
 
@@ -141,21 +141,21 @@ def _straight(every: Straightness, axes: tuple[str, ...]) -> _Lines:
     return lines
 
 
-def _by_strength(found: Proportion, channels: list[str], unit: StrengthUnit) -> _Lines:
-    lines: _Lines = [(unit.column, *(f"rms_{one}_m_per_s2" for one in channels))]
-    for strength, rms in zip(found.strengths * unit.si_factor, found.rms, strict=True):
+def _by_strength(result: Proportion, channels: list[str], unit: StrengthUnit) -> _Lines:
+    lines: _Lines = [(unit.column, *(f"rms_{channel}_m_per_s2" for channel in channels))]
+    for strength, rms in zip(result.strengths * unit.si_factor, result.rms, strict=True):
         lines.append((copied(strength), *map(copied, rms)))
     return lines
 
 
-def _by_band(found: Proportion, channels: list[str], unit: StrengthUnit) -> _Lines:
-    told = [f"{unit.column} {strength:.6g}" for strength in found.strengths * unit.si_factor]
-    of_strengths = [f"band_rms_{one}_m_per_s2 at {at}" for at in told for one in channels]
+def _by_band(result: Proportion, channels: list[str], unit: StrengthUnit) -> _Lines:
+    told = [f"{unit.column} {strength:.6g}" for strength in result.strengths * unit.si_factor]
+    of_strengths = [f"band_rms_{channel}_m_per_s2 at {at}" for at in told for channel in channels]
     lines: _Lines = [
-        ("frequency_hz", *of_strengths, *(f"adjusted_r2_{one}" for one in channels)),
+        ("frequency_hz", *of_strengths, *(f"adjusted_r2_{channel}" for channel in channels)),
     ]
-    for k, frequency_hz in enumerate(found.frequency_hz):
-        levels, r2 = found.band_rms[..., k].ravel(), found.adjusted_r2[:, k]
+    for k, frequency_hz in enumerate(result.frequency_hz):
+        levels, r2 = result.band_rms[..., k].ravel(), result.adjusted_r2[:, k]
         lines.append((copied(frequency_hz), *map(copied, levels), *map(copied, r2)))
     return lines
 
@@ -217,8 +217,8 @@ class LinearityPanel(FigurePanel):
         return _NEEDS | {_EVERY} if self._settings.every_output else _NEEDS
 
     def snapshots_drawn(self, snapshots: Sequence[Snapshot]) -> Sequence[Snapshot]:
-        held = compared_designs([Compared(snapshot=one) for one in snapshots])
-        return [one.snapshot for one in held.compared]
+        held = compared_designs([Compared(snapshot=snapshot) for snapshot in snapshots])
+        return [side.snapshot for side in held.compared]
 
     def show_state(self, design: Design, view: View) -> None:
         self._view, self._settings = view, settings_of(view, self.name, LinearitySettings)
@@ -232,16 +232,16 @@ class LinearityPanel(FigurePanel):
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
         held = compared_designs(compared)
-        problem = next((one.problem for one in held.compared if one.problem), "")
+        problem = next((side.problem for side in held.compared if side.problem), "")
         wanted = self.needs_of_snapshots
-        known = [one.values for one in held.compared if one.values is not None]
+        known = [side.values for side in held.compared if side.values is not None]
         # A switch may need more than what was found before it: that is on its way.
-        found = [one for one in known if wanted <= one.keys()]
+        complete = [values for values in known if wanted <= values.keys()]
         if not held.is_linear:
             self.say_instead(_neither())
         elif problem:
             self.say_instead(problem)
-        elif len(found) < len(held.compared):
+        elif len(complete) < len(held.compared):
             if self.found is None:
                 self.await_results()
             else:
@@ -250,8 +250,8 @@ class LinearityPanel(FigurePanel):
             settings, looked = self._settings, self._view
             switched = settings.velocity, settings.bands, settings.every_output, held.words
             how = looked.time_range_s, looked.delay_removed, *switched
-            if not self._is_drawn((*how, *(one["axis_traces"] for one in found))):
-                self._show(held, found)
+            if not self._is_drawn((*how, *(values["axis_traces"] for values in complete))):
+                self._show(held, complete)
             self.show_stale(False)
 
     def show_problem(self, reason: str) -> None:
@@ -275,7 +275,7 @@ class LinearityPanel(FigurePanel):
 
     def _is_drawn(self, wanted: tuple[Any, ...]) -> bool:
         same = len(wanted) == len(self._drawn) and all(
-            one is other for one, other in zip(wanted, self._drawn, strict=True)
+            part is other for part, other in zip(wanted, self._drawn, strict=True)
         )
         if not same:
             self._drawn = wanted
@@ -297,13 +297,13 @@ class LinearityPanel(FigurePanel):
         """Draw what is known of all designs."""
         drawn, design = self._drawn, held.compared[0].snapshot.design
         strengths, whole = held.strengths, held.whole
-        traces = [one["axis_traces"] for one in results]
+        traces = [result["axis_traces"] for result in results]
         n_outputs, n_axes, _ = traces[0].shape
-        if sum(one.size for one in traces) > _MOST_VALUES:
+        if sum(trace.size for trace in traces) > _MOST_VALUES:
             self.say_instead(_TOO_MUCH)
             return
-        channels = [one.reshape(n_outputs * n_axes, -1) for one in traces]
-        if not all(one.any() for one in channels):
+        channels = [trace.reshape(n_outputs * n_axes, -1) for trace in traces]
+        if not all(channel.any() for channel in channels):
             self.say_instead(SILENT)
             return
         axes, limb = axes_on(design.limb, self._view.axes), facts_of(design.limb)
@@ -317,7 +317,7 @@ class LinearityPanel(FigurePanel):
             self.found = shown = proportion(strengths, np.stack(channels), rate_hz, limb.band_hz)
             fastest = results[0]["fastest_probe_m_per_s"]
             self.velocity.setVisible(bool(fastest))
-            factors = any(is_gain(design, one) for one in design.inputs)
+            factors = any(is_gain(design, track) for track in design.inputs)
             self._unit = of_amplitudes("×" if factors else amplitude_unit(design))
             if fastest and self._settings.velocity:
                 self._unit = of_velocities(fastest / strengths[0])
@@ -335,7 +335,7 @@ class LinearityPanel(FigurePanel):
             self.show_found(proportion_text(shown, self.every))
         elif whole is not None:
             self.velocity.hide()
-            parts = [one for k, one in enumerate(channels) if k != whole]
+            parts = [channel for k, channel in enumerate(channels) if k != whole]
             self.found = added = superposition(parts, channels[whole])
             drawing = diagrams_of_superposition(added, rows, time_s, zoom)
             self.picture.show_diagrams(drawing, self._outputs)
@@ -354,16 +354,16 @@ class LinearityPanel(FigurePanel):
 
         Those of snapshots do not: nothing else that is of them depends on it.
         """
-        found: Floats = results["response_time_s"]
-        return found + delay_s * (int(results["delay_removed"]) - int(self._view.delay_removed))
+        time_s: Floats = results["response_time_s"]
+        return time_s + delay_s * (int(results["delay_removed"]) - int(self._view.delay_removed))
 
 
 def _straightness(
     strengths: Sequence[float], results: Sequence[Mapping[str, Any]]
 ) -> Straightness | None:
     """How straight all outputs are; None: they are too long to be transformed at once."""
-    in_bands = [one[_EVERY] for one in results]
-    return None if any(one is None for one in in_bands) else straightness(strengths, in_bands)
+    in_bands = [result[_EVERY] for result in results]
+    return None if any(levels is None for levels in in_bands) else straightness(strengths, in_bands)
 
 
 def _neither() -> str:

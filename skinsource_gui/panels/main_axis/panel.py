@@ -35,17 +35,19 @@ class MainAxisContent:
 
     def words_of(self, rank: int) -> str:
         """What is to be said of one output."""
-        found, name = self.found, output_name(self.outputs[rank], self.limb).short_name
+        main_axes, name = self.found, output_name(self.outputs[rank], self.limb).short_name
         start = f"{self.outputs[rank]} {name}"
-        if np.isnan(found.share[rank]):
+        if np.isnan(main_axes.share[rank]):
             return f"{start}: silent"
-        if found.none[rank]:
+        if main_axes.none[rank]:
             return f"{start}: no main axis"
         direction = ", ".join(
             f"{axis} {part:+.2f}"
-            for axis, part in zip(self.axes, found.direction[rank], strict=True)
+            for axis, part in zip(self.axes, main_axes.direction[rank], strict=True)
         )
-        return f"{start}: {direction} · {found.share[rank]:.0%} of the variance".replace("-", "−")
+        return f"{start}: {direction} · {main_axes.share[rank]:.0%} of the variance".replace(
+            "-", "−"
+        )
 
 
 class MainAxisPicture(Figure):
@@ -100,22 +102,22 @@ class MainAxisPicture(Figure):
         if shown is None:
             return
         line = QFontMetricsF(painter.font()).height()
-        found, theme = shown.found, current_theme()
+        main_axes, theme = shown.found, current_theme()
         head = QRectF(place.left(), place.top(), place.width(), line)
         number = shown.outputs[rank]
-        if np.isnan(found.share[rank]):
+        if np.isnan(main_axes.share[rank]):
             said = "silent"
-        elif found.none[rank]:
+        elif main_axes.none[rank]:
             said = "no main axis"
         else:
-            said = f"{found.share[rank]:.0%}"
+            said = f"{main_axes.share[rank]:.0%}"
         painter.setPen(theme.output_colour(rank))
         painter.drawText(head, Qt.AlignmentFlag.AlignLeft, f"{number}")
         painter.setPen(QColor(theme.warning if said == "no main axis" else theme.dim))
         painter.drawText(head, Qt.AlignmentFlag.AlignRight, said)
         planes = tuple(combinations(range(len(shown.axes)), 2))
         each = place.width() / len(planes)
-        largest = float(found.deviation[rank, 0])
+        largest = float(main_axes.deviation[rank, 0])
         for k, plane in enumerate(planes):
             area = QRectF(place.left() + k * each, place.top() + line, each, place.height() - line)
             self._draw_plane(painter, area.adjusted(2, 1, -2, -1), rank, plane, largest)
@@ -237,9 +239,13 @@ class MainAxisPanel(FigurePanel):
         header += [f"deviation_{k}_m_per_s2" for k in range(1, n_axes + 1)]
         header += ["share_of_variance", "main_axis"]
         lines = ["\t".join(header)]
-        found = shown.found
+        main_axes = shown.found
         for rank, output in enumerate(shown.outputs):
-            numbers = (*found.direction[rank], *found.deviation[rank], found.share[rank])
-            said = "no" if found.none[rank] else "yes"
+            numbers = (
+                *main_axes.direction[rank],
+                *main_axes.deviation[rank],
+                main_axes.share[rank],
+            )
+            said = "no" if main_axes.none[rank] else "yes"
             lines.append("\t".join((str(output), *map(copied, numbers), said)))
         return "\n".join(lines) + "\n"

@@ -205,11 +205,11 @@ class Cells:
     ) -> tuple[Cell, ...]:
         """A map of the levels of each, in the same colours over the same range."""
         self._begin()
-        known = [_levels_db(one) for one in compared if one.values is not None]
+        known = [_levels_db(side) for side in compared if side.values is not None]
         loudest = np.array([levels.max() for levels in known])
         scale = scale_of_levels(loudest, look)
         return tuple(
-            self._levels(one, name, scale) for one, name in zip(compared, names, strict=True)
+            self._levels(side, name, scale) for side, name in zip(compared, names, strict=True)
         )
 
     def of_own_maxima(
@@ -221,7 +221,7 @@ class Cells:
         """A map of the levels of each relative to its own loudest output, in colours of a look."""
         self._begin()
         scale, pairs = scale_of_own(look), zip(compared, names, strict=True)
-        return tuple(self._levels(one, name, scale, own=True) for one, name in pairs)
+        return tuple(self._levels(side, name, scale, own=True) for side, name in pairs)
 
     def of_differences(
         self, compared: Sequence[Compared], names: Sequence[Names], reference: int
@@ -230,8 +230,8 @@ class Cells:
         self._begin()
         base, of_base = compared[reference], names[reference]
         cells = [
-            self._difference(one, _minus(of_one, of_base), base)
-            for k, (one, of_one) in enumerate(zip(compared, names, strict=True))
+            self._difference(side, _minus(of_one, of_base), base)
+            for k, (side, of_one) in enumerate(zip(compared, names, strict=True))
             if k != reference
         ]
         drawn = [cell.values_db for cell in cells if cell.values_db is not None]
@@ -253,27 +253,27 @@ class Cells:
         base = compared[reference]
         limb = _limb(base)
         pairs = zip(compared, names, strict=True)
-        alike = [(one, words) for one, words in pairs if same_outputs(limb, _limb(one))]
+        alike = [(side, words) for side, words in pairs if same_outputs(limb, _limb(side))]
         # Silence is no level that others could lie about.
-        felt = [(one, words) for one, words in alike if one.values and not is_silent(one)]
-        known = [one for one, _ in felt]
+        felt = [(side, words) for side, words in alike if side.values and not is_silent(side)]
+        known = [side for side, _ in felt]
         # A mean of those that happen to be known already would change by itself.
-        computing = any(one.values is None and not one.problem for one, _ in alike)
+        computing = any(side.values is None and not side.problem for side, _ in alike)
         if base.values is None or computing or len(known) < 2:
             few = (
                 "A mean takes two at least that are not silent and have outputs at the same places."
             )
-            problem = base.problem or next((one.problem for one, _ in alike if one.problem), few)
+            problem = base.problem or next((side.problem for side, _ in alike if side.problem), few)
             return (Cell(headings=("",), limb=limb, words="" if computing else problem),)
-        mean, spread = mean_and_spread_over([_levels_db(one) for one in known])
+        mean, spread = mean_and_spread_over([_levels_db(side) for side in known])
         called = [words for _, words in felt]
         what = _of_all(called, len(compared))
-        late = any(one.late for one in known)
+        late = any(side.late for side in known)
         noisy = _noisy(*known)
         common: dict[str, Any] = {
             "limb": limb,
             "late": late,
-            "synthetic": any(_synthetic(one) for one in known),
+            "synthetic": any(_synthetic(side) for side in known),
         }
         of_mean = scale_of_levels(mean, look)
         of_spread = Scale(
@@ -284,15 +284,15 @@ class Cells:
         )
         return (
             Cell(
-                headings=(*(f"Mean {one}" for one in what), "Mean"),
+                headings=(*(f"Mean {phrase}" for phrase in what), "Mean"),
                 small=self._map("mean", base, mean, noisy),
                 scale=of_mean,
                 **common,
             ),
             Cell(
                 headings=(
-                    *(f"Standard deviation {one}" for one in what),
-                    *(f"Spread {one}" for one in what),
+                    *(f"Standard deviation {phrase}" for phrase in what),
+                    *(f"Spread {phrase}" for phrase in what),
                     "Spread",
                 ),
                 small=self._map("spread", base, spread, noisy),
@@ -301,52 +301,52 @@ class Cells:
             ),
         )
 
-    def _difference(self, one: Compared, headings: Names, base: Compared) -> Cell:
-        cell = Cell(headings=headings, limb=_limb(one), late=one.late or base.late)
-        if problem := one.problem or base.problem:
+    def _difference(self, side: Compared, headings: Names, base: Compared) -> Cell:
+        cell = Cell(headings=headings, limb=_limb(side), late=side.late or base.late)
+        if problem := side.problem or base.problem:
             return replace(cell, words=problem)
-        if not same_outputs(_limb(one), _limb(base)):
+        if not same_outputs(_limb(side), _limb(base)):
             return replace(cell, words=ELSEWHERE)
-        if one.values is None or base.values is None:
+        if side.values is None or base.values is None:
             return cell
-        if is_silent(one) or is_silent(base):
+        if is_silent(side) or is_silent(base):
             return replace(cell, words=SILENCE)
-        levels = difference_db(_levels_db(one), _levels_db(base))
-        both = _synthetic(one) or _synthetic(base)
-        small = self._map(headings[0], one, levels, _noisy(one, base))
+        levels = difference_db(_levels_db(side), _levels_db(base))
+        both = _synthetic(side) or _synthetic(base)
+        small = self._map(headings[0], side, levels, _noisy(side, base))
         return replace(cell, small=small, synthetic=both)
 
-    def _levels(self, one: Compared, names: Names, scale: Scale, *, own: bool = False) -> Cell:
-        cell = Cell(headings=names, limb=_limb(one), words=one.problem, late=one.late)
-        if one.values is None:
+    def _levels(self, side: Compared, names: Names, scale: Scale, *, own: bool = False) -> Cell:
+        cell = Cell(headings=names, limb=_limb(side), words=side.problem, late=side.late)
+        if side.values is None:
             return cell
-        small, maximum_db = self._map(names[0], one, None, _noisy(one)), None
-        if own and not is_silent(one):
-            maximum_db = float(_levels_db(one).max())
+        small, maximum_db = self._map(names[0], side, None, _noisy(side)), None
+        if own and not is_silent(side):
+            maximum_db = float(_levels_db(side).max())
             small = _relative(small, maximum_db)
         return replace(
             cell,
             small=small,
             scale=scale,
             maximum_db=maximum_db,
-            design=one.snapshot.design,
-            synthetic=_synthetic(one),
+            design=side.snapshot.design,
+            synthetic=_synthetic(side),
         )
 
     def _begin(self) -> None:
         self._before, self._maps = self._maps, {}
 
     def _map(
-        self, kept: str, one: Compared, levels_db: Floats | None, noisy: tuple[int, ...]
+        self, kept: str, side: Compared, levels_db: Floats | None, noisy: tuple[int, ...]
     ) -> SmallMap:
         """A map on the limb of ``one``: of its levels as they are shown, or of others."""
-        values: dict[str, Any] = dict(one.values or {})
+        values: dict[str, Any] = dict(side.values or {})
         if levels_db is not None:
             values["output_levels_db"] = levels_db
             values["surface_levels_db"] = values["surface"].interpolate(levels_db)
-        elif one.gain != 1.0:
-            values["output_levels_db"] = _levels_db(one)
-            values["surface_levels_db"] = values["surface_levels_db"] + gain_db(one)
+        elif side.gain != 1.0:
+            values["output_levels_db"] = _levels_db(side)
+            values["surface_levels_db"] = values["surface_levels_db"] + gain_db(side)
         self._maps[kept] = maps = self._before.pop(kept, None) or SmallMaps()
         return replace(maps.map_of(values), noisy=noisy)
 
@@ -370,49 +370,52 @@ def _of_all(called: Sequence[Names], n_compared: int) -> Names:
     number = f"of {len(called)}"
     if len(called) < n_compared:
         number += f" of {n_compared}"
-    listed = ", ".join(one[min(1, len(one) - 1)] for one in called)
+    listed = ", ".join(names[min(1, len(names) - 1)] for names in called)
     return f"{number}: {listed}", number
 
 
-def _minus(one: Names, other: Names) -> Names:
+def _minus(names: Names, other: Names) -> Names:
     """What a difference is called; as few words of both."""
-    n = max(len(one), len(other))
-    pairs = [(one[min(k, len(one) - 1)], other[min(k, len(other) - 1)]) for k in range(n)]
+    n = max(len(names), len(other))
+    pairs = [(names[min(k, len(names) - 1)], other[min(k, len(other) - 1)]) for k in range(n)]
     return tuple(f"{this} minus {that}" for this, that in pairs)
 
 
 def _reached_db(drawn: Sequence[Floats]) -> Range | None:
     """The smallest and the largest of all values; None where there is none."""
-    known = [one for one in drawn if one.size]
+    known = [levels for levels in drawn if levels.size]
     if not known:
         return None
-    return (min(float(one.min()) for one in known), max(float(one.max()) for one in known))
+    return (
+        min(float(levels.min()) for levels in known),
+        max(float(levels.max()) for levels in known),
+    )
 
 
-def _levels_db(one: Compared) -> Floats:
+def _levels_db(side: Compared) -> Floats:
     """Levels as it is shown: as loud as the others, where that is wanted."""
-    levels: Floats = (one.values or {})["output_levels_db"]
-    return levels if one.gain == 1.0 else levels + gain_db(one)
+    levels: Floats = (side.values or {})["output_levels_db"]
+    return levels if side.gain == 1.0 else levels + gain_db(side)
 
 
 def _noisy(*compared: Compared) -> tuple[int, ...]:
     """Numbers of the outputs that are mostly noise in any of them."""
-    known = [(one.values or {}).get("above_noise_db") for one in compared]
-    found = {
+    known = [(side.values or {}).get("above_noise_db") for side in compared]
+    noisy = {
         int(k) + 1
         for levels in known
         if levels is not None
         for k in np.flatnonzero(levels < LEAST_ABOVE_NOISE_DB)
     }
-    return tuple(sorted(found))
+    return tuple(sorted(noisy))
 
 
-def _limb(one: Compared) -> str:
-    return one.snapshot.design.limb
+def _limb(side: Compared) -> str:
+    return side.snapshot.design.limb
 
 
-def _synthetic(one: Compared) -> bool:
-    return one.values is not None and bool(one.values["limb_data"].synthetic)
+def _synthetic(side: Compared) -> bool:
+    return side.values is not None and bool(side.values["limb_data"].synthetic)
 
 
 # What only the panel of maps side by side looks at.
@@ -532,14 +535,14 @@ class Kind:
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
         """Why nothing can be compared, in a sentence; empty where something can."""
         del view
-        known = [one for one in compared if one.values is not None]
-        return COMPARED_SILENT if known and all(is_silent(one) for one in known) else ""
+        known = [side for side in compared if side.values is not None]
+        return COMPARED_SILENT if known and all(is_silent(side) for side in known) else ""
 
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
         """What the levels are."""
         words = f"RMS of {signal_label(view.axes, view.method)} · {span_label(view.span)}"
         without = "without inputs that cannot be played"
-        left_out = without if any(one.left_out for one in compared) else ""
+        left_out = without if any(side.left_out for side in compared) else ""
         return " · ".join(
             part for part in (words, display_gain_text(design, view), left_out) if part
         )
@@ -557,11 +560,11 @@ class Kind:
         settings: SideBySideSettings,
     ) -> tuple[Cell, ...]:
         """The maps of the sides, made by ``cells``; scales say by how much levels are matched."""
-        found = self._cells(cells, compared, design, view, settings)
+        maps = self._cells(cells, compared, design, view, settings)
         matched = matched_text(compared) or display_gain_text(design, view)
         return tuple(
-            one if one.scale is None else replace(one, scale=with_matched(one.scale, matched))
-            for one in found
+            cell if cell.scale is None else replace(cell, scale=with_matched(cell.scale, matched))
+            for cell in maps
         )
 
     def _cells(
@@ -618,7 +621,7 @@ class OfAxes(Kind):
         ]
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
-        return [(f"Along {one.axes}", one.axes) for one in compared]
+        return [(f"Along {side.axes}", side.axes) for side in compared]
 
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
         words = f"RMS along each axis of the sensors · {span_label(view.span)}"
@@ -642,18 +645,20 @@ class OfLimbs(Kind):
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
         """Those measured along other axes than those of the view say so."""
-        found: list[Names] = []
-        for one in compared:
-            limb = one.snapshot.design.limb
+        names: list[Names] = []
+        for side in compared:
+            limb = side.snapshot.design.limb
             title = limb_word(limb).title
-            other = f" ({word_of(AXES, one.axes).title})" if one.axes not in ("", view.axes) else ""
+            other = (
+                f" ({word_of(AXES, side.axes).title})" if side.axes not in ("", view.axes) else ""
+            )
             number = title.split()[1] if limb in PUBLISHED else limb
-            found.append((f"{title}{other}", short_limb_title(limb), number))
-        return found
+            names.append((f"{title}{other}", short_limb_title(limb), number))
+        return names
 
     def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
-        found = [one.snapshot.design.limb == design.limb for one in compared]
-        return found.index(True) if True in found else 0
+        matches = [side.snapshot.design.limb == design.limb for side in compared]
+        return matches.index(True) if True in matches else 0
 
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
         if len(compared) == 1:
@@ -676,8 +681,8 @@ class OfSnapshots(Kind):
     def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
         held = shown(view.snapshots, design)
         number = EDITED if held is None else held.number
-        found = [one.snapshot.number == number for one in compared]
-        return found.index(True) if True in found else 0
+        matches = [side.snapshot.number == number for side in compared]
+        return matches.index(True) if True in matches else 0
 
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
         if len(compared) < 2:
@@ -698,24 +703,24 @@ def snapshot_names(
 
     ``with_limbs``: where they are on several limbs, they say on which.
     """
-    found: list[Names] = []
-    titles = [printable(scenes.title_of(one.snapshot.design)).strip() for one in compared]
+    names: list[Names] = []
+    titles = [printable(scenes.title_of(side.snapshot.design)).strip() for side in compared]
     own_parts = _own_parts([each for each in titles if each])
-    several = with_limbs and len({one.snapshot.design.limb for one in compared}) > 1
-    for one, title in zip(compared, titles, strict=True):
-        along = axes_on(one.snapshot.design.limb, axes)
+    several = with_limbs and len({side.snapshot.design.limb for side in compared}) > 1
+    for side, title in zip(compared, titles, strict=True):
+        along = axes_on(side.snapshot.design.limb, axes)
         other = f" ({word_of(AXES, along).title})" if along != axes else ""
-        on_limb = f" on {short_limb_title(one.snapshot.design.limb)}" if several else ""
+        on_limb = f" on {short_limb_title(side.snapshot.design.limb)}" if several else ""
         other += on_limb
-        edited = one.snapshot.number == EDITED
-        called = one.name if edited else f"Snapshot {one.name}"
+        edited = side.snapshot.number == EDITED
+        called = side.name if edited else f"Snapshot {side.name}"
         parts = dict.fromkeys((title, own_parts.get(title, title)))
         longest = tuple(f"{called} · {part}{other}" for part in parts if part and not edited)
         if len(longest) > 1:
-            longest = (*longest, f"{one.name} · {own_parts[title]}{other}")
-        short = () if edited and not other else (f"{one.name}{on_limb}",)
-        found.append((*longest, f"{called}{other}", *short))
-    return found
+            longest = (*longest, f"{side.name} · {own_parts[title]}{other}")
+        short = () if edited and not other else (f"{side.name}{on_limb}",)
+        names.append((*longest, f"{called}{other}", *short))
+    return names
 
 
 def _own_parts(titles: Sequence[str]) -> dict[str, str]:
@@ -723,11 +728,11 @@ def _own_parts(titles: Sequence[str]) -> dict[str, str]:
 
     Of titles whose parts, between middle dots, begin alike.
     """
-    parts = [one.split(" · ") for one in titles]
+    parts = [title.split(" · ") for title in titles]
     alike = 0
-    while parts and all(len(one) > alike + 1 and one[alike] == parts[0][alike] for one in parts):
+    while parts and all(len(part) > alike + 1 and part[alike] == parts[0][alike] for part in parts):
         alike += 1
-    return {one: " · ".join(each[alike:]) for one, each in zip(titles, parts, strict=True)}
+    return {title: " · ".join(each[alike:]) for title, each in zip(titles, parts, strict=True)}
 
 
 # The numbers of maps side by side, for a spreadsheet.
@@ -739,8 +744,8 @@ def tab_separated(content: SideBySideContent) -> str:
     titles = [f"{cell.heading} ({_unit(cell)})" for cell in cells]
     lines = ["\t".join(("output", *titles))]
     values = [np.asarray(cell.values_db) for cell in cells]
-    for row in range(max((one.size for one in values), default=0)):
-        texts = (copied_level(one[row]) if row < one.size else "" for one in values)
+    for row in range(max((column.size for column in values), default=0)):
+        texts = (copied_level(column[row]) if row < column.size else "" for column in values)
         lines.append("\t".join((str(row + 1), *texts)))
     return "\n".join(lines) + "\n"
 

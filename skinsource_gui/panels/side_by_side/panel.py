@@ -90,7 +90,7 @@ class LimbsButton(QToolButton):
         menu.addSeparator()
         known = available_limbs()
         # One that has gone can be taken out of the choice.
-        for name in (*known, *(one for one in self._chosen if one not in known)):
+        for name in (*known, *(limb for limb in self._chosen if limb not in known)):
             action = menu.addAction(limb_word(name).title)
             action.setCheckable(True)
             ticked = name in self._chosen
@@ -100,7 +100,7 @@ class LimbsButton(QToolButton):
             action.triggered.connect(partial(self._toggle, name))
 
     def _toggle(self, name: str) -> None:
-        without = tuple(one for one in self._chosen if one != name)
+        without = tuple(limb for limb in self._chosen if limb != name)
         self.limbs_chosen.emit(without if name in self._chosen else (*self._chosen, name))
 
 
@@ -194,8 +194,8 @@ class ChoicesBar(QWidget):
         """Write as large as leaves few rows, where there shall be no more; else as usual."""
         around = self.contentsMargins().left() + self.contentsMargins().right() + UNIT_PX
         for font in fonts_of(self.font()) if not self._has_room else (self.font(),):
-            for one in self._parts:
-                one.setFont(font)
+            for part in self._parts:
+                part.setFont(font)
             self._row.fold()
             if self._row.px_of(_BESIDE) <= self.width() - around:
                 return

@@ -183,9 +183,9 @@ def paint_heading(painter: QPainter, wordings: Sequence[str], room: QRectF) -> N
     metrics = QFontMetricsF(painter.font())
     wraps = _CENTRE | Qt.TextFlag.TextWordWrap
     inner = _inner(metrics, room)
-    found = next((one for one in wordings if _fits(metrics, (one,), room)), None)
-    if found is not None:
-        painter.drawText(inner, wraps, _kept(found))
+    fitted = next((wording for wording in wordings if _fits(metrics, (wording,), room)), None)
+    if fitted is not None:
+        painter.drawText(inner, wraps, _kept(fitted))
         return
     lines = max(round(room.height() / metrics.height()), 1)
     width = inner.width() * (1.0 if lines == 1 else _FILLED * lines)
@@ -195,9 +195,9 @@ def paint_heading(painter: QPainter, wordings: Sequence[str], room: QRectF) -> N
 
 def bold(font: QFont) -> QFont:
     """The font of headings among words in ``font``."""
-    found = QFont(font)
-    found.setBold(True)
-    return found
+    bold_font = QFont(font)
+    bold_font.setBold(True)
+    return bold_font
 
 
 def _fits(metrics: QFontMetricsF, wordings: Sequence[str], room: QRectF) -> bool:

@@ -81,7 +81,7 @@ class SpectraSettings:
 
 # What the spectra show of results: which quantity, in which unit, and what is said of it.
 
-_HOLD, _LOUDEST = (f"{one * 1e3:.0f} ms" for one in (HOLD_WINDOW_S, LOUDEST_WINDOW_S))
+_HOLD, _LOUDEST = (f"{window_s * 1e3:.0f} ms" for window_s in (HOLD_WINDOW_S, LOUDEST_WINDOW_S))
 # What the height of a curve means, longest first.
 _SCALINGS = {
     "record": ("amplitude over the whole record", "over the whole record", "whole record"),
@@ -129,10 +129,10 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
     peaks: tuple[float, ...] = ()
     if settings.relative:
         within = _inside(frequency_hz, limb.band_hz)
-        found = drawn[..., within].max(axis=(-2, -1))
-        peaks = tuple(found.tolist())
+        largest = drawn[..., within].max(axis=(-2, -1))
+        peaks = tuple(largest.tolist())
         # Silence has no peak to be relative to.
-        drawn = drawn / np.where(found > 0.0, found, 1.0)[:, None, None]
+        drawn = drawn / np.where(largest > 0.0, largest, 1.0)[:, None, None]
         measured = _drawn(drawn[..., within], settings)
         seen = float(measured.min()), float(measured.max())
         first.append("each output relative to its largest magnitude in the measured band")
@@ -196,9 +196,9 @@ def _drawn(magnitude: Floats, settings: SpectraSettings) -> Floats:
 def _inside(frequency_hz: Floats, band_hz: Band | None) -> NDArray[np.bool_]:
     """Which frequencies were measured: below them is what sensors drift, not what skin does."""
     low_hz, high_hz = band_hz or (0.0, np.inf)
-    found = (frequency_hz >= low_hz) & (frequency_hz <= high_hz)
+    inside = (frequency_hz >= low_hz) & (frequency_hz <= high_hz)
     # A band between two frequencies holds none: then all count.
-    return found if found.any() else ~found
+    return inside if inside.any() else ~inside
 
 
 # Amplitude spectra of the selected outputs.

@@ -328,12 +328,12 @@ class SpectrogramPanel(FigurePanel):
         self.ceiling.set_value(min(settings.ceiling_hz, facts_of(limb).sample_rate_hz / 2.0))
 
     def _draw(self, results: Mapping[str, Any]) -> None:
-        found = results["output_spectrogram"]
+        spectrogram = results["output_spectrogram"]
         band = _band(self._settings, results["sample_rate_hz"] / 2.0)
         first_s = float(results["response_time_s"][0])
         matched = match_text(results["match_gain"])
         self.picture.show_spectrogram(
-            SpectrogramContent(found=found, first_s=first_s, band_hz=band, matched=matched)
+            SpectrogramContent(found=spectrogram, first_s=first_s, band_hz=band, matched=matched)
         )
         number = results["spectrogram_output"]
         limb = results["limb_data"]

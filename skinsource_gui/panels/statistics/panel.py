@@ -76,7 +76,7 @@ class StatisticsRow:
             format(value, style).removesuffix(".") if np.isfinite(value) else "–"
             for value, style in zip(self.shown, ("#.3g", "#.3g", ".2f", ".1f", ".1f"), strict=True)
         )
-        return (f"{self.number}  {self.name}{mark}", *(one.replace("-", "−") for one in written))
+        return (f"{self.number}  {self.name}{mark}", *(text.replace("-", "−") for text in written))
 
     @property
     def short_name(self) -> str:
@@ -94,7 +94,7 @@ def rows_of(
     outputs: tuple[int, ...], figures: Statistics, above_noise_db: Floats | None, limb: str = ""
 ) -> tuple[StatisticsRow, ...]:
     """A row for each selected output of a limb."""
-    found = []
+    rows = []
     columns = (
         figures.rms,
         figures.peak,
@@ -104,7 +104,7 @@ def rows_of(
     )
     for rank, output in enumerate(outputs):
         above = np.inf if above_noise_db is None else above_noise_db[output - 1]
-        found.append(
+        rows.append(
             StatisticsRow(
                 number=output,
                 name=output_name(output, limb).short_name,
@@ -112,7 +112,7 @@ def rows_of(
                 noisy=bool(above < LEAST_ABOVE_NOISE_DB),
             )
         )
-    return tuple(found)
+    return tuple(rows)
 
 
 def tab_separated(rows: tuple[StatisticsRow, ...]) -> str:
@@ -264,8 +264,8 @@ class StatisticsPanel(Panel):
         if not outputs:
             self._say(self.no_outputs)
             return
-        found = results["output_statistics"], results["above_noise_db"]
-        rows = rows_of(outputs, *found, limb=results["limb_data"].name)
+        figures = results["output_statistics"], results["above_noise_db"]
+        rows = rows_of(outputs, *figures, limb=results["limb_data"].name)
         self.model.show_rows(rows)
         parts = (
             signal_label(results["axes"], results["method"]),

@@ -97,7 +97,7 @@ def boxes_of(
     durations_s
         Length of each clip, by its id.
     """
-    found = []
+    boxes = []
     first, last = scale.left_px, scale.right_px
     for lane in lanes:
         top, height = lane.top_px + MARGIN_PX, lane.height_px - 2 * MARGIN_PX
@@ -108,8 +108,8 @@ def boxes_of(
                 rect = QRectF(left, top, width, height)
                 in_s, out_s = fades_of(clip) if clip.effects else (0.0, 0.0)
                 fades_px = (in_s * scale.px_per_s, out_s * scale.px_per_s)
-                found.append(Box(clip=clip, lane=lane, rect=rect, fades_px=fades_px))
-    return found
+                boxes.append(Box(clip=clip, lane=lane, rect=rect, fades_px=fades_px))
+    return boxes
 
 
 def lane_at(lanes: Sequence[Lane], y_px: float) -> Lane | None:
@@ -182,11 +182,11 @@ class GainStrip:
     def point_at(self, at: QPointF) -> int | None:
         """The point within reach."""
         away = [
-            (max(abs(one.x() - at.x()), abs(one.y() - at.y())), k)
-            for k, one in enumerate(self.at(x, y) for x, y, _ in self.points)
+            (max(abs(place.x() - at.x()), abs(place.y() - at.y())), k)
+            for k, place in enumerate(self.at(x, y) for x, y, _ in self.points)
         ]
-        found = min(away, default=None)
-        return None if found is None or found[0] > POINT_PX else found[1]
+        nearest = min(away, default=None)
+        return None if nearest is None or nearest[0] > POINT_PX else nearest[1]
 
     def is_on_line(self, at: QPointF) -> bool:
         """Whether the curve passes here."""
@@ -271,9 +271,9 @@ class ClipLengths:
     def _known_or_asked(
         self, clip: Clip, known: Mapping[int, tuple[Clip, float]]
     ) -> tuple[Clip, float]:
-        found = known.get(clip.id)
-        if found is not None and found[0] is clip:
-            return found
+        entry = known.get(clip.id)
+        if entry is not None and entry[0] is clip:
+            return entry
         self.asked += 1
         return clip, clip.duration_s
 
@@ -310,51 +310,52 @@ class Overlaps:
 
 def stretches(clips: Iterable[Clip]) -> tuple[Stretch, ...]:
     """Stretches of time in which two of these clips or more play."""
-    found: list[Stretch] = []
+    overlaps: list[Stretch] = []
     last_s = float("-inf")
-    for start_s, end_s in sorted((one.onset_s, one.end_s) for one in clips):
+    for start_s, end_s in sorted((clip.onset_s, clip.end_s) for clip in clips):
         if min(last_s, end_s) - start_s > _LEAST_S:
             both = Stretch(start_s, min(last_s, end_s))
-            if found and both.start_s <= found[-1].end_s:
-                both = Stretch(found[-1].start_s, max(found[-1].end_s, both.end_s))
-                found.pop()
-            found.append(both)
+            if overlaps and both.start_s <= overlaps[-1].end_s:
+                both = Stretch(overlaps[-1].start_s, max(overlaps[-1].end_s, both.end_s))
+                overlaps.pop()
+            overlaps.append(both)
         last_s = max(last_s, end_s)
-    return tuple(found)
+    return tuple(overlaps)
 
 
 def paint_overlaps(
-    painter: QPainter, lane: Lane, found: Sequence[Stretch], scale: TimeScale, theme: Theme
+    painter: QPainter, lane: Lane, overlaps: Sequence[Stretch], scale: TimeScale, theme: Theme
 ) -> None:
     """Mark at the foot of a lane where its clips overlap."""
     colour = QColor(theme.text)
     colour.setAlpha(_ALPHA)
     top = lane.bottom_px - MARGIN_PX - _MARK_PX
-    for one in found:
-        left, right = max(scale.x(one.start_s), -10.0), min(scale.x(one.end_s), 1e5)
+    for stretch in overlaps:
+        left, right = max(scale.x(stretch.start_s), -10.0), min(scale.x(stretch.end_s), 1e5)
         if right > left:
             painter.fillRect(QRectF(left, top, max(right - left, 2.0), _MARK_PX), colour)
 
 
 def boxes_at(boxes: Sequence[Box], at: QPointF) -> list[Box]:
     """All clips at a place, in the order in which their track lists them."""
-    found = [box for box in boxes if box.rect.contains(at)]
-    return sorted(found, key=lambda box: box.lane.track.clips.index(box.clip))
+    boxes_here = [box for box in boxes if box.rect.contains(at)]
+    return sorted(boxes_here, key=lambda box: box.lane.track.clips.index(box.clip))
 
 
-def after(ids: Sequence[int], one: int | None) -> int | None:
+def after(ids: Sequence[int], current: int | None) -> int | None:
     """The next of several, the first after the last; None where there is no other."""
     if len(ids) < 2:
         return None
-    return ids[(ids.index(one) + 1) % len(ids)] if one in ids else ids[0]
+    return ids[(ids.index(current) + 1) % len(ids)] if current in ids else ids[0]
 
 
 def overlapping(track: Input, clip: Clip) -> tuple[int, ...]:
     """Ids of the clips of a track that play while one of them does, with that one."""
     return tuple(
-        one.id
-        for one in sorted(track.clips, key=lambda each: (each.onset_s, each.id))
-        if min(one.end_s, clip.end_s) - max(one.onset_s, clip.onset_s) > _LEAST_S or one is clip
+        other.id
+        for other in sorted(track.clips, key=lambda each: (each.onset_s, each.id))
+        if min(other.end_s, clip.end_s) - max(other.onset_s, clip.onset_s) > _LEAST_S
+        or other is clip
     )
 
 
@@ -455,7 +456,7 @@ class TimelineContent:
             return frozenset()
         sounding = [clip.id for clip in lane.track.clips if not clip.muted]
         known = self.waveforms.keys() | self.awaited
-        return frozenset([one for one in sounding if one not in known] or sounding)
+        return frozenset([clip_id for clip_id in sounding if clip_id not in known] or sounding)
 
     def boxes_on(self, lane: Lane) -> list[Box]:
         """Clips of a lane that can be seen, in painting order."""
@@ -479,12 +480,12 @@ class TimelineContent:
 
     def with_playhead(self, view: View) -> "TimelineContent":
         """The same with the playhead of ``view``, of which all else is as it is here."""
-        found = replace(self, view=view)
+        content = replace(self, view=view)
         # Nothing of what is known already depends on where the playhead is.
         for name in ("selected", "boxes", "strips", "chosen"):
             if name in self.__dict__:
-                found.__dict__[name] = self.__dict__[name]
-        return found
+                content.__dict__[name] = self.__dict__[name]
+        return content
 
     @property
     def place_of_keys(self) -> QPointF:
@@ -493,7 +494,7 @@ class TimelineContent:
         for box in self.boxes:
             if box.clip.id == last:
                 return box.rect.center()
-        lane = next((one for one in self.lanes if one.selected), None)
+        lane = next((lane for lane in self.lanes if lane.selected), None)
         y = self.ruler_px / 2 if lane is None else lane.top_px + lane.height_px / 2
         return QPointF(self.scale.x(self.view.playhead_s), y)
 
@@ -521,14 +522,14 @@ class TimelineContent:
 
     def neighbours_s(self, without: frozenset[int] = frozenset()) -> list[float]:
         """Rising times that edges of the clips ``without`` may come to rest on."""
-        found = {0.0, self.view.playhead_s, *(one.time_s for one in self.design.markers)}
+        times_s = {0.0, self.view.playhead_s, *(marker.time_s for marker in self.design.markers)}
         if self.design.loop_s is not None:
-            found.update(self.design.loop_s)
+            times_s.update(self.design.loop_s)
         for lane in self.lanes:
             for clip in lane.track.clips:
                 if clip.id not in without:
-                    found.update((clip.onset_s, clip.onset_s + self.durations_s[clip.id]))
-        return sorted(found)
+                    times_s.update((clip.onset_s, clip.onset_s + self.durations_s[clip.id]))
+        return sorted(times_s)
 
 
 def chosen_clips(design: Design, view: View) -> tuple[int, ...]:

@@ -173,10 +173,10 @@ class GainPoints(QObject):
         content = self._content()
         if at.y() < content.ruler_px:
             return None
-        for one in content.strips:
-            inside = one.lane.top_px <= at.y() < one.lane.bottom_px
-            if one.shown and inside and (one.point_at(at) is not None or one.is_on_line(at)):
-                return one
+        for strip in content.strips:
+            inside = strip.lane.top_px <= at.y() < strip.lane.bottom_px
+            if strip.shown and inside and (strip.point_at(at) is not None or strip.is_on_line(at)):
+                return strip
         return None
 
     def press(self, stage: GestureContext, at: QPointF, held: Held) -> Gesture | None:
@@ -233,7 +233,7 @@ class GainPoints(QObject):
         if track not in design.ids:
             return
         curve = design.input(track).gain_curve
-        left = tuple(one for k, one in enumerate(curve) if k not in numbers)
+        left = tuple(point for k, point in enumerate(curve) if k not in numbers)
         self.choose(None)
         self._tell(track, tuple((x, y, "straight") for x, y in left), None)
 
@@ -298,17 +298,19 @@ class GainPoints(QObject):
         track = content.view.selected_input
         if track is None:
             return None
-        shown = {one.lane.track.id for one in content.strips if one.shown}
+        shown = {strip.lane.track.id for strip in content.strips if strip.shown}
         if track not in shown:
             self.looked.emit(show_gain_curves(content.view, shown | {track}))
         strips = self._content().strips
-        return next((one for one in strips if one.lane.track.id == track and one.shown), None)
+        return next(
+            (strip for strip in strips if strip.lane.track.id == track and strip.shown), None
+        )
 
     def _chosen_strip(self) -> tuple[GainStrip | None, int]:
         track, number = self.chosen or (0, 0)
-        for one in self._content().strips:
-            if one.lane.track.id == track and one.shown and number < len(one.points):
-                return one, number
+        for strip in self._content().strips:
+            if strip.lane.track.id == track and strip.shown and number < len(strip.points):
+                return strip, number
         return None, 0
 
 

@@ -211,9 +211,9 @@ class Marquee:
         covered = QRectF(down, at).normalized()
         # One that is drawn straight along a lane has no height, and would touch nothing.
         touching = covered.adjusted(-0.5, -0.5, 0.5, 0.5)
-        found = [box.clip.id for box in content.boxes if box.rect.intersects(touching)]
+        touched = [box.clip.id for box in content.boxes if box.rect.intersects(touching)]
         kept = self._stage.before.view.selected_clips if held & Held.ControlModifier else ()
-        chosen = (*(one for one in kept if one not in found), *found)
+        chosen = (*(clip_id for clip_id in kept if clip_id not in touched), *touched)
         self._stage.look(edits.select_clips(content.design, content.view, chosen).view)
         return GesturePreview(covered=covered)
 
@@ -262,11 +262,11 @@ class MoveClips:
 
     def move(self, at: QPointF, held: Held) -> GesturePreview:
         copies = self._copies = bool(held & Held.ControlModifier)
-        found = self._stage.elsewhere(at)
-        if found is not None and found.location is not None:
+        place = self._stage.elsewhere(at)
+        if place is not None and place.location is not None:
             if self._place is None:
                 self._stage.take_back()
-            self._place = found
+            self._place = place
             return GesturePreview()
         self._place = None
         rest = self._rest(at, copies=copies, free=bool(held & Held.AltModifier))
@@ -412,7 +412,7 @@ def snapped_time(
     time_s = max(content.scale.time(at.x()), 0.0)
     if not content.snaps:
         return time_s, None
-    near = [one for one in stage.before.neighbours_s() if one != without]
+    near = [neighbour_s for neighbour_s in stage.before.neighbours_s() if neighbour_s != without]
     rest = rest_of(
         (0.0,), time_s, neighbours_s=near, grid_s=content.grid_s, reach_s=content.reach_s
     )

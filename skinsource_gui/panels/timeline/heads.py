@@ -72,9 +72,9 @@ class CachedRows:
     def arrange(self, ids: Sequence[int]) -> list[InputRow]:
         """Put the rows of these inputs in order; return those that are left over."""
         old, self._rows = self._rows, {}
-        for position, one in enumerate(ids):
-            row = old.pop(one, None) or self._new_row()
-            self._rows[one] = row
+        for position, track_id in enumerate(ids):
+            row = old.pop(track_id, None) or self._new_row()
+            self._rows[track_id] = row
             self._layout.insertWidget(position, row)
         before = self._column
         for row in self.rows:
@@ -461,25 +461,25 @@ class ListEdits(QObject):
         ids = self._view.selected_inputs
         self._tell(edits.put_inputs_before(self._design, self._view, ids, gap))
 
-    def change_amplitude(self, one: int, value: float, gesture: int | None) -> None:
+    def change_amplitude(self, track_id: int, value: float, gesture: int | None) -> None:
         """Type or drag an amplitude."""
-        ids = self.together(one)
+        ids = self.together(track_id)
         changed = self._changes.change(
-            self._design, self._view, ids, "amplitude", value, lead=one, gesture=gesture
+            self._design, self._view, ids, "amplitude", value, lead=track_id, gesture=gesture
         )
         self.edited.emit(changed, gesture)
 
-    def toggle_mute(self, one: int | None = None) -> None:
+    def toggle_mute(self, track_id: int | None = None) -> None:
         """Mute all, or none if all are."""
-        self._tell(edits.toggle_mute(self._design, self._view, self.together(one)))
+        self._tell(edits.toggle_mute(self._design, self._view, self.together(track_id)))
 
-    def toggle_solo(self, one: int | None = None) -> None:
+    def toggle_solo(self, track_id: int | None = None) -> None:
         """Make all solo, or none if all are."""
-        self._tell(edits.toggle_solo(self._design, self._view, self.together(one)))
+        self._tell(edits.toggle_solo(self._design, self._view, self.together(track_id)))
 
-    def remove(self, one: int | None = None) -> None:
+    def remove(self, track_id: int | None = None) -> None:
         """Remove the selected inputs; the cross of a row removes that row alone."""
-        ids = self._view.selected_inputs if one is None else (one,)
+        ids = self._view.selected_inputs if track_id is None else (track_id,)
         self._tell(edits.remove_inputs(self._design, self._view, ids))
 
     def edit(self, ids: tuple[int, ...], edit: InputEdit) -> None:
@@ -491,10 +491,10 @@ class ListEdits(QObject):
         ids = self._view.selected_inputs
         self._tell(edits.duplicate_inputs(self._design, self._view, ids))
 
-    def together(self, one: int | None) -> tuple[int, ...]:
+    def together(self, track_id: int | None) -> tuple[int, ...]:
         """Whom a control of the row of ``one`` is about: all selected, if it is one of them."""
         selected = self._view.selected_inputs
-        return selected if one is None or one in selected else (one,)
+        return selected if track_id is None or track_id in selected else (track_id,)
 
     def _tell(self, outcome: edits.Edit | edits.Refusal) -> None:
         self.edited.emit(outcome, None)
@@ -580,23 +580,25 @@ class Heads(QObject):
         for part in (self._edits, self._selection):
             part.show_state(design, view)
         self._gain_shown = shown_gain_curves(view)
-        audible = {id(one) for one in audible_inputs(design.inputs)}
+        audible = {id(track) for track in audible_inputs(design.inputs)}
         amplitude = amplitude_spec(design)
-        peaks = {one.id: peak_text(design, one) for one in design.inputs if is_gain(design, one)}
+        peaks = {
+            track.id: peak_text(design, track) for track in design.inputs if is_gain(design, track)
+        }
         self.list.rows.show_rows(
             [
                 RowState(
-                    shown=one,
-                    silent=id(one) not in audible,
-                    selected=one.id in view.selected_inputs,
-                    last=one.id == view.selected_input,
+                    shown=track,
+                    silent=id(track) not in audible,
+                    selected=track.id in view.selected_inputs,
+                    last=track.id == view.selected_input,
                     list_focused=False,
-                    amplitude=AMPLITUDE_GAIN if one.id in peaks else amplitude,
-                    peak=peaks.get(one.id, ""),
-                    clip=clip_of(one, view),
+                    amplitude=AMPLITUDE_GAIN if track.id in peaks else amplitude,
+                    peak=peaks.get(track.id, ""),
+                    clip=clip_of(track, view),
                     limb=design.limb,
                 )
-                for one in design.inputs
+                for track in design.inputs
             ]
         )
         self.list.reveal_selected()
@@ -629,19 +631,19 @@ class Heads(QObject):
     def _toggle_gain(self) -> None:
         self._edits.edit(self._edits.together(None), toggle_gain_curves)
 
-    def _open_menu(self, one: int, at: QPoint) -> None:
-        self._selection.enter(one)
+    def _open_menu(self, track_id: int, at: QPoint) -> None:
+        self._selection.enter(track_id)
         menu = QMenu(self.list)
         menu.setObjectName("inputs_menu")
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        ids = self._edits.together(one)
+        ids = self._edits.together(track_id)
         chosen = [row.state.shown for row in self.list.rows.rows if row.id in ids]
         act = partial(self._edits.edit, ids)
         gain = Entry(
             words="Gain curve",
             key="gain_curve",
             edit=toggle_gain_curves,
-            on=lambda one: one.id in self._gain_shown,
+            on=lambda track: track.id in self._gain_shown,
             separated=True,
         )
         fill_inputs_menu(menu, chosen, act, place="inputs", entries=(*ENTRIES, *ORDER, gain))

@@ -179,7 +179,7 @@ class LaneKeys(QObject):
         ids = [
             clip.id
             for track in design.inputs
-            for clip in sorted(track.clips, key=lambda one: one.onset_s)
+            for clip in sorted(track.clips, key=lambda clip: clip.onset_s)
         ]
         if not ids:
             return
@@ -195,9 +195,9 @@ class LaneKeys(QObject):
             here, onset_s = design.index_of(design.track_of(last).id), design.clip(last).onset_s
             ahead = design.inputs[here + 1 :] if step > 0 else design.inputs[:here][::-1]
             clips = next((track.clips for track in ahead if track.clips), ())
-            near = min(clips, key=lambda one: abs(one.onset_s - onset_s), default=None)
+            near = min(clips, key=lambda clip: abs(clip.onset_s - onset_s), default=None)
             if near is not None:
-                kept = (one for one in content.chosen if one != near.id)
+                kept = (clip_id for clip_id in content.chosen if clip_id != near.id)
                 self.looked.emit(edits.select_clips(design, view, (*kept, near.id)).view)
 
     def _go_below(self) -> None:
@@ -338,7 +338,7 @@ class LaneMouse(QObject):
             return
         elif box is not None:
             # The first of the two clicks may have gone on to a clip below.
-            under = [one.clip.id for one in content.boxes_at(at)]
+            under = [box.clip.id for box in content.boxes_at(at)]
             wanted = self._pressed if self._pressed in under else box.clip.id
             self._select(wanted)
             self.opened.emit(wanted)
@@ -387,7 +387,7 @@ class LaneMouse(QObject):
             self._click = lambda: self.looked.emit(toggled)
         elif content.view.selected_clips == (clip.id,):
             # Clips may lie over each other: another click goes on to the next one below.
-            ids = [one.clip.id for one in content.boxes_at(at)]
+            ids = [box.clip.id for box in content.boxes_at(at)]
             self._click = partial(self._select, after(ids, clip.id) or clip.id)
         elif not chosen:
             self.looked.emit(edits.select_clips(content.design, content.view, (clip.id,)).view)
@@ -406,9 +406,9 @@ class LaneMouse(QObject):
         """The curve of a track where it passes over a clip."""
 
         def clip() -> Gesture:
-            found = self._on_clip(box, at, held, rate_hz)
+            gesture = self._on_clip(box, at, held, rate_hz)
             self._click = None
-            return found
+            return gesture
 
         self._pressed = box.clip.id
         self._click = partial(self._select, box.clip.id)
@@ -446,13 +446,13 @@ class LaneMouse(QObject):
 def marker_at(content: TimelineContent, at: QPointF) -> Marker | None:
     """The marker whose flag is at this place."""
     near = (
-        (abs(content.scale.x(one.time_s) - at.x()), index)
-        for index, one in enumerate(content.design.markers)
+        (abs(content.scale.x(marker.time_s) - at.x()), index)
+        for index, marker in enumerate(content.design.markers)
     )
-    found = min(near, default=None)
-    if found is None or found[0] > _CATCH_PX or at.y() > content.ruler_px / 2:
+    nearest = min(near, default=None)
+    if nearest is None or nearest[0] > _CATCH_PX or at.y() > content.ruler_px / 2:
         return None
-    return content.design.markers[found[1]]
+    return content.design.markers[nearest[1]]
 
 
 def _loop_end_at(content: TimelineContent, at: QPointF) -> float | None:
@@ -569,7 +569,7 @@ class LanesView(Canvas):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.setFocus(Qt.FocusReason.MouseFocusReason)
         self.seen.hold()
-        self._held_tops = {one.lane.track.id: one.top for one in self.content.strips}
+        self._held_tops = {strip.lane.track.id: strip.top for strip in self.content.strips}
         self.mouse.press(event.position(), event.button(), event.modifiers(), self.sample_rate_hz)
         event.accept()
 

@@ -115,10 +115,10 @@ class ClipPictures:
         """Picture of what a clip plays, so large, px."""
         samples = played.samples
         key = _Key(id(samples), played.sample_rate_hz, size.width(), size.height(), look)
-        found = self._kept.get(key)
-        if found is not None and found[0] is samples:
+        cached = self._kept.get(key)
+        if cached is not None and cached[0] is samples:
             self._kept.move_to_end(key)
-            return found[1]
+            return cached[1]
         made = QPixmap((size * look.ratio).toSize().expandedTo(QSizeF(1, 1).toSize()))
         made.setDevicePixelRatio(look.ratio)
         made.fill(Qt.GlobalColor.transparent)
@@ -150,8 +150,8 @@ class ClipPictures:
         first_s, end_s = (share * samples.size / played.sample_rate_hz for share in look.part)
         across = max(round(width * look.ratio), 1)
         wave = wave_of(time_s, samples[np.newaxis])
-        found = self.columns.of(time_s, (first_s, end_s), across)
-        seen = course_of(found, samples[np.newaxis], wave, width, look.ratio)
+        columns = self.columns.of(time_s, (first_s, end_s), across)
+        seen = course_of(columns, samples[np.newaxis], wave, width, look.ratio)
         heights = look.reach * seen.line.y[0]
         if seen.wave:
             self.waves += 1
@@ -387,9 +387,13 @@ def frame_of(content: TimelineContent) -> Hashable:
     return content.scale, content.ruler_px, design.loop_s, design.markers, places
 
 
-def same_ground(one: Lane, other: Lane) -> bool:
+def same_ground(lane: Lane, other: Lane) -> bool:
     """Whether a lane looks alike but for its clips."""
-    return (one.selected, one.silent, one.problem) == (other.selected, other.silent, other.problem)
+    return (lane.selected, lane.silent, lane.problem) == (
+        other.selected,
+        other.silent,
+        other.problem,
+    )
 
 
 def same_chosen(before: TimelineContent, after: TimelineContent) -> bool:
@@ -489,7 +493,7 @@ def _paint_ticks(
 def _paint_loop(
     painter: QPainter, content: TimelineContent, loop_s: Range, room: QRectF, theme: Theme
 ) -> None:
-    start, end = (content.scale.x(one) for one in loop_s)
+    start, end = (content.scale.x(time_s) for time_s in loop_s)
     band = QRectF(start, room.bottom() - 9, end - start, 9).intersected(room)
     tint = QColor(theme.accent)
     tint.setAlpha(_LOOP_ALPHA)
@@ -573,8 +577,8 @@ class LanesItem(pyqtgraph.GraphicsObject):
     def show_hovered(self, clip: int | None) -> None:
         """The clip under the pointer shows what can be dragged."""
         if clip != self._hovered:
-            for one in (self._hovered, clip):
-                self._update_lane_of(one)
+            for clip_id in (self._hovered, clip):
+                self._update_lane_of(clip_id)
             self._hovered = clip
 
     def show_font(self, font: QFont) -> None:
@@ -607,8 +611,8 @@ class LanesItem(pyqtgraph.GraphicsObject):
         for lane in shown:
             self._paint_why_silent(painter, lane)
             self._paint_clips(painter, content, lane, lanes)
-            found = content.overlaps.of(lane.track)
-            paint_overlaps(painter, lane, found, content.scale, current_theme())
+            overlaps = content.overlaps.of(lane.track)
+            paint_overlaps(painter, lane, overlaps, content.scale, current_theme())
         self.painted_lanes += len(shown)
         painter.restore()
         ruler = QRectF(rect.left(), 0, rect.width(), content.ruler_px)
@@ -617,7 +621,7 @@ class LanesItem(pyqtgraph.GraphicsObject):
 
     def _update_lane_of(self, clip: int | None) -> None:
         for lane in () if self._content is None or clip is None else self._content.lanes:
-            if any(one.id == clip for one in lane.track.clips):
+            if any(own.id == clip for own in lane.track.clips):
                 self.update(self._strip(lane).adjusted(0, _INSIDE_PX, 0, -_INSIDE_PX))
 
     def _update_lanes(self, before: TimelineContent, after: TimelineContent) -> None:
@@ -672,7 +676,7 @@ class LanesItem(pyqtgraph.GraphicsObject):
     def _paint_after_end(self, painter: QPainter, content: TimelineContent, lanes: QRectF) -> None:
         if content.design.loop_s is None:
             return
-        start, end = (content.scale.x(one) for one in content.design.loop_s)
+        start, end = (content.scale.x(time_s) for time_s in content.design.loop_s)
         shade = QColor(current_theme().dim)
         shade.setAlpha(22)
         for left, right in ((lanes.left(), start), (end, lanes.right())):
@@ -682,7 +686,7 @@ class LanesItem(pyqtgraph.GraphicsObject):
     def _paint_clips(
         self, painter: QPainter, content: TimelineContent, lane: Lane, lanes: QRectF
     ) -> None:
-        loudest = max((abs(one.gain) for one in lane.track.clips), default=0.0)
+        loudest = max((abs(clip.gain) for clip in lane.track.clips), default=0.0)
         unplayable = content.unplayable_on(lane)
         for box in content.boxes_on(lane):
             paint_clip(

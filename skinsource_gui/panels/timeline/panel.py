@@ -274,7 +274,7 @@ class LanesMenu(QObject):
         places = menu.addMenu(words)
         places.setObjectName("lanes_places")
         design = self._content().design
-        taken = {one.location for one in design.inputs}
+        taken = {track.location for track in design.inputs}
         for number in range(1, facts_of(design.limb).n_inputs + 1):
             track = "" if number in taken else " (new track)"
             title = f"{number} · {input_name(number, design.limb).name}{track}"
@@ -370,10 +370,10 @@ class LanesMenu(QObject):
 
 
 def _ends_of_chosen(content: TimelineContent) -> tuple[float, float] | None:
-    clips = [one for one in content.design.clips if one.id in content.view.selected_clips]
+    clips = [clip for clip in content.design.clips if clip.id in content.view.selected_clips]
     if not clips:
         return None
-    return (min(one.onset_s for one in clips), max(one.end_s for one in clips))
+    return (min(clip.onset_s for clip in clips), max(clip.end_s for clip in clips))
 
 
 # A scroll bar over the time.
@@ -590,7 +590,7 @@ def lanes_of(
 
     ``problems``: why inputs cannot be played, by their ids.
     """
-    audible = {one.id for one in audible_inputs(design.inputs)}
+    audible = {track.id for track in audible_inputs(design.inputs)}
     lanes = []
     # A list that takes over other heads scrolls before the lanes know of them; they come next.
     for track, row in zip(design.inputs, rows, strict=False):
@@ -696,13 +696,13 @@ class TimelinePanel(Panel):
     def show_results(self, results: Mapping[str, Any]) -> None:
         self._show_foot("")
         self._table.lanes.sample_rate_hz = results["sample_rate_hz"]
-        clips = (clip for one in results["inputs"] for clip in one.clips)
+        clips = (clip for track in results["inputs"] for clip in track.clips)
         self._then = {clip.id: clip for clip in clips}
         self._waveforms = waveforms_of(results)
         self.show_late(self.late)
 
     def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
-        self._table.show_problems({one.id: one.problem for one in unplayable})
+        self._table.show_problems({track.id: track.problem for track in unplayable})
 
     def show_late(self, late: bool) -> None:
         # What a clip that plays something else now played would be drawn as long as that.
@@ -787,6 +787,6 @@ class TimelinePanel(Panel):
         self._foot.setVisible(bool(words))
 
 
-def _play_alike(one: Clip, other: Clip) -> bool:
+def _play_alike(clip: Clip, other: Clip) -> bool:
     """Whether two clips sound alike, apart from when and how loud."""
-    return one.waveform == other.waveform and one.effects == other.effects
+    return clip.waveform == other.waveform and clip.effects == other.effects

@@ -287,8 +287,8 @@ def _heard(outputs: tuple[int, ...], results: Mapping[str, Any]) -> tuple[int, .
 
 def _peaks(traces: Floats) -> Floats:
     """Peak of each trace, (n, 1); 1 where it is silent."""
-    found = _largest(traces)[:, np.newaxis]
-    return np.where(found > 0.0, found, 1.0)
+    peaks = _largest(traces)[:, np.newaxis]
+    return np.where(peaks > 0.0, peaks, 1.0)
 
 
 def _largest(traces: Floats) -> Floats:

@@ -99,12 +99,12 @@ class TransferPicture(Figure):
         place = None if self.axes is None else self.axes.value_at(at)
         if place is None or self.shown is None:
             return ""
-        found = self.shown.found
-        k = int(np.argmin(np.abs(found.frequency_hz - place[0])))
-        said = [f"{found.frequency_hz[k]:.1f} Hz, dB and coherence"]
+        transfer = self.shown.found
+        k = int(np.argmin(np.abs(transfer.frequency_hz - place[0])))
+        said = [f"{transfer.frequency_hz[k]:.1f} Hz, dB and coherence"]
         for rank, output in enumerate(self.shown.outputs):
-            level = float(decibels(found.magnitude[rank, k]))
-            said.append(f"{output}: {level:z.1f}, {found.coherence[rank, k]:.2f}")
+            level = float(decibels(transfer.magnitude[rank, k]))
+            said.append(f"{output}: {level:z.1f}, {transfer.coherence[rank, k]:.2f}")
         return minus(" · ".join(said))
 
     def keys_area(self) -> QRectF:
@@ -124,14 +124,16 @@ class TransferPicture(Figure):
             painter.fillRect(QRectF(QPointF(high, frame.top()), frame.bottomRight()), colour)
 
     def _draw_curve(self, painter: QPainter, axes: Axes, shown: TransferContent, rank: int) -> None:
-        found = shown.found
-        values = found.coherence[rank] if shown.coherence else decibels(found.magnitude[rank])
+        transfer = shown.found
+        values = transfer.coherence[rank] if shown.coherence else decibels(transfer.magnitude[rank])
         painter.setPen(current_theme().output_pen(rank, 1.4))
-        painter.drawPolyline(axes.polygon(found.frequency_hz, values))
-        if not shown.coherence and found.noise[rank].any():
+        painter.drawPolyline(axes.polygon(transfer.frequency_hz, values))
+        if not shown.coherence and transfer.noise[rank].any():
             pen = QPen(current_theme().output_colour(rank), 1.0, Qt.PenStyle.DotLine)
             painter.setPen(pen)
-            painter.drawPolyline(axes.polygon(found.frequency_hz, decibels(found.noise[rank])))
+            painter.drawPolyline(
+                axes.polygon(transfer.frequency_hz, decibels(transfer.noise[rank]))
+            )
 
     def _draw_bars(self, painter: QPainter, axes: Axes, shown: TransferContent) -> None:
         """Bands that can be used, as bars at the foot."""
@@ -242,12 +244,17 @@ class TransferPanel(FigurePanel):
         """The numbers, with tabs between the columns."""
         if self._results is None:
             return ""
-        found: Transfer = self._results["transfer"]
+        transfer: Transfer = self._results["transfer"]
         outputs = self._results["shown_outputs"]
         header = ["frequency_hz"]
         for name in ("magnitude", "noise_rms", "coherence"):
             header += [f"{name}_{output}" for output in outputs]
-        columns = (found.frequency_hz[None], found.magnitude, found.noise, found.coherence)
+        columns = (
+            transfer.frequency_hz[None],
+            transfer.magnitude,
+            transfer.noise,
+            transfer.coherence,
+        )
         lines = ["\t".join(header)]
         lines += ["\t".join(map(copied, row)) for row in np.vstack(columns).T.tolist()]
         return "\n".join(lines) + "\n"
@@ -261,38 +268,38 @@ class TransferPanel(FigurePanel):
         self.place.say("")
 
     def _draw(self, results: Mapping[str, Any]) -> None:
-        found, outputs = results["transfer"], results["shown_outputs"]
+        transfer, outputs = results["transfer"], results["shown_outputs"]
         self.copy.offer(True)
         unit = transfer_unit(results)
         self.picture.show_transfer(
             TransferContent(
-                found=found, outputs=outputs, unit=unit, coherence=self._settings.coherence
+                found=transfer, outputs=outputs, unit=unit, coherence=self._settings.coherence
             )
         )
         place, limb = results["transfer_place"], results["limb_data"]
         if limb.synthetic:
             note = " · synthetic limb, without noise"
-        elif not found.noise.any():
+        elif not transfer.noise.any():
             note = " · noise not known"
         else:
             # Of a coherence nothing dotted is drawn.
             note = "" if self._settings.coherence else " · dotted: noise"
         self.place.say(f"From place {place}, {input_name(place, limb.name).name}{note}")
-        self.show_found(_usable_words(found, outputs))
+        self.show_found(_usable_words(transfer, outputs))
 
     def _show_coherence(self, wanted: bool) -> None:
         settings = replace(self._settings, coherence=wanted)
         self.view_changed.emit(with_settings(self._view, self.name, settings))
 
 
-def _usable_words(found: Transfer, outputs: tuple[int, ...]) -> str:
+def _usable_words(transfer: Transfer, outputs: tuple[int, ...]) -> str:
     """Where the response is more than noise; outputs with the same band together."""
     alike: dict[str, list[int]] = {}
-    for output, (low, high) in zip(outputs, found.usable_hz, strict=True):
+    for output, (low, high) in zip(outputs, transfer.usable_hz, strict=True):
         band = f"{low:.0f}–{high:.0f} Hz" if np.isfinite(low) else "nowhere"
         alike.setdefault(band, []).append(output)
     said = [f"{_numbers(those)}: {band}" for band, those in alike.items()]
-    low, high = found.band_hz or (0.0, float(found.frequency_hz[-1]))
+    low, high = transfer.band_hz or (0.0, float(transfer.frequency_hz[-1]))
     return f"Coherence ≥ {LEAST_COHERENCE:g} from {low:g} to {high:g} Hz: {' · '.join(said)}"
 
 

@@ -176,23 +176,23 @@ class WavePanel(FigurePanel):
             self.await_results()
 
     def show_results(self, results: Mapping[str, Any]) -> None:
-        found: LineWave | None = results["line_wave"]
-        if found is None:
+        line: LineWave | None = results["line_wave"]
+        if line is None:
             self.say_instead(self._few())
             return
-        if not found.wave.alike.any():
+        if not line.wave.alike.any():
             self.say_instead(SILENT)
             return
         outputs = results["shown_outputs"]
         self.copy.offer(True)
-        self.about.say(_ABOUT.format(axis=found.axis))
-        ranks = tuple(outputs.index(one) for one in found.outputs)
-        self.picture.show_wave(found, ranks, match_text(results["match_gain"]))
-        left_out = len(outputs) - len(found.outputs)
+        self.about.say(_ABOUT.format(axis=line.axis))
+        ranks = tuple(outputs.index(output) for output in line.outputs)
+        self.picture.show_wave(line, ranks, match_text(results["match_gain"]))
+        left_out = len(outputs) - len(line.outputs)
         note = f" · {left_out} not on the map" if left_out else ""
         synthetic = " · synthetic limb" if results["limb_data"].synthetic else ""
         several = f" · {_OVERLAP}" if _several(results["voices"]) else ""
-        self.show_found(f"{wave_text(found.wave)}{several}{note}{synthetic}")
+        self.show_found(f"{wave_text(line.wave)}{several}{note}{synthetic}")
 
     def show_in_sight(self, names: frozenset[str]) -> None:
         said = self.figure.message == self._few()
@@ -210,9 +210,9 @@ class WavePanel(FigurePanel):
         lines = ["\t".join((*header, "counted", "timed"))]
         ways = wave.distance_m * 1e3, wave.delay_s * 1e3
         for k, output in enumerate(shown.outputs):
-            way, delay = (copied(one[k]) for one in ways)
+            way, delay = (copied(values[k]) for values in ways)
             numbers = way, delay, copied_level(wave.level_db[k]), copied(wave.alike[k])
-            used = ("yes" if one[k] else "no" for one in (wave.counted, wave.timed))
+            used = ("yes" if flags[k] else "no" for flags in (wave.counted, wave.timed))
             lines.append("\t".join((str(output), *numbers, *used)))
         return "\n".join(lines) + "\n"
 
@@ -249,7 +249,7 @@ def wave_text(wave: TravellingWave) -> str:
 
 def _several(voices: Sequence[Voice]) -> bool:
     """Whether waves come from more than one place: then none of them is seen alone."""
-    return len({one.location for one in voices if one.heard and one.amplitude != 0.0}) > 1
+    return len({voice.location for voice in voices if voice.heard and voice.amplitude != 0.0}) > 1
 
 
 def _spread(deviation: float, decimals: int) -> str:
