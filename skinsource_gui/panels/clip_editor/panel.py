@@ -85,7 +85,7 @@ class DragStart:
         if gesture is not None and gesture != self._gesture:
             self._gesture, self._before = gesture, Edit(label="", design=design, view=view)
 
-    def way_back(self, gesture: int) -> Edit | None:
+    def undo(self, gesture: int) -> Edit | None:
         """The edit that gives up a drag; None where it has changed nothing."""
         return self._before if gesture == self._gesture else None
 
@@ -93,7 +93,7 @@ class DragStart:
 # What the pen does to the clip in the editor.
 
 
-class Drawing(QWidget):
+class PenEdits(QWidget):
     """Turns strokes into edits; a clip that is not drawn asks once whether it may become samples.
 
     Attributes
@@ -156,7 +156,7 @@ class Drawing(QWidget):
         self.edited.emit(outcome, stroke)
 
     def _give_up(self, stroke: int) -> None:
-        back = self._start.way_back(stroke)
+        back = self._start.undo(stroke)
         if back is not None:
             self.edited.emit(back, stroke)
 
@@ -217,22 +217,22 @@ class EditorToolbar(QWidget):
         self._fit = self._button("Fit", f"See all of the clip ({key_text(_PLACE, 'whole')})")
         self._fit.clicked.connect(lambda: self.everything_wanted.emit())
         row.addWidget(self._fit)
-        self._words = FittingLabel()
-        self._words.setObjectName("clip_words")
-        set_tone(self._words, "dim")
-        self._words.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        self._words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        row.addWidget(self._words, 1)
+        self._description = FittingLabel()
+        self._description.setObjectName("clip_words")
+        set_tone(self._description, "dim")
+        self._description.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        self._description.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        row.addWidget(self._description, 1)
 
     def show_tool(self, name: str) -> None:
         """Which tool is taken."""
         self._tools[name].setChecked(True)
 
-    def show_words(self, words: str, *, enabled: bool, hint: str = "") -> None:
+    def show_text(self, text: str, *, enabled: bool, hint: str = "") -> None:
         """Words about the clip, and how to begin; whether there is one to edit."""
-        whole = f"{words} · {hint}" if hint else words
-        self._words.show_phrases((whole, hint or words, words))
-        show_tooltip(self._words, whole)
+        whole = f"{text} · {hint}" if hint else text
+        self._description.show_phrases((whole, hint or text, text))
+        show_tooltip(self._description, whole)
         for button in (*self._tools.values(), self._fit):
             button.setEnabled(enabled)
         self._bound.setEnabled(enabled and self._band_known)
@@ -242,13 +242,13 @@ class EditorToolbar(QWidget):
 
         It counts from the next words on.
         """
-        words = "In which band this limb was measured is not known"
+        text = "In which band this limb was measured is not known"
         if band_hz is not None:
-            words = (
+            text = (
                 f"Take away what lies outside {band_hz[0]:g} to {band_hz[1]:g} Hz, where nothing "
                 "was measured; the waveform becomes samples"
             )
-        show_tooltip(self._bound, words)
+        show_tooltip(self._bound, text)
         self._band_known = band_hz is not None
 
     def offer_glide(self, offered: bool) -> None:
@@ -289,7 +289,7 @@ _VALUES = {_Key.Key_Up: 1.0, _Key.Key_Down: -1.0}
 STEPS: dict[Column, float] = {"frequency": 1.0, "amplitude": 0.01}
 
 
-class Gliding(QObject):
+class GlideEdits(QObject):
     """Turns what the tool does to the curves into edits of the glide that a clip plays.
 
     Attributes
@@ -324,19 +324,19 @@ class Gliding(QObject):
         """Whether a clip plays a glide."""
         return clip is not None and isinstance(clip.waveform, Glide)
 
-    def press(self, wanted: str, event: QKeyEvent) -> bool:
+    def press(self, command: str, event: QKeyEvent) -> bool:
         """Do what a key means to the points; whether it means anything."""
         tool = self.tool.tools[self.tool.active]
-        if wanted == "remove":
+        if command == "remove":
             tool.remove_chosen()
-        elif wanted == "add" and self._clip is not None:
+        elif command == "add" and self._clip is not None:
             end_s = self._clip.waveform.duration_s
             add_point(tool, self._points(self.tool.active), end_s)
-        elif wanted == "flip":
+        elif command == "flip":
             self.tool.flip()
-        elif wanted in ("next_point", "point_before"):
-            tool.choose_next(1 if wanted == "next_point" else -1)
-        elif wanted == "nudge":
+        elif command in ("next_point", "point_before"):
+            tool.choose_next(1 if command == "next_point" else -1)
+        elif command == "nudge":
             far = _LEAP if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
             key = _Key(event.key())
             by_value = far * STEPS[self.tool.active] * _VALUES.get(key, 0.0)
@@ -360,15 +360,17 @@ class Gliding(QObject):
         self._start.note(gesture, self._design, self._view)
         # Half the sample rate itself cannot be played.
         most = 1.0 if column == "amplitude" else 0.4999 * self._rate_hz
-        kept: Points = tuple((round(x, 12), round(min(y, most), 12), kind) for x, y, kind in points)
-        self._drawn[column] = kept
+        rounded: Points = tuple(
+            (round(x, 12), round(min(y, most), 12), kind) for x, y, kind in points
+        )
+        self._drawn[column] = rounded
         outcome = edits.set_glide_curve(
-            self._design, self._view, self._clip.id, column, _curve(kept)
+            self._design, self._view, self._clip.id, column, _curve(rounded)
         )
         self.edited.emit(outcome, gesture)
 
     def _give_up(self, gesture: int) -> None:
-        back = self._start.way_back(gesture)
+        back = self._start.undo(gesture)
         if back is not None:
             self._drawn = {}
             self.edited.emit(back, gesture)
@@ -392,7 +394,7 @@ _STEPS = {
 }
 
 
-class Shaping(QObject):
+class EnvelopeEdits(QObject):
     """Turns what the tool does to the points into edits of the clip's envelope.
 
     Attributes
@@ -419,15 +421,15 @@ class Shaping(QObject):
             self.tool.chosen = ()
         self._design, self._view, self._clip = design, view, clip
 
-    def press(self, wanted: str, event: QKeyEvent) -> bool:
+    def press(self, command: str, event: QKeyEvent) -> bool:
         """Do what a key means to the points; whether it means anything."""
-        if wanted == "remove":
+        if command == "remove":
             self.tool.remove_chosen()
-        elif wanted == "add" and self._clip is not None:
+        elif command == "add" and self._clip is not None:
             add_point(self.tool, self._points(), self._clip.duration_s)
-        elif wanted in ("next_point", "point_before"):
-            self.tool.choose_next(1 if wanted == "next_point" else -1)
-        elif wanted == "nudge":
+        elif command in ("next_point", "point_before"):
+            self.tool.choose_next(1 if command == "next_point" else -1)
+        elif command == "nudge":
             by_s, by_value = _STEPS[_Key(event.key())]
             leap = _LEAP if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
             self.tool.nudge(by_s * leap, by_value * leap, self._burst.gesture())
@@ -447,7 +449,7 @@ class Shaping(QObject):
             self.edited.emit(outcome, gesture)
 
     def _give_up(self, gesture: int) -> None:
-        back = self._start.way_back(gesture)
+        back = self._start.undo(gesture)
         if back is not None:
             self.edited.emit(back, gesture)
 
@@ -470,18 +472,18 @@ class ClipEditorPanel(Panel):
         self._rate_hz = facts_of("").sample_rate_hz
         self._waveforms: Mapping[int, Floats] = {}
         self._raw: tuple[Any, float, Floats | None] = (None, 0.0, None)
-        self._said: tuple[Clip | None, Design | None, str] = (None, None, "")
+        self._described: tuple[Clip | None, Design | None, str] = (None, None, "")
         self._unplayable: frozenset[int] = frozenset()
-        self._drawing, self._shaping = Drawing(self), Shaping(self)
-        self._look, self._pen = ViewTool(self), self._drawing.pen
-        self._gliding = Gliding(self)
+        self._pen_edits, self._envelope = PenEdits(self), EnvelopeEdits(self)
+        self._style, self._pen = ViewTool(self), self._pen_edits.pen
+        self._glide = GlideEdits(self)
         self._tools: dict[str, Tool] = {
-            "look": self._look,
+            "look": self._style,
             "pen": self._pen,
-            "envelope": self._shaping.tool,
-            "glide": self._gliding.tool,
+            "envelope": self._envelope.tool,
+            "glide": self._glide.tool,
         }
-        self._canvas = EditorView(self._look)
+        self._canvas = EditorView(self._style)
         self._toolbar, self._spectrum = EditorToolbar(), SpectrumStrip()
         self._empty = QLabel()
         set_tone(self._empty, "dim")
@@ -529,62 +531,62 @@ class ClipEditorPanel(Panel):
     def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
         self._unplayable = frozenset(track.id for track in unplayable)
         if self.clip is not None:
-            self._say(self.clip)
+            self._show_text(self.clip)
 
-    def show_late(self, late: bool) -> None:
-        self._canvas.item.show_late(late)
+    def show_late(self, stale: bool) -> None:
+        self._canvas.item.show_late(stale)
 
     def show_problem(self, reason: str) -> None:
         self._waveforms = {}
         self._show()
-        self._toolbar.show_words(reason, enabled=self.clip is not None)
+        self._toolbar.show_text(reason, enabled=self.clip is not None)
 
     def use(self, tool: str) -> None:
         """Take a tool; a clip that is not drawn asks once whether it may become samples."""
         clip = self.clip
-        if tool == "pen" and clip is not None and not self._drawing.may_draw(clip):
+        if tool == "pen" and clip is not None and not self._pen_edits.may_draw(clip):
             # While it is asked nothing of another tool is seen, or can be done.
-            self._take("look")
-            tool = "pen" if self._drawing.is_allowed(clip) else "look"
-        if tool == "glide" and not self._gliding.can_edit(clip):
+            self._switch_to("look")
+            tool = "pen" if self._pen_edits.is_allowed(clip) else "look"
+        if tool == "glide" and not self._glide.can_edit(clip):
             self.edited.emit(_NO_GLIDE, None)
             tool = "look"
-        self._take(tool)
+        self._switch_to(tool)
         # A question may have taken the keyboard away.
         self._canvas.setFocus(Qt.FocusReason.OtherFocusReason)
 
-    def _take(self, tool: str) -> None:
+    def _switch_to(self, tool: str) -> None:
         self._canvas.use(self._tools[tool])
         self._toolbar.show_tool(tool)
         if self.clip is not None:
-            self._say(self.clip)
+            self._show_text(self.clip)
 
     def _connect(self) -> None:
         self._toolbar.tool_wanted.connect(self.use)
-        self._toolbar.bound_wanted.connect(self._drawing.bound)
-        self._toolbar.everything_wanted.connect(self._canvas.seen.show_everything)
+        self._toolbar.bound_wanted.connect(self._pen_edits.bound)
+        self._toolbar.everything_wanted.connect(self._canvas.visible_clip.show_everything)
         self._canvas.key_pressed.connect(self._press)
-        self._look.pan_wanted.connect(self._canvas.seen.pan)
-        self._drawing.edited.connect(self.edited)
-        self._shaping.edited.connect(self.edited)
-        self._gliding.edited.connect(self.edited)
+        self._style.pan_wanted.connect(self._canvas.visible_clip.pan)
+        self._pen_edits.edited.connect(self.edited)
+        self._envelope.edited.connect(self.edited)
+        self._glide.edited.connect(self.edited)
 
     def _show(self) -> None:
         clip = self.clip
-        self._drawing.show_state(self._design, self._view, clip, self._rate_hz)
-        self._shaping.show_state(self._design, self._view, clip)
-        self._gliding.show_state(self._design, self._view, clip, self._rate_hz)
+        self._pen_edits.show_state(self._design, self._view, clip, self._rate_hz)
+        self._envelope.show_state(self._design, self._view, clip)
+        self._glide.show_state(self._design, self._view, clip, self._rate_hz)
         self._stack.setCurrentIndex(0 if clip is None else 1)
         if clip is None:
             inputs = bool(self._design and self._design.inputs)
             self._empty.setText(how_to_select_clip(self.in_sight, inputs=inputs))
             self._canvas.show_clip(None, None, None, self._rate_hz)
             return
-        gone = self._canvas.tool is self._gliding.tool and not self._gliding.can_edit(clip)
-        if gone or (self._canvas.tool is self._pen and not self._drawing.may_draw(clip)):
+        lost_glide = self._canvas.tool is self._glide.tool and not self._glide.can_edit(clip)
+        if lost_glide or (self._canvas.tool is self._pen and not self._pen_edits.may_draw(clip)):
             # Another clip than the one that was asked about, or another waveform.
             self.use("look")
-        self._toolbar.offer_glide(self._gliding.can_edit(clip))
+        self._toolbar.offer_glide(self._glide.can_edit(clip))
         raw = self._sampled(clip)
         played = self._waveforms.get(clip.id)
         if not clip.effects and raw is not None:
@@ -593,16 +595,16 @@ class ClipEditorPanel(Panel):
         band_hz = facts_of(self._design.limb).band_hz
         self._spectrum.show_samples(played, self._rate_hz, band_hz)
         self._toolbar.show_band(band_hz)
-        self._say(clip)
+        self._show_text(clip)
 
-    def _say(self, clip: Clip) -> None:
-        said_of, design, words = self._said
+    def _show_text(self, clip: Clip) -> None:
+        said_of, design, text = self._described
         if said_of is not clip or design is not self._design:
-            words = _words(clip, self._design)
-            self._said = clip, self._design, words
+            text = _description(clip, self._design)
+            self._described = clip, self._design, text
         if self._view.selected_input in self._unplayable and not clip.muted:
-            words = f"{words} · cannot be played"
-        self._toolbar.show_words(words, enabled=True, hint=self._canvas.tool.hint)
+            text = f"{text} · cannot be played"
+        self._toolbar.show_text(text, enabled=True, hint=self._canvas.tool.hint)
 
     def _sampled(self, clip: Clip) -> Floats | None:
         """What the clip plays before its effects; it is drawn once for each waveform."""
@@ -617,24 +619,24 @@ class ClipEditorPanel(Panel):
         return samples
 
     def _press(self, event: QKeyEvent) -> None:
-        wanted = meaning_of("clip_editor", event)
-        if wanted in self._tools:
-            self.use(wanted)
-        elif wanted in ("zoom_in", "zoom_out"):
-            self._canvas.seen.zoom(_ZOOM if wanted == "zoom_in" else 1 / _ZOOM)
-        elif wanted == "whole":
-            self._canvas.seen.show_everything()
-        elif wanted == "give_up":
+        command = meaning_of("clip_editor", event)
+        if command in self._tools:
+            self.use(command)
+        elif command in ("zoom_in", "zoom_out"):
+            self._canvas.visible_clip.zoom(_ZOOM if command == "zoom_in" else 1 / _ZOOM)
+        elif command == "whole":
+            self._canvas.visible_clip.show_everything()
+        elif command == "give_up":
             self.use("look")
         else:
             # Points that are not seen are not changed.
-            for shaper in (self._gliding, self._shaping):
+            for shaper in (self._glide, self._envelope):
                 if self._canvas.tool is shaper.tool:
-                    shaper.press(wanted, event)
+                    shaper.press(command, event)
             self._canvas.lay_out()
 
 
-def _words(clip: Clip, design: Design) -> str:
+def _description(clip: Clip, design: Design) -> str:
     """Where a clip plays, and what."""
     place = input_name(design.track_of(clip.id).location, design.limb)
     label = f"{clip.label} · " if clip.label else ""

@@ -22,13 +22,13 @@ from skinsource.specs.breakpoints import SEGMENTS, Breakpoint, Segment
 from skinsource_gui.fields.curve_field import fill_ground_menu, fill_point_menu
 from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.fields.units import value_text
-from skinsource_gui.panels.clip_editor.view import REACH, Button, EditorContent, Held
+from skinsource_gui.panels.clip_editor.view import REACH, Button, EditorContent, Modifier
 from skinsource_gui.plots.ranges import linear_ticks, number_text
 from skinsource_gui.qt.theme import Theme
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CurveLook:
+class CurveStyle:
     """How a curve is painted and named.
 
     Attributes
@@ -68,12 +68,12 @@ def paint_points(
     places: tuple[Floats, Floats],
     chosen: Collection[int],
     hovered: int | None,
-    look: CurveLook,
+    style: CurveStyle,
     theme: Theme,
 ) -> None:
     """Paint points at places in px, (n_points,) each; the chosen ones are filled."""
     x, y = places
-    colour = getattr(theme, look.colour)
+    colour = getattr(theme, style.colour)
     painter.setPen(QPen(QColor(colour), 1.5))
     painter.setBrush(QColor(theme.base))
     dot = _dot(colour, theme.base, painter.device().devicePixelRatioF())
@@ -88,18 +88,18 @@ def paint_points(
 
 
 def write_point(
-    painter: QPainter, content: EditorContent, point: Breakpoint, look: CurveLook, theme: Theme
+    painter: QPainter, content: EditorContent, point: Breakpoint, style: CurveStyle, theme: Theme
 ) -> None:
     """Write where a point is, above it, on ground of its own."""
     time_s, value, kind = point
     when = value_text(time_s, "s", digits=5)
-    if look.bends:
-        words = f"{when} · {number_text(value, 3)} · {kind}"
+    if style.bends:
+        text = f"{when} · {number_text(value, 3)} · {kind}"
     else:
-        words = f"{look.label} · {when} · {value:.5g} {look.unit}".rstrip()
+        text = f"{style.label} · {when} · {value:.5g} {style.unit}".rstrip()
     at, area = content.at(time_s, value), content.area
     line = QFontMetricsF(painter.font())
-    width, height = line.horizontalAdvance(words) + 12, line.height() + 4
+    width, height = line.horizontalAdvance(text) + 12, line.height() + 4
     left = min(max(at.x() - width / 2, area.left() + 2), area.right() - width - 2)
     # Below the point where there is no room above it.
     top = at.y() - height - 10 if at.y() - height - 10 > area.top() else at.y() + 10
@@ -108,7 +108,7 @@ def write_point(
     painter.setPen(QPen(QColor(theme.border), 1))
     painter.drawRect(room)
     painter.setPen(QColor(theme.text))
-    painter.drawText(room, Qt.AlignmentFlag.AlignCenter, words)
+    painter.drawText(room, Qt.AlignmentFlag.AlignCenter, text)
 
 
 @lru_cache(maxsize=8)
@@ -200,8 +200,8 @@ def _about(low: float, high: float, side: int, by: float) -> tuple[float, float]
 
 def _places(points: Points, chosen: tuple[int, ...]) -> tuple[list[float], list[float]]:
     """Times and values of the chosen points."""
-    there = [points[k] for k in chosen if k < len(points)]
-    return [point[0] for point in there], [point[1] for point in there]
+    places = [points[k] for k in chosen if k < len(points)]
+    return [point[0] for point in places], [point[1] for point in places]
 
 
 def _box(content: EditorContent, points: Points, chosen: tuple[int, ...]) -> QRectF | None:
@@ -247,7 +247,7 @@ class Drag:
     chosen: tuple[int, ...]
     start: tuple[float, float]
     number: int
-    upright: bool = False
+    vertical: bool = False
     added: bool = False
     box: QPointF | None = None
     handle: Handle | None = None
@@ -273,10 +273,12 @@ class ViewTool(QObject):
         self._from: QPointF | None = None
         self._at: QPointF | None = None
 
-    def press(self, content: EditorContent, at: QPointF, button: Button, held: Held) -> None:
+    def press(
+        self, content: EditorContent, at: QPointF, button: Button, modifiers: Modifier
+    ) -> None:
         self._from = at
 
-    def move(self, content: EditorContent, at: QPointF, held: Held) -> None:
+    def move(self, content: EditorContent, at: QPointF, modifiers: Modifier) -> None:
         self._at = at
         if self._from is not None:
             self.pan_wanted.emit((self._from.x() - at.x()) / content.scale.px_per_s)
@@ -308,16 +310,16 @@ class ViewTool(QObject):
         painter.setPen(QPen(QColor(theme.dim), 1, Qt.PenStyle.DotLine))
         area = content.area
         painter.drawLine(QPointF(here.x(), area.top()), QPointF(here.x(), area.bottom()))
-        words = f"{value_text(time_s, 's', digits=5)}   {number_text(value, 4)}"
+        text = f"{value_text(time_s, 's', digits=5)}   {number_text(value, 4)}"
         metrics = QFontMetricsF(painter.font())
-        width = metrics.horizontalAdvance(words) + 10
+        width = metrics.horizontalAdvance(text) + 10
         left = min(here.x() + 6, area.right() - width)
         room = QRectF(left, area.top() + 2, width, metrics.height() + 2)
         painter.setPen(QPen(QColor(theme.border), 1))
         painter.setBrush(QColor(theme.raised))
         painter.drawRect(room)
         painter.setPen(QColor(theme.text))
-        painter.drawText(room, Qt.AlignmentFlag.AlignCenter, words)
+        painter.drawText(room, Qt.AlignmentFlag.AlignCenter, text)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(theme.accent))
         painter.drawEllipse(here, 3, 3)
@@ -354,7 +356,9 @@ class Pen(QObject):
         self._number = 0
         self._changed = False
 
-    def press(self, content: EditorContent, at: QPointF, button: Button, held: Held) -> None:
+    def press(
+        self, content: EditorContent, at: QPointF, button: Button, modifiers: Modifier
+    ) -> None:
         if content.drawn is None or self._first is not None:
             return
         self._zeroes = button == Button.RightButton
@@ -363,9 +367,9 @@ class Pen(QObject):
         self._before, self._number, self._changed = content.drawn, new_gesture(), False
         self._first = self._place(content, at)
         self._last_s, self._stroke = self._first[0], Stroke()
-        self.move(content, at, held)
+        self.move(content, at, modifiers)
 
-    def move(self, content: EditorContent, at: QPointF, held: Held) -> None:
+    def move(self, content: EditorContent, at: QPointF, modifiers: Modifier) -> None:
         if self._first is None or self._before is None:
             return
         time_s, value = self._place(content, at)
@@ -374,7 +378,7 @@ class Pen(QObject):
             if self._zeroes:
                 samples = zeroed(self._before, self._first[0], time_s, rate_hz)
             else:
-                if held & Held.ShiftModifier:
+                if modifiers & Modifier.ShiftModifier:
                     self._stroke = Stroke.through((self._first, (time_s, value)))
                 else:
                     self._stroke = self._stroke.to(time_s, value, self._last_s)
@@ -424,7 +428,7 @@ ENVELOPE_CATCH_PX = 9.0
 _FINE = 0.1
 _HOW = "Click the line, or double-click beside it: a new point. Drag points to shape it"
 
-_ENVELOPE = CurveLook(how=_HOW)
+_ENVELOPE = CurveStyle(how=_HOW)
 
 
 class EnvelopeTool(QObject):
@@ -438,7 +442,7 @@ class EnvelopeTool(QObject):
     ----------
     points
         Returns the points that there are now.
-    look
+    style
         How the curve is painted, and what its values are.
     """
 
@@ -450,26 +454,28 @@ class EnvelopeTool(QObject):
     cursor = Qt.CursorShape.ArrowCursor
 
     def __init__(
-        self, points: Callable[[], Points], parent: QObject, look: CurveLook = _ENVELOPE
+        self, points: Callable[[], Points], parent: QObject, style: CurveStyle = _ENVELOPE
     ) -> None:
         super().__init__(parent)
-        self._points, self._look = points, look
+        self._points, self._style = points, style
         self.chosen: tuple[int, ...] = ()
         self._drag: Drag | None = None
         self._pointer = QPointF(-1, -1)
 
     @property
     def hint(self) -> str:
-        return self._look.how if len(self._points()) == 1 and not self.chosen else ""
+        return self._style.how if len(self._points()) == 1 and not self.chosen else ""
 
-    def press(self, content: EditorContent, at: QPointF, button: Button, held: Held) -> None:
+    def press(
+        self, content: EditorContent, at: QPointF, button: Button, modifiers: Modifier
+    ) -> None:
         if button != Button.LeftButton or self._drag is not None:
             return
         points = self._points()
         index = _point_at(content, points, at)
         start, number = content.place(at), new_gesture()
         if index is not None:
-            if held & Held.ShiftModifier:
+            if modifiers & Modifier.ShiftModifier:
                 self.chosen = tuple(sorted(set(self.chosen) ^ {index}))
             elif index not in self.chosen:
                 self.chosen = (index,)
@@ -482,20 +488,20 @@ class EnvelopeTool(QObject):
         segment = _segment_at(content, points, at)
         if segment is None:
             self._drag = Drag(points, (), start, number, box=at)
-        elif held & Held.AltModifier and self._look.bends:
+        elif modifiers & Modifier.AltModifier and self._style.bends:
             here = SEGMENTS.index(points[segment][2])
             self._bend(segment, SEGMENTS[(here + 1) % len(SEGMENTS)])
         else:
             # A click adds a point on the curve; a drag moves the segment up and down, or, where the
             # curve is level before the first or after the last point, the new point alone.
             if 0 <= segment < len(points) - 1:
-                self._drag = Drag(points, (segment, segment + 1), start, number, upright=True)
+                self._drag = Drag(points, (segment, segment + 1), start, number, vertical=True)
             else:
                 added = algebra.with_point(points, max(start[0], 0.0))
                 index = 0 if segment < 0 else len(added) - 1
                 self._drag = Drag(added, (index,), start, number, added=True, before=points)
 
-    def move(self, content: EditorContent, at: QPointF, held: Held) -> None:
+    def move(self, content: EditorContent, at: QPointF, modifiers: Modifier) -> None:
         self._pointer = at
         drag = self._drag
         if drag is None:
@@ -512,11 +518,11 @@ class EnvelopeTool(QObject):
                 k for k, point in enumerate(drag.points) if covered.contains(content.at(*point[:2]))
             )
             return
-        if held & Held.ControlModifier:
+        if modifiers & Modifier.ControlModifier:
             by_s, by_value = by_s * _FINE, by_value * _FINE
-        if drag.upright or (held & Held.ShiftModifier and abs(away.y()) > abs(away.x())):
+        if drag.vertical or (modifiers & Modifier.ShiftModifier and abs(away.y()) > abs(away.x())):
             by_s = 0.0
-        elif held & Held.ShiftModifier:
+        elif modifiers & Modifier.ShiftModifier:
             by_value = 0.0
         if drag.handle is not None:
             scaled = scaled_by(drag.points, drag.chosen, drag.handle, by_s, by_value)
@@ -531,7 +537,7 @@ class EnvelopeTool(QObject):
         if drag.added:
             self.chosen = drag.chosen
             self.changed.emit(drag.points, None)
-        elif drag.upright:
+        elif drag.vertical:
             points = algebra.with_point(drag.points, drag.start[0])
             self.chosen = (algebra.place_of(drag.points, drag.start[0]),)
             self.changed.emit(points, None)
@@ -552,7 +558,7 @@ class EnvelopeTool(QObject):
         if index is not None:
             if index not in self.chosen:
                 self.chosen = (index,)
-            bend = partial(self._bend, index) if self._look.bends else None
+            bend = partial(self._bend, index) if self._style.bends else None
             n = len(self.chosen)
             fill_point_menu(menu, self.remove_chosen, bend=bend, n_chosen=n, n_points=len(points))
         elif at is not None and content.area.contains(at):
@@ -593,7 +599,7 @@ class EnvelopeTool(QObject):
         """Paint curve, points and box."""
         points = self._points()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        colour = QColor(getattr(theme, self._look.colour))
+        colour = QColor(getattr(theme, self._style.colour))
         shown = np.linspace(content.area.left(), content.area.right(), 400)
         times = content.scale.shown_s[0] + (shown - content.scale.left_px) / content.scale.px_per_s
         values = algebra.curve_at(points, times)
@@ -602,14 +608,14 @@ class EnvelopeTool(QObject):
         curve = arrayToQPath(x, y, finiteCheck=False)
         painter.setPen(QPen(colour, 1))
         # Four thin lines are painted in a sixth of the time of one that is two px wide.
-        for aside, down in product((-0.5, 0.5), repeat=2):
-            painter.drawPath(curve.translated(aside, down))
-        if self._look.mirrored:
+        for right, down in product((-0.5, 0.5), repeat=2):
+            painter.drawPath(curve.translated(right, down))
+        if self._style.mirrored:
             painter.setPen(QPen(colour, 1, Qt.PenStyle.DotLine))
             painter.drawPath(arrayToQPath(x, content.curve(times, -values)[1], finiteCheck=False))
         near = _point_at(content, points, self._pointer)
         places = _envelope_places(content, points)
-        paint_points(painter, places, self.chosen, near, self._look, theme)
+        paint_points(painter, places, self.chosen, near, self._style, theme)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if self._drag is not None and self._drag.box is not None:
             painter.setPen(QPen(QColor(theme.accent), 1))
@@ -617,10 +623,10 @@ class EnvelopeTool(QObject):
         else:
             paint_box(painter, content, points, self.chosen, theme)
         if len(self.chosen) == 1 and self.chosen[0] < len(points):
-            write_point(painter, content, points[self.chosen[0]], self._look, theme)
+            write_point(painter, content, points[self.chosen[0]], self._style, theme)
 
     def _put(self, place: tuple[float, float]) -> None:
-        added, index = algebra.with_point_put(self._points(), *place, self._look.highest)
+        added, index = algebra.with_point_put(self._points(), *place, self._style.highest)
         self.chosen = (index,)
         self.changed.emit(added, None)
 
@@ -657,11 +663,11 @@ def _segment_at(content: EditorContent, points: Points, at: QPointF) -> int | No
 _GLIDE_HOW = (
     "Drag the points of frequency and amplitude; a click on a line, or a double click, adds one"
 )
-LOOKS: dict[Column, CurveLook] = {
-    "frequency": CurveLook(
+STYLES: dict[Column, CurveStyle] = {
+    "frequency": CurveStyle(
         colour="error", mirrored=False, unit="Hz", label="Frequency", bends=False, how=_GLIDE_HOW
     ),
-    "amplitude": CurveLook(label="Amplitude", highest=1.0, bends=False, how=_GLIDE_HOW),
+    "amplitude": CurveStyle(label="Amplitude", highest=1.0, bends=False, how=_GLIDE_HOW),
 }
 _ROW_PX = 34.0
 
@@ -712,8 +718,8 @@ class GlideTool(QObject):
         super().__init__(parent)
         self.active: Column = "frequency"
         self.tools: dict[Column, EnvelopeTool] = {}
-        for column, look in LOOKS.items():
-            tool = EnvelopeTool(partial(points, column), self, look)
+        for column, style in STYLES.items():
+            tool = EnvelopeTool(partial(points, column), self, style)
             tool.changed.connect(partial(self.changed.emit, column))
             tool.given_up.connect(self.given_up)
             self.tools[column] = tool
@@ -732,13 +738,15 @@ class GlideTool(QObject):
         self.cancel()
         self.active = self.other
 
-    def press(self, content: EditorContent, at: QPointF, button: Button, held: Held) -> None:
+    def press(
+        self, content: EditorContent, at: QPointF, button: Button, modifiers: Modifier
+    ) -> None:
         self._touch(content, at)
-        self.tools[self.active].press(of_column(content, self.active), at, button, held)
+        self.tools[self.active].press(of_column(content, self.active), at, button, modifiers)
 
-    def move(self, content: EditorContent, at: QPointF, held: Held) -> None:
+    def move(self, content: EditorContent, at: QPointF, modifiers: Modifier) -> None:
         for column, tool in self.tools.items():
-            tool.move(of_column(content, column), at, held)
+            tool.move(of_column(content, column), at, modifiers)
 
     def release(self, content: EditorContent) -> None:
         self.tools[self.active].release(of_column(content, self.active))
@@ -787,11 +795,11 @@ class GlideTool(QObject):
         top_hz = content.sample_rate_hz / 2.0
         for tick in linear_ticks(0.0, top_hz, max(area.height() / _ROW_PX, 2)):
             y = content.y(tick.value)
-            words = f"{tick.label} Hz"
-            width, height = metrics.horizontalAdvance(words), metrics.height()
+            text = f"{tick.label} Hz"
+            width, height = metrics.horizontalAdvance(text), metrics.height()
             room = QRectF(area.right() - width - 4, y - height / 2, width, height)
             if room.top() >= area.top() and room.bottom() <= area.bottom():
-                painter.drawText(room, Qt.AlignmentFlag.AlignCenter, words)
+                painter.drawText(room, Qt.AlignmentFlag.AlignCenter, text)
 
 
 def of_column(content: EditorContent, column: Column) -> EditorContent:

@@ -115,7 +115,7 @@ def reach_of(*signals: Floats | None) -> float:
 
 # What every tool is.
 
-Held = Qt.KeyboardModifier
+Modifier = Qt.KeyboardModifier
 Button = Qt.MouseButton
 
 
@@ -128,10 +128,12 @@ class Tool(Protocol):
     def hint(self) -> str:
         """How to begin, while nothing has begun; empty where that is clear."""
 
-    def press(self, content: EditorContent, at: QPointF, button: Button, held: Held) -> None:
+    def press(
+        self, content: EditorContent, at: QPointF, button: Button, modifiers: Modifier
+    ) -> None:
         """A button went down."""
 
-    def move(self, content: EditorContent, at: QPointF, held: Held) -> None:
+    def move(self, content: EditorContent, at: QPointF, modifiers: Modifier) -> None:
         """The pointer moved, with a button down or without."""
 
     def release(self, content: EditorContent) -> None:
@@ -171,9 +173,9 @@ class EditorItem(pyqtgraph.GraphicsObject):
         self._tool: Tool | None = None
         self._font = QFont()
         self._rect = QRectF(0, 0, 1, 1)
-        self._late = False
+        self._stale = False
         # What the drag of a point leaves as it is: axes, the waveform, and what it plays.
-        self._still, self._course = CachedPicture(), CachedPicture()
+        self._background, self._course = CachedPicture(), CachedPicture()
 
     def show_content(self, content: EditorContent | None, tool: Tool, rect: QRectF) -> None:
         """Paint something else, in this rectangle."""
@@ -188,10 +190,10 @@ class EditorItem(pyqtgraph.GraphicsObject):
         self._font = font
         self.update()
 
-    def show_late(self, late: bool) -> None:
+    def show_late(self, stale: bool) -> None:
         """Whether the curve belongs to an older design."""
-        if late != self._late:
-            self._late = late
+        if stale != self._stale:
+            self._stale = stale
             self.update()
 
     def boundingRect(self) -> QRectF:
@@ -218,10 +220,10 @@ class EditorItem(pyqtgraph.GraphicsObject):
         n_played = None if played is None else played.size
         place = (current_theme().name, content.scale, content.area, content.reach)
         # Samples by identity: an array that is kept here cannot become another one.
-        still = (*place, content.sample_rate_hz, n_played, Same(content.drawn))
+        background_key = (*place, content.sample_rate_hz, n_played, Same(content.drawn))
         is_other = content.drawn is not None and content.drawn is not played
 
-        def paint_still(on_image: QPainter) -> None:
+        def paint_background(on_image: QPainter) -> None:
             self._paint_axes(on_image, content)
             on_image.setClipRect(content.area.adjusted(-1, -1, 1, 1))
             self._paint_end(on_image, content)
@@ -230,30 +232,32 @@ class EditorItem(pyqtgraph.GraphicsObject):
                 self._paint_curve(on_image, content, drawn, dim, _PALE)
 
         def paint_course(on_image: QPainter) -> None:
-            self._still.paint(on_image, self._rect, (*still, is_other), paint_still, ground)
+            self._background.paint(
+                on_image, self._rect, (*background_key, is_other), paint_background, ground
+            )
             on_image.setClipRect(content.area.adjusted(-1, -1, 1, 1))
             if played is not None:
-                opacity = _PALE if self._late else 1.0
+                opacity = _PALE if self._stale else 1.0
                 self._paint_curve(
                     on_image, content, played, QColor(current_theme().accent), opacity
                 )
-            if self._late:
+            if self._stale:
                 on_image.setPen(QColor(current_theme().dim))
                 corner = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop
                 on_image.drawText(content.area.adjusted(0, 2, -4, 0), corner, _UPDATING)
 
-        key = (*still, is_other, Same(played), self._late)
+        key = (*background_key, is_other, Same(played), self._stale)
         self._course.paint(painter, self._rect, key, paint_course, ground)
 
     def _paint_axes(self, painter: QPainter, content: EditorContent) -> None:
         area, metrics = content.area, QFontMetricsF(self._font)
-        grid, words = QPen(QColor(current_theme().grid), 1), QColor(current_theme().dim)
+        grid, text_colour = QPen(QColor(current_theme().grid), 1), QColor(current_theme().dim)
         values = linear_ticks(-content.reach, content.reach, max(area.height() / _ROW_PX, 2))
         for tick in values:
             y = content.y(tick.value)
             painter.setPen(grid)
             painter.drawLine(QLineF(area.left(), y, area.right(), y))
-            painter.setPen(words)
+            painter.setPen(text_colour)
             room = QRectF(0, y - metrics.height() / 2, area.left() - 4, metrics.height())
             painter.drawText(
                 room, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, tick.label
@@ -270,10 +274,10 @@ class EditorItem(pyqtgraph.GraphicsObject):
             width = metrics.horizontalAdvance(tick.label)
             left = x - width / 2
             if left >= free_from and left + width < unit_left - 4:
-                painter.setPen(words)
+                painter.setPen(text_colour)
                 painter.drawText(QPointF(left, area.bottom() + metrics.ascent() + 3), tick.label)
                 free_from = left + width + 6
-        painter.setPen(words)
+        painter.setPen(text_colour)
         painter.drawText(QPointF(unit_left, area.bottom() + metrics.ascent() + 3), unit)
         painter.setPen(QPen(QColor(current_theme().border), 1))
         painter.drawLine(QLineF(area.left(), content.y(0.0), area.right(), content.y(0.0)))
@@ -303,17 +307,17 @@ class EditorItem(pyqtgraph.GraphicsObject):
         time_s = np.arange(samples.size) / content.sample_rate_hz
         wave, across = wave_of(time_s, samples[np.newaxis]), max(round(width_px * ratio), 1)
         columns = columns_of(time_s, content.scale.shown_s, across)
-        seen = course_of(columns, samples[np.newaxis], wave, width_px, ratio)
-        x, y = _places(content, seen.line)
+        curve = course_of(columns, samples[np.newaxis], wave, width_px, ratio)
+        x, y = _places(content, curve.line)
         painter.setOpacity(opacity)
-        sharp = seen.line.strokes and not is_on_paper()
+        sharp = curve.line.strokes and not is_on_paper()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, not sharp)
         painter.setPen(thin_pen(colour))
         if x.size == 1:
             painter.drawLine(QLineF(x[0], content.y(0.0), x[0], y[0]))
         else:
             painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
-        if not seen.line.strokes and content.scale.px_per_s / content.sample_rate_hz >= _DOTS_PX:
+        if not curve.line.strokes and content.scale.px_per_s / content.sample_rate_hz >= _DOTS_PX:
             self._paint_samples(painter, *_places(content, columns.points(samples[np.newaxis])))
         painter.setOpacity(1.0)
 
@@ -370,7 +374,7 @@ class VisibleClip(QObject):
         self._clip, self._drawn, self._played, self._rate_hz = clip, drawn, played, rate_hz
 
     @property
-    def held(self) -> bool:
+    def is_held(self) -> bool:
         """Whether it stays."""
         return self._held is not None
 
@@ -476,15 +480,15 @@ class EditorView(Canvas):
         self.addItem(self.item)
         self._tool = tool
         self.content: EditorContent | None = None
-        self.seen = VisibleClip(lambda: self.content, self)
-        self.seen.changed.connect(self.lay_out)
+        self.visible_clip = VisibleClip(lambda: self.content, self)
+        self.visible_clip.changed.connect(self.lay_out)
         self.take_look()
 
     def show_clip(
         self, clip: Clip | None, drawn: Floats | None, played: Floats | None, rate_hz: float
     ) -> None:
         """Show a clip: its samples before its effects, and after them, (n_times,)."""
-        self.seen.show(clip, drawn, played, rate_hz)
+        self.visible_clip.show(clip, drawn, played, rate_hz)
         self.lay_out()
 
     def use(self, tool: Tool) -> None:
@@ -506,7 +510,7 @@ class EditorView(Canvas):
     def cancel(self) -> bool:
         """Give up what the tool has begun; whether anything had."""
         given_up = self._tool.cancel()
-        self.seen.let_go()
+        self.visible_clip.let_go()
         self.lay_out()
         return given_up
 
@@ -517,7 +521,7 @@ class EditorView(Canvas):
         if content is None:
             return
         # Nothing moves under the pen, however long or loud the clip becomes.
-        self.seen.hold(content)
+        self.visible_clip.hold(content)
         self._tool.press(content, event.position(), event.button(), event.modifiers())
         self.lay_out()
 
@@ -531,7 +535,7 @@ class EditorView(Canvas):
         event.accept()
         if self.content is not None:
             self._tool.release(self.content)
-        self.seen.let_go()
+        self.visible_clip.let_go()
         self.lay_out()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
@@ -554,13 +558,13 @@ class EditorView(Canvas):
             menu.deleteLater()
             return
         # The menu takes the release of the button.
-        self.seen.let_go()
+        self.visible_clip.let_go()
         self.lay_out()
         menu.popup(event.globalPos())
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.accept()
-        self.seen.turn(event)
+        self.visible_clip.turn(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self.cancel():
@@ -570,13 +574,13 @@ class EditorView(Canvas):
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
-        if self.content is not None and not self.seen.held:
+        if self.content is not None and not self.visible_clip.is_held:
             self._tool.move(self.content, QPointF(-1, -1), Qt.KeyboardModifier.NoModifier)
             self.item.update()
 
     def lay_out(self) -> None:
         whole = QRectF(self.rect())
-        self.content = self.seen.content_in(
+        self.content = self.visible_clip.content_in(
             whole.adjusted(_LEFT_PX, _TOP_PX, -_RIGHT_PX, -_BOTTOM_PX)
         )
         self.item.show_content(self.content, self._tool, whole)
@@ -584,9 +588,9 @@ class EditorView(Canvas):
 
 # Spectrum of one clip, with the measured band.
 
-_SPECTRUM_STRIP_LEFT_PX, _SPECTRUM_STRIP_RIGHT_PX, _SPECTRUM_STRIP_BOTTOM_PX = 40, 10, 18
+_STRIP_LEFT_PX, _STRIP_RIGHT_PX, _STRIP_BOTTOM_PX = 40, 10, 18
 _SPAN_DB = 60.0
-_SPECTRUM_STRIP_TICK_PX = 64.0
+_STRIP_TICK_PX = 64.0
 # Above this share a designer has to know: the actuator, or the skin model, sees it.
 _NOTEWORTHY = 0.01
 
@@ -648,11 +652,11 @@ class SpectrumStrip(QWidget):
             if band_hz is not None:
                 self._outside = share_outside_band(samples, sample_rate_hz, band_hz)
             self._frequency_hz, self._levels_db = spectrum_db(samples, sample_rate_hz)
-        show_tooltip(self, self.words)
+        show_tooltip(self, self.text)
         self.update()
 
     @property
-    def words(self) -> str:
+    def text(self) -> str:
         """How much of the energy lies outside the band."""
         if self._band_hz is None:
             return "In which band this limb was measured is not known"
@@ -667,7 +671,7 @@ class SpectrumStrip(QWidget):
         # The words stand above: on the curve neither could be read.
         top = painter.fontMetrics().height() + 3
         area = QRectF(self.rect()).adjusted(
-            _SPECTRUM_STRIP_LEFT_PX, top, -_SPECTRUM_STRIP_RIGHT_PX, -_SPECTRUM_STRIP_BOTTOM_PX
+            _STRIP_LEFT_PX, top, -_STRIP_RIGHT_PX, -_STRIP_BOTTOM_PX
         )
         ground = QColor(current_theme().window)
         if self._frequency_hz is None or self._levels_db is None:
@@ -695,7 +699,7 @@ class SpectrumStrip(QWidget):
         painter.drawPath(arrayToQPath(x, y, finiteCheck=False))
         painter.setPen(QPen(QColor(current_theme().border), 1))
         painter.drawRect(area)
-        self._write(painter, area)
+        self._write_text(painter, area)
 
     def _paint_band(self, painter: QPainter, area: QRectF, highest: float) -> None:
         if self._band_hz is None:
@@ -710,7 +714,7 @@ class SpectrumStrip(QWidget):
     def _paint_axes(self, painter: QPainter, area: QRectF, highest: float) -> None:
         metrics = QFontMetricsF(painter.font())
         right = area.right() - metrics.horizontalAdvance("Hz") - 4
-        for tick in linear_ticks(0.0, highest, max(area.width() / _SPECTRUM_STRIP_TICK_PX, 2)):
+        for tick in linear_ticks(0.0, highest, max(area.width() / _STRIP_TICK_PX, 2)):
             x = area.left() + tick.value / highest * area.width()
             painter.setPen(QPen(QColor(current_theme().grid), 1))
             painter.drawLine(QLineF(x, area.top(), x, area.bottom()))
@@ -728,10 +732,10 @@ class SpectrumStrip(QWidget):
             flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
             painter.drawText(room, flags, text)
 
-    def _write(self, painter: QPainter, area: QRectF) -> None:
+    def _write_text(self, painter: QPainter, area: QRectF) -> None:
         metrics = QFontMetricsF(painter.font())
         noteworthy = self._outside > _NOTEWORTHY
         painter.setPen(QColor(current_theme().warning if noteworthy else current_theme().dim))
         flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        text = metrics.elidedText(self.words, Qt.TextElideMode.ElideRight, area.width())
+        text = metrics.elidedText(self.text, Qt.TextElideMode.ElideRight, area.width())
         painter.drawText(QRectF(area.left(), 0.0, area.width(), area.top() - 2), flags, text)

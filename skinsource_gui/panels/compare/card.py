@@ -93,13 +93,13 @@ def difference_captions(present: Compared, other: Compared, *, matched: bool) ->
     """What stands above and below a map of their difference."""
     name = title(present)
     heading = f"{name[:1].upper()}{name[1:]} minus {title(other)}"
-    words = "dB, as stored"
+    caption = "dB, as stored"
     if matched:
-        words = f"dB, {matched_text((other, present)) or LEVELS_MATCHED}"
+        caption = f"dB, {matched_text((other, present)) or LEVELS_MATCHED}"
     mine, theirs = (side.snapshot.design.limb for side in (present, other))
     if mine == theirs:
-        return heading, words
-    return heading, f"{words}, {short_limb_title(mine)} minus {short_limb_title(theirs)}"
+        return heading, caption
+    return heading, f"{caption}, {short_limb_title(mine)} minus {short_limb_title(theirs)}"
 
 
 def equal_captions(present: Compared, other: Compared) -> tuple[str, str]:
@@ -114,7 +114,7 @@ def equal_captions(present: Compared, other: Compared) -> tuple[str, str]:
     return heading, "dB, the same levels by other inputs"
 
 
-def sentence(compared: Compared, *, present: bool) -> str:
+def card_text(compared: Compared, *, present: bool) -> str:
     """All that a card shows, to be read aloud."""
     name = title(compared)
     gain = gain_text(compared.gain)
@@ -189,13 +189,13 @@ class Card(QAbstractButton):
         """Take over what to show, in which colours; None: nothing is stored."""
         self._compared, self._map, self._scale = compared, shown, scale
         self._present = present
-        words = (
+        text = (
             f"Snapshot {self.number}: nothing stored; click, or press {self._store_key}, to store"
             if compared is None
-            else sentence(compared, present=present)
+            else card_text(compared, present=present)
         )
-        self.setAccessibleName(words)
-        self.setToolTip(words)
+        self.setAccessibleName(text)
+        self.setToolTip(text)
         self.update()
 
     def sizeHint(self) -> QSize:
@@ -289,10 +289,10 @@ class Card(QAbstractButton):
         menu.popup(self.mapToGlobal(at))
 
 
-def fitted_level(painter: QPainter, words: str, width: float) -> str:
+def fitted_level(painter: QPainter, text: str, width: float) -> str:
     """A level without its unit where there is no room for it; the tooltip has both."""
-    wide = painter.fontMetrics().horizontalAdvance(words) > width
-    return words.removesuffix(" dB") if wide else words
+    wide = painter.fontMetrics().horizontalAdvance(text) > width
+    return text.removesuffix(" dB") if wide else text
 
 
 # A map of how much louder one design is than another.
@@ -318,7 +318,7 @@ class Difference:
 
     shown: SmallMap | None = None
     heading: str = ""
-    words: str = ""
+    text: str = ""
     limb: str = ""
     outputs: tuple[int, ...] = ()
 
@@ -351,8 +351,8 @@ class DifferenceMap(QWidget):
     def show_difference(self, difference: Difference) -> None:
         """Take over what to show."""
         self._difference = difference
-        words = f"{difference.heading}. {difference.words}".strip(". ")
-        self.setAccessibleName(words)
+        text = f"{difference.heading}. {difference.text}".strip(". ")
+        self.setAccessibleName(text)
         self.update()
 
     def sizeHint(self) -> QSize:
@@ -364,12 +364,12 @@ class DifferenceMap(QWidget):
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            words = self.words_at(QPointF(event.pos()))
-            QToolTip.showText(event.globalPos(), words, self)
+            text = self.text_at(QPointF(event.pos()))
+            QToolTip.showText(event.globalPos(), text, self)
             return True
         return super().event(event)
 
-    def words_at(self, point: QPointF) -> str:
+    def text_at(self, point: QPointF) -> str:
         """The difference at the output under the pointer; empty where there is none."""
         shown = self._difference.shown
         if shown is None or shown.levels_db is None:
@@ -390,7 +390,7 @@ class DifferenceMap(QWidget):
         flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
         if difference.shown is None:
             painter.setPen(QColor(theme.dim))
-            painter.drawText(QRectF(self.rect()), flags, difference.words)
+            painter.drawText(QRectF(self.rect()), flags, difference.text)
             painter.end()
             return
         painter.setPen(QColor(theme.text))
@@ -398,7 +398,7 @@ class DifferenceMap(QWidget):
         end, reached = difference.end_db, difference.reached_db
         scale = Scale(
             range_db=(-end, end),
-            words=difference.words,
+            words=difference.text,
             colours=DIVERGING,
             signed=True,
             reached_db=reached,

@@ -137,13 +137,15 @@ class ComparePanel(Panel):
         self.map.show_difference(self._difference(compared, present))
 
     def show_problem(self, reason: str) -> None:
-        self.map.show_difference(Difference(words=reason))
+        self.map.show_difference(Difference(text=reason))
 
     def _fold(self) -> None:
         needed = max(_BESIDE_PX, _BESIDE_LINES * self.fontMetrics().height())
-        beside = self.width() >= needed
-        way = QBoxLayout.Direction.LeftToRight if beside else QBoxLayout.Direction.TopToBottom
-        self._halves.setDirection(way)
+        side_by_side = self.width() >= needed
+        direction = (
+            QBoxLayout.Direction.LeftToRight if side_by_side else QBoxLayout.Direction.TopToBottom
+        )
+        self._halves.setDirection(direction)
 
     def _lay_out(self) -> None:
         upper = QVBoxLayout()
@@ -178,43 +180,46 @@ class ComparePanel(Panel):
         return self._maps.map_of(side.values), replace(scale, range_db=(low - gain, high - gain))
 
     def _difference(self, compared: Sequence[Compared], present: Compared | None) -> Difference:
-        wanted = None if self._design is None else other_than(self._view.snapshots, self._design)
-        if wanted is None or present is None:
-            return Difference(words=why_no_comparison(self._view.snapshots))
-        other = next((side for side in compared if side.snapshot.number == wanted.number), None)
+        snapshot = None if self._design is None else other_than(self._view.snapshots, self._design)
+        if snapshot is None or present is None:
+            return Difference(text=why_no_comparison(self._view.snapshots))
+        other = next((side for side in compared if side.snapshot.number == snapshot.number), None)
         if other is None or other.values is None or present.values is None:
             problem = "" if other is None else other.problem or present.problem or COMPUTING
-            return Difference(words=problem)
+            return Difference(text=problem)
         if not same_outputs(other.snapshot.design.limb, present.snapshot.design.limb):
-            return Difference(words=ELSEWHERE)
+            return Difference(text=ELSEWHERE)
         if is_silent(other) != is_silent(present):
-            return Difference(words=SILENCE)
+            return Difference(text=SILENCE)
         minus = self._minus(present, other)
         matched = have_matching_level(compared, matched=self._view.levels_matched)
-        heading, words = difference_captions(present, other, matched=matched)
+        heading, caption = difference_captions(present, other, matched=matched)
         if minus.levels_db is not None and np.abs(minus.levels_db).max() < LEAST_DB:
-            heading, words = equal_captions(present, other)
+            heading, caption = equal_captions(present, other)
         if present.values["limb_data"].synthetic or other.values["limb_data"].synthetic:
-            words = f"{words}, synthetic limb"
+            caption = f"{caption}, synthetic limb"
         limb, outputs = present.snapshot.design.limb, self._view.outputs
-        return Difference(shown=minus, heading=heading, words=words, limb=limb, outputs=outputs)
+        return Difference(shown=minus, heading=heading, text=caption, limb=limb, outputs=outputs)
 
     def _minus(self, present: Compared, other: Compared) -> SmallMap:
         small = self._maps.map_of(present.values or {})
         loudest = [level for level in (played_db(present), played_db(other)) if level is not None]
         # Both are played: the first one's gain is taken off the other.
         gain, top = other.gain / present.gain, max(loudest) - gain_db(present)
-        this, that = present.values or {}, other.values or {}
+        values, other_values = present.values or {}, other.values or {}
         levels = difference_db(
-            this["output_levels_db"], that["output_levels_db"], gain=gain, loudest_db=top
+            values["output_levels_db"], other_values["output_levels_db"], gain=gain, loudest_db=top
         )
         if present.snapshot.design.limb == other.snapshot.design.limb:
             field = difference_db(
-                this["surface_levels_db"], that["surface_levels_db"], gain=gain, loudest_db=top
+                values["surface_levels_db"],
+                other_values["surface_levels_db"],
+                gain=gain,
+                loudest_db=top,
             )
         else:
             # Outputs are alike by their numbers; places between them are not.
-            field = this["surface"].interpolate(levels)
+            field = values["surface"].interpolate(levels)
         return replace(small, levels_db=levels, field_levels_db=field)
 
     def _act(self, number: int, what: str) -> None:

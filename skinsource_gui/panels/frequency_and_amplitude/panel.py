@@ -38,9 +38,9 @@ class Heading(QLabel):
     scene, and a long title does not push it out of the window.
     """
 
-    def __init__(self, words: str) -> None:
-        super().__init__(words)
-        self._phrases: tuple[str, ...] = (words,)
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        self._phrases: tuple[str, ...] = (text,)
         self.setWordWrap(True)
         RoomOrText(self).changed.connect(self._fit)
 
@@ -52,15 +52,15 @@ class Heading(QLabel):
     def _fit(self) -> None:
         two_lines = self._height_of(_TWO_LINES)
         fitting = (phrase for phrase in self._phrases if self._height_of(phrase) <= two_lines)
-        words = next(fitting, self._phrases[-1])
-        self.setText(words)
+        text = next(fitting, self._phrases[-1])
+        self.setText(text)
         # What is left out is said where somebody points at it.
-        self.setToolTip("" if words == self._phrases[0] else self._phrases[0])
-        self.setMinimumHeight(max(self._height_of(words), two_lines))
+        self.setToolTip("" if text == self._phrases[0] else self._phrases[0])
+        self.setMinimumHeight(max(self._height_of(text), two_lines))
 
-    def _height_of(self, words: str) -> int:
+    def _height_of(self, text: str) -> int:
         room = QRect(0, 0, self.contentsRect().width(), _ANY_HEIGHT_PX)
-        return self.fontMetrics().boundingRect(room, _WRAPPED, words).height()
+        return self.fontMetrics().boundingRect(room, _WRAPPED, text).height()
 
 
 # What is turned in front of an audience.
@@ -99,7 +99,7 @@ class ControlSettings:
 _FREQUENCY, _ONSET = "frequency_hz", "onset_s"
 
 
-class _Labelled(QWidget):
+class _LabelledField(QWidget):
     """A field with its label on the left, as one part of a row."""
 
     def __init__(self, cell: FieldCell | None = None) -> None:
@@ -130,12 +130,12 @@ class FrequencyAndAmplitudePanel(Panel):
         super().__init__(parent)
         self._design: Design | None = None
         self._view = View()
-        self._words = Heading(how_to_add(self.in_sight))
-        self._words.setObjectName("frequency_and_amplitude_words")
-        set_tone(self._words, "dim")
+        self._heading = Heading(how_to_add(self.in_sight))
+        self._heading.setObjectName("frequency_and_amplitude_words")
+        set_tone(self._heading, "dim")
         self._control = ChoiceField(CONTROL, self)
         self._control.setObjectName("control_field")
-        self._control_label, self._control_part = QLabel(CONTROL.label), _Labelled()
+        self._control_label, self._control_part = QLabel(CONTROL.label), _LabelledField()
         set_tone(self._control_label, "dim")
         self._control_part.hold(self._control_label, self._control)
         self._control.chosen.connect(self._choose_control)
@@ -143,15 +143,15 @@ class FrequencyAndAmplitudePanel(Panel):
         self._onset = FieldCell(_ONSET, ONSET_S)
         self._frequency: FieldCell | None = None
         self._spec: Spec | None = None
-        self._turned = _Labelled()
-        self._amplitude_part = _Labelled(self._amplitude)
-        self._onset_part = _Labelled(self._onset)
-        parts = (self._turned, self._amplitude_part, self._onset_part, self._control_part)
+        self._frequency_part = _LabelledField()
+        self._amplitude_part = _LabelledField(self._amplitude)
+        self._onset_part = _LabelledField(self._onset)
+        parts = (self._frequency_part, self._amplitude_part, self._onset_part, self._control_part)
         self._row = FoldingRow(parts, UNIT_PX)
         column = QVBoxLayout(self)
         column.setContentsMargins(UNIT_PX, 0, UNIT_PX, UNIT_PX)
         column.setSpacing(UNIT_PX // 2)
-        column.addWidget(self._words)
+        column.addWidget(self._heading)
         column.addWidget(self._row)
         column.addStretch(1)
         self._amplitude.edited.connect(self._change)
@@ -162,15 +162,15 @@ class FrequencyAndAmplitudePanel(Panel):
         self._design, self._view = design, view
         control = settings_of(view, self.name, ControlSettings).control
         self._control.set_value(control)
-        track = _turned_input(design, view)
+        track = _controlled_input(design, view)
         known = track is not None
         self._amplitude_part.setVisible(known and control in (ALL, AMPLITUDE))
         self._onset_part.setVisible(False)
         if track is not None:
             self._show_input(design, view, track, control)
         else:
-            words = how_to_select_input if design.inputs else how_to_add
-            self._words.show_phrases(words(self.in_sight))
+            how_to = how_to_select_input if design.inputs else how_to_add
+            self._heading.show_phrases(how_to(self.in_sight))
             self._show_frequency(None)
         self._row.fold()
 
@@ -184,7 +184,7 @@ class FrequencyAndAmplitudePanel(Panel):
         if factor:
             played += f" · peak {peak_text(design, track)}"
         title = scenes.title_of(design) if design.title else ""
-        self._words.show_phrases(*((f"{title} · {played}", title) if title else ()), played)
+        self._heading.show_phrases(*((f"{title} · {played}", title) if title else ()), played)
         if clip is not None:
             self._onset.set_value(clip.onset_s)
             self._onset_part.setVisible(control == ONSET)
@@ -205,8 +205,8 @@ class FrequencyAndAmplitudePanel(Panel):
             if spec is not None:
                 self._frequency = FieldCell(_FREQUENCY, spec)
                 self._frequency.edited.connect(self._change)
-                self._turned.hold(self._frequency.label, self._frequency)
-        self._turned.setVisible(self._frequency is not None)
+                self._frequency_part.hold(self._frequency.label, self._frequency)
+        self._frequency_part.setVisible(self._frequency is not None)
         if self._frequency is not None and clip is not None:
             self._frequency.set_value(getattr(clip.waveform, _FREQUENCY))
 
@@ -223,13 +223,13 @@ class FrequencyAndAmplitudePanel(Panel):
 
     def _change(self, name: str, value: float, gesture: int | None) -> None:
         if self._design is not None:
-            track = _turned_input(self._design, self._view)
+            track = _controlled_input(self._design, self._view)
             ids = self._view.selected_inputs or (() if track is None else (track.id,))
             outcome = edits.change_field(self._design, self._view, ids, name, value)
             self.edited.emit(outcome, gesture)
 
 
-def _turned_input(design: Design, view: View) -> Input | None:
+def _controlled_input(design: Design, view: View) -> Input | None:
     """The selected input; where there is only one, nobody has to select it."""
     if len(design.inputs) == 1:
         return design.inputs[0]

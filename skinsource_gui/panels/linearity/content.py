@@ -132,7 +132,7 @@ def diagrams_of_proportion(
     unit: StrengthUnit,
     *,
     bands: bool = False,
-    every: Floats | None = None,
+    all_outputs: Floats | None = None,
 ) -> tuple[Diagram, ...]:
     """Divided responses over each other, output over input, and how straight that is.
 
@@ -142,14 +142,16 @@ def diagrams_of_proportion(
     """
     growth = _growth_in_bands if bands else _growth
     highest = float(result.frequency_hz[-1]) if result.frequency_hz.size else 1.0
-    title = "Adjusted R²" if every is None else "Adjusted R², all outputs"
+    title = "Adjusted R²" if all_outputs is None else "Adjusted R², all outputs"
     return (
         _overlay(result, rows, time_s, zoom, unit),
         growth(result, rows, unit),
         Diagram(
             x=Axis(shown=(0.0, 1.05 * highest), title="Frequency (Hz)"),
             y=Axis(shown=(0.0, 1.1), title=title, short="Adjusted R²"),
-            curves=_straight(result, rows) if every is None else _worst_and_median(result, every),
+            curves=_straight(result, rows)
+            if all_outputs is None
+            else _worst_and_median(result, all_outputs),
         ),
     )
 
@@ -161,12 +163,12 @@ def _straight(result: Proportion, rows: tuple[int, ...]) -> tuple[Curve, ...]:
     )
 
 
-def _worst_and_median(result: Proportion, every: Floats) -> tuple[Curve, ...]:
+def _worst_and_median(result: Proportion, all_outputs: Floats) -> tuple[Curve, ...]:
     """Dots and a line through bands in which some output is heard."""
-    heard = np.isfinite(every).any(axis=0)
-    if not heard.any():
+    known_bands = np.isfinite(all_outputs).any(axis=0)
+    if not known_bands.any():
         return ()
-    x, known = result.frequency_hz[heard], every[:, heard]
+    x, known = result.frequency_hz[known_bands], all_outputs[:, known_bands]
     median, worst = np.nanmedian(known, axis=0), np.nanmin(known, axis=0)
     return (
         Curve(x=x, y=median, rank=None, width_px=_WIDEST_PX, pale=_PALE, label="median"),
@@ -265,9 +267,9 @@ def diagrams_of_superposition(
             Curve(x=x, y=joint[rank], rank=rank, width_px=narrow_px),
         )
     )
-    seen = both[..., slice(*part)]
+    visible = both[..., slice(*part)]
     against = tuple(
-        Curve(x=seen[0, rank], y=seen[1, rank], rank=rank, width_px=0.0)
+        Curve(x=visible[0, rank], y=visible[1, rank], rank=rank, width_px=0.0)
         for rank in range(len(rows))
     )
     axis = _around(both, "Joint (m/s²)")
@@ -292,25 +294,27 @@ def part_text(
     return f"over time the loudest part, {first} to {last} ms: zoom Traces for another"
 
 
-def proportion_text(result: Proportion, every: Straightness | None = None) -> str:
+def proportion_text(result: Proportion, all_outputs: Straightness | None = None) -> str:
     """What was found, in a sentence."""
-    words = f"{len(result.strengths)} strengths, divided by them: {_apart_words(result.apart)}"
-    r2 = (result if every is None else every).adjusted_r2
-    known, whose = r2[np.isfinite(r2)], "" if every is None else f" of all {len(r2)} outputs"
+    text = f"{len(result.strengths)} strengths, divided by them: {_difference_text(result.apart)}"
+    r2 = (result if all_outputs is None else all_outputs).adjusted_r2
+    known, whose = r2[np.isfinite(r2)], "" if all_outputs is None else f" of all {len(r2)} outputs"
     if not known.size:  # A short response may have no frequency in the band of its limb.
-        return words
-    return f"{words} · adjusted R²{whose} in bands of 2 Hz {known.min():.6f} at least"
+        return text
+    return f"{text} · adjusted R²{whose} in bands of 2 Hz {known.min():.6f} at least"
 
 
 def superposition_text(result: Superposition) -> str:
     """What was found, in a sentence."""
     known = result.correlation[np.isfinite(result.correlation)]
-    alike = f" · r {known.min():.6f} at least" if known.size else ""
-    return f"Sum of separate and joint, wide and thin: {_apart_words(result.apart)}{alike}"
+    correlation = f" · r {known.min():.6f} at least" if known.size else ""
+    return (
+        f"Sum of separate and joint, wide and thin: {_difference_text(result.apart)}{correlation}"
+    )
 
 
-def _apart_words(apart: float) -> str:
-    return f"differences up to {apart:.0e} of the peak" if apart else "no difference"
+def _difference_text(difference: float) -> str:
+    return f"differences up to {difference:.0e} of the peak" if difference else "no difference"
 
 
 def _pale(k: int, n: int) -> float:

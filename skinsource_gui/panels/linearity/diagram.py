@@ -55,12 +55,12 @@ def places_of_labels(
         fits = min(fits, room_px / (metrics.horizontalAdvance(curve.label) + 1.0))
     letters = scaled(font, max(fits, _LEAST_PART)) if fits < 1.0 else font
     line = QFontMetricsF(letters).height()
-    apart = _APART * line
-    ends = sorted(ends[: max(int(frame.height() / apart + 1e-6), 1)], key=lambda end: end[0])
+    step = _APART * line
+    ends = sorted(ends[: max(int(frame.height() / step + 1e-6), 1)], key=lambda end: end[0])
     return letters, [
         (QRectF(x + 2.0 * DOT_PX, y - line / 2, frame.right() - x - 2.0 * DOT_PX, line), curve)
         for y, (_, x, curve) in zip(
-            _apart([end[0] for end in ends], apart, frame.top(), frame.bottom()), ends, strict=True
+            _apart([end[0] for end in ends], step, frame.top(), frame.bottom()), ends, strict=True
         )
     ]
 
@@ -81,15 +81,15 @@ def colour_of(curve: Curve, theme: Theme) -> QColor:
     return QColor(theme.text if curve.rank is None else theme.output_colour(curve.rank))
 
 
-def _apart(at: list[float], apart: float, top: float, bottom: float) -> list[float]:
+def _apart(at: list[float], step: float, top: float, bottom: float) -> list[float]:
     """Sorted places, moved apart no farther than needed, between two ends."""
     placed: list[float] = []
-    for wish in at:
-        placed.append(max(wish, placed[-1] + apart if placed else top + apart / 2))
-    limit = bottom - apart / 2
+    for y in at:
+        placed.append(max(y, placed[-1] + step if placed else top + step / 2))
+    limit = bottom - step / 2
     for k in range(len(placed) - 1, -1, -1):
         placed[k] = min(placed[k], limit)
-        limit = placed[k] - apart
+        limit = placed[k] - step
     return placed
 
 

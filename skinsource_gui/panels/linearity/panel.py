@@ -68,32 +68,32 @@ class ComparedDesigns:
 
     compared: Sequence[Compared]
     strengths: tuple[float, ...] = ()
-    whole: int | None = None
-    words: str = ""
+    joint: int | None = None
+    note: str = ""
 
     @property
     def is_linear(self) -> bool:
         """Whether there is something to be held against each other."""
-        return bool(self.strengths) or self.whole is not None
+        return bool(self.strengths) or self.joint is not None
 
 
 def compared_designs(compared: Sequence[Compared]) -> ComparedDesigns:
     """All of the designs; or, where what is edited is something else, those that are stored."""
-    every = _held(compared)
+    every = _compared_designs(compared)
     stored = [side for side in compared if side.snapshot.number != EDITED]
     if every.is_linear or len(stored) == len(compared):
         return every
-    alone = _held(stored, _STORED_ALONE)
+    alone = _compared_designs(stored, _STORED_ALONE)
     return alone if alone.is_linear else every
 
 
-def _held(compared: Sequence[Compared], words: str = "") -> ComparedDesigns:
+def _compared_designs(compared: Sequence[Compared], text: str = "") -> ComparedDesigns:
     designs = [side.snapshot.design for side in compared]
     return ComparedDesigns(
         compared=compared,
         strengths=strengths_of(designs),
-        whole=joint_of(designs),
-        words=words,
+        joint=joint_of(designs),
+        note=text,
     )
 
 
@@ -149,8 +149,10 @@ def _by_strength(result: Proportion, channels: list[str], unit: StrengthUnit) ->
 
 
 def _by_band(result: Proportion, channels: list[str], unit: StrengthUnit) -> _Lines:
-    told = [f"{unit.column} {strength:.6g}" for strength in result.strengths * unit.si_factor]
-    of_strengths = [f"band_rms_{channel}_m_per_s2 at {at}" for at in told for channel in channels]
+    strengths = [f"{unit.column} {strength:.6g}" for strength in result.strengths * unit.si_factor]
+    of_strengths = [
+        f"band_rms_{channel}_m_per_s2 at {at}" for at in strengths for channel in channels
+    ]
     lines: _Lines = [
         ("frequency_hz", *of_strengths, *(f"adjusted_r2_{channel}" for channel in channels)),
     ]
@@ -194,8 +196,8 @@ class LinearityPanel(FigurePanel):
         self._drawn: tuple[Any, ...] = ()
         self._outputs: tuple[int, ...] = ()
         self._axes: tuple[str, ...] = ()
-        self.found: Proportion | Superposition | None = None
-        self.every: Straightness | None = None
+        self.result: Proportion | Superposition | None = None
+        self.all_outputs: Straightness | None = None
         self.about = self.add_above("linearity_about")
         self.about.setToolTip(
             "Snapshots as they were stored. Over time the part is drawn to which Traces is zoomed, "
@@ -208,7 +210,7 @@ class LinearityPanel(FigurePanel):
         self.choices.addWidget(ButtonRow(switches, self), 1)
         self.copy = self.add_copy(self.table)
         self.heads.addWidget(self.about)
-        self.say_instead(_neither())
+        self.say_instead(_how_to_start())
 
     @property
     def needs_of_snapshots(self) -> frozenset[str]:
@@ -217,8 +219,8 @@ class LinearityPanel(FigurePanel):
         return _NEEDS | {_EVERY} if self._settings.every_output else _NEEDS
 
     def snapshots_drawn(self, snapshots: Sequence[Snapshot]) -> Sequence[Snapshot]:
-        held = compared_designs([Compared(snapshot=snapshot) for snapshot in snapshots])
-        return [side.snapshot for side in held.compared]
+        designs = compared_designs([Compared(snapshot=snapshot) for snapshot in snapshots])
+        return [side.snapshot for side in designs.compared]
 
     def show_state(self, design: Design, view: View) -> None:
         self._view, self._settings = view, settings_of(view, self.name, LinearitySettings)
@@ -231,34 +233,34 @@ class LinearityPanel(FigurePanel):
             self.await_results()
 
     def show_snapshots(self, compared: Sequence[Compared]) -> None:
-        held = compared_designs(compared)
-        problem = next((side.problem for side in held.compared if side.problem), "")
-        wanted = self.needs_of_snapshots
-        known = [side.values for side in held.compared if side.values is not None]
+        designs = compared_designs(compared)
+        problem = next((side.problem for side in designs.compared if side.problem), "")
+        needed = self.needs_of_snapshots
+        known = [side.values for side in designs.compared if side.values is not None]
         # A switch may need more than what was found before it: that is on its way.
-        complete = [values for values in known if wanted <= values.keys()]
-        if not held.is_linear:
-            self.say_instead(_neither())
+        complete = [values for values in known if needed <= values.keys()]
+        if not designs.is_linear:
+            self.say_instead(_how_to_start())
         elif problem:
             self.say_instead(problem)
-        elif len(complete) < len(held.compared):
-            if self.found is None:
+        elif len(complete) < len(designs.compared):
+            if self.result is None:
                 self.await_results()
             else:
                 self.show_stale(True)
         else:
             settings, looked = self._settings, self._view
-            switched = settings.velocity, settings.bands, settings.every_output, held.words
+            switched = settings.velocity, settings.bands, settings.every_output, designs.note
             how = looked.time_range_s, looked.delay_removed, *switched
             if not self._is_drawn((*how, *(values["axis_traces"] for values in complete))):
-                self._show(held, complete)
+                self._show(designs, complete)
             self.show_stale(False)
 
     def show_problem(self, reason: str) -> None:
         """Snapshots have problems of their own, see `show_snapshots`."""
 
     def say_instead(self, message: str) -> None:
-        self._drawn, self.found, self.every = (), None, None
+        self._drawn, self.result, self.all_outputs = (), None, None
         self.show_stale(False)
         super().say_instead(message)
         self.about.say("")
@@ -267,18 +269,18 @@ class LinearityPanel(FigurePanel):
 
     def table(self) -> str:
         """The numbers, with tabs between the columns."""
-        if self.found is None:
+        if self.result is None:
             return ""
         unit, bands = self._unit, self._settings.bands
-        every = self.every
-        return tab_separated(self.found, self._outputs, self._axes, unit, bands=bands, every=every)
+        every = self.all_outputs
+        return tab_separated(self.result, self._outputs, self._axes, unit, bands=bands, every=every)
 
-    def _is_drawn(self, wanted: tuple[Any, ...]) -> bool:
-        same = len(wanted) == len(self._drawn) and all(
-            part is other for part, other in zip(wanted, self._drawn, strict=True)
+    def _is_drawn(self, drawn: tuple[Any, ...]) -> bool:
+        same = len(drawn) == len(self._drawn) and all(
+            part is other for part, other in zip(drawn, self._drawn, strict=True)
         )
         if not same:
-            self._drawn = wanted
+            self._drawn = drawn
         return same
 
     def _switch(self, spec: SwitchSpec, chosen: Callable[[bool], None]) -> QToolButton:
@@ -293,10 +295,10 @@ class LinearityPanel(FigurePanel):
         settings = replace(self._settings, **changes)
         self.view_changed.emit(with_settings(self._view, self.name, settings))
 
-    def _show(self, held: ComparedDesigns, results: Sequence[Mapping[str, Any]]) -> None:
+    def _show(self, designs: ComparedDesigns, results: Sequence[Mapping[str, Any]]) -> None:
         """Draw what is known of all designs."""
-        drawn, design = self._drawn, held.compared[0].snapshot.design
-        strengths, whole = held.strengths, held.whole
+        drawn, design = self._drawn, designs.compared[0].snapshot.design
+        strengths, joint = designs.strengths, designs.joint
         traces = [result["axis_traces"] for result in results]
         n_outputs, n_axes, _ = traces[0].shape
         if sum(trace.size for trace in traces) > _MOST_VALUES:
@@ -309,19 +311,21 @@ class LinearityPanel(FigurePanel):
         axes, limb = axes_on(design.limb, self._view.axes), facts_of(design.limb)
         along = "z" if "z" in axes else axes[0]
         rows = tuple(axes.index(along) + n_axes * rank for rank in range(n_outputs))
-        zoom, longest = self._view.time_range_s, results[whole or 0]
+        zoom, longest = self._view.time_range_s, results[joint or 0]
         self._outputs, self._axes = longest["shown_outputs"], tuple(axes)
         time_s = self._time_s(longest, limb.pre_trigger_delay_s)
         if strengths:
             rate_hz = longest["sample_rate_hz"]
-            self.found = shown = proportion(strengths, np.stack(channels), rate_hz, limb.band_hz)
+            self.result = shown = proportion(strengths, np.stack(channels), rate_hz, limb.band_hz)
             fastest = results[0]["fastest_probe_m_per_s"]
             self.velocity.setVisible(bool(fastest))
             factors = any(is_gain(design, track) for track in design.inputs)
             self._unit = of_amplitudes("×" if factors else amplitude_unit(design))
             if fastest and self._settings.velocity:
                 self._unit = of_velocities(fastest / strengths[0])
-            self.every = _straightness(strengths, results) if self._settings.every_output else None
+            self.all_outputs = (
+                _straightness(strengths, results) if self._settings.every_output else None
+            )
             drawing = diagrams_of_proportion(
                 shown,
                 rows,
@@ -329,14 +333,16 @@ class LinearityPanel(FigurePanel):
                 zoom,
                 self._unit,
                 bands=self._settings.bands,
-                every=None if self.every is None else self.every.adjusted_r2[:, axes.index(along)],
+                all_outputs=None
+                if self.all_outputs is None
+                else self.all_outputs.adjusted_r2[:, axes.index(along)],
             )
             self.picture.show_diagrams(drawing, self._outputs)
-            self.show_found(proportion_text(shown, self.every))
-        elif whole is not None:
+            self.show_found(proportion_text(shown, self.all_outputs))
+        elif joint is not None:
             self.velocity.hide()
-            parts = [channel for k, channel in enumerate(channels) if k != whole]
-            self.found = added = superposition(parts, channels[whole])
+            parts = [channel for k, channel in enumerate(channels) if k != joint]
+            self.result = added = superposition(parts, channels[joint])
             drawing = diagrams_of_superposition(added, rows, time_s, zoom)
             self.picture.show_diagrams(drawing, self._outputs)
             self.show_found(superposition_text(added))
@@ -344,10 +350,10 @@ class LinearityPanel(FigurePanel):
         self.every_output.setVisible(bool(strengths))
         self._drawn = drawn
         self.copy.offer(True)
-        said = [f"Along {along}: linear by construction", held.words]
-        said.append("synthetic limb" * limb.synthetic)
-        said.append(part_text(drawing[0].x.shown, time_s, zoom))
-        self.about.say(" · ".join(filter(None, said)))
+        notes = [f"Along {along}: linear by construction", designs.note]
+        notes.append("synthetic limb" * limb.synthetic)
+        notes.append(part_text(drawing[0].x.shown, time_s, zoom))
+        self.about.say(" · ".join(filter(None, notes)))
 
     def _time_s(self, results: Mapping[str, Any], delay_s: float) -> Floats:
         """Instants on the time axes as they are now: results of the window know the delay removed.
@@ -366,7 +372,7 @@ def _straightness(
     return None if any(levels is None for levels in in_bands) else straightness(strengths, in_bands)
 
 
-def _neither() -> str:
+def _how_to_start() -> str:
     """What to store where it is neither strengths nor a sum."""
     first, last = (shortcut_text(f"store_snapshot_{number}") for number in (1, NUMBERS[-1]))
     return (

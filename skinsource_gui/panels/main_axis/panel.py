@@ -28,14 +28,14 @@ _GAP_PX = 3.0
 class MainAxisContent:
     """What is drawn: ellipsoids, of which outputs of which limb, along which axes (``"xyz"``)."""
 
-    found: MainAxes
+    main_axes: MainAxes
     outputs: tuple[int, ...]
     axes: str
     limb: str = ""
 
-    def words_of(self, rank: int) -> str:
+    def text_of(self, rank: int) -> str:
         """What is to be said of one output."""
-        main_axes, name = self.found, output_name(self.outputs[rank], self.limb).short_name
+        main_axes, name = self.main_axes, output_name(self.outputs[rank], self.limb).short_name
         start = f"{self.outputs[rank]} {name}"
         if np.isnan(main_axes.share[rank]):
             return f"{start}: silent"
@@ -87,12 +87,12 @@ class MainAxisPicture(Figure):
             row, column = divmod(shown_count, across)
             place = QRectF(column * cell[0], row * cell[1], *cell)
             painter.setPen(QColor(current_theme().dim))
-            words = f"and {count - shown_count} more"
-            painter.drawText(place, Qt.AlignmentFlag.AlignCenter, words)
+            text = f"and {count - shown_count} more"
+            painter.drawText(place, Qt.AlignmentFlag.AlignCenter, text)
 
     def read(self, at: QPointF) -> str:
-        found = next((rank for place, rank in self._cells if place.contains(at)), None)
-        return "" if found is None or self.shown is None else self.shown.words_of(found)
+        main_axes = next((rank for place, rank in self._cells if place.contains(at)), None)
+        return "" if main_axes is None or self.shown is None else self.shown.text_of(main_axes)
 
     def keys_area(self) -> QRectF:
         return QRectF() if self.message or not self._cells else QRectF(self.rect())
@@ -102,19 +102,19 @@ class MainAxisPicture(Figure):
         if shown is None:
             return
         line = QFontMetricsF(painter.font()).height()
-        main_axes, theme = shown.found, current_theme()
+        main_axes, theme = shown.main_axes, current_theme()
         head = QRectF(place.left(), place.top(), place.width(), line)
         number = shown.outputs[rank]
         if np.isnan(main_axes.share[rank]):
-            said = "silent"
+            text = "silent"
         elif main_axes.none[rank]:
-            said = "no main axis"
+            text = "no main axis"
         else:
-            said = f"{main_axes.share[rank]:.0%}"
+            text = f"{main_axes.share[rank]:.0%}"
         painter.setPen(theme.output_colour(rank))
         painter.drawText(head, Qt.AlignmentFlag.AlignLeft, f"{number}")
-        painter.setPen(QColor(theme.warning if said == "no main axis" else theme.dim))
-        painter.drawText(head, Qt.AlignmentFlag.AlignRight, said)
+        painter.setPen(QColor(theme.warning if text == "no main axis" else theme.dim))
+        painter.drawText(head, Qt.AlignmentFlag.AlignRight, text)
         planes = tuple(combinations(range(len(shown.axes)), 2))
         each = place.width() / len(planes)
         largest = float(main_axes.deviation[rank, 0])
@@ -130,22 +130,22 @@ class MainAxisPicture(Figure):
             return
         metrics = QFontMetricsF(painter.font())
         # Beside and above the ellipse there is room for the names of the axes.
-        beside = max(map(metrics.horizontalAdvance, shown.axes)) + _GAP_PX
-        room = area.adjusted(_GAP_PX, metrics.height(), -beside, -_GAP_PX)
+        label_px = max(map(metrics.horizontalAdvance, shown.axes)) + _GAP_PX
+        room = area.adjusted(_GAP_PX, metrics.height(), -label_px, -_GAP_PX)
         centre, radius = room.center(), 0.5 * max(min(room.width(), room.height()), 0.0)
         painter.setPen(QPen(QColor(theme.grid), 1))
         painter.drawLine(QLineF(centre.x() - radius, centre.y(), centre.x() + radius, centre.y()))
         painter.drawLine(QLineF(centre.x(), centre.y() - radius, centre.x(), centre.y() + radius))
         painter.setPen(QColor(theme.dim))
         height = metrics.height()
-        right = QRectF(centre.x() + radius, centre.y() - height / 2.0, beside, height)
+        right = QRectF(centre.x() + radius, centre.y() - height / 2.0, label_px, height)
         painter.drawText(right, Qt.AlignmentFlag.AlignCenter, shown.axes[plane[0]])
-        above = QRectF(centre.x() - beside, centre.y() - radius - height, 2.0 * beside, height)
+        above = QRectF(centre.x() - label_px, centre.y() - radius - height, 2.0 * label_px, height)
         painter.drawText(above, Qt.AlignmentFlag.AlignCenter, shown.axes[plane[1]])
         if largest <= 0.0:
             return
         scale = radius / largest
-        points = ellipse(shown.found.covariance[rank], plane) * scale
+        points = ellipse(shown.main_axes.covariance[rank], plane) * scale
         line = QPolygonF([centre + QPointF(x, -y) for x, y in points])
         colour = theme.output_colour(rank)
         fill = QColor(colour)
@@ -154,8 +154,8 @@ class MainAxisPicture(Figure):
         painter.setBrush(fill)
         painter.drawPolygon(line)
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        if not shown.found.none[rank]:
-            x, y = shown.found.direction[rank][list(plane)] * radius
+        if not shown.main_axes.none[rank]:
+            x, y = shown.main_axes.direction[rank][list(plane)] * radius
             painter.setPen(QPen(QColor(theme.text), 1.4))
             painter.drawLine(QLineF(centre + QPointF(-x, y), centre + QPointF(x, -y)))
 
@@ -218,16 +218,16 @@ class MainAxisPanel(FigurePanel):
             self.copy.offer(True)
             self.picture.show_axes(
                 MainAxisContent(
-                    found=results["output_main_axes"],
+                    main_axes=results["output_main_axes"],
                     outputs=results["shown_outputs"],
                     axes="".join(limb.axes[k] for k in results["axis_numbers"]),
                     limb=limb.name,
                 )
             )
             # How the sensors of an own limb lie is not known.
-            words = [_OWN] if limb.map.axes_shown else []
-            words += ["synthetic limb"] if limb.synthetic else []
-            self.show_found(" · ".join(words))
+            notes = [_OWN] if limb.map.axes_shown else []
+            notes += ["synthetic limb"] if limb.synthetic else []
+            self.show_found(" · ".join(notes))
 
     def table(self) -> str:
         """The numbers, with tabs between the columns."""
@@ -239,13 +239,13 @@ class MainAxisPanel(FigurePanel):
         header += [f"deviation_{k}_m_per_s2" for k in range(1, n_axes + 1)]
         header += ["share_of_variance", "main_axis"]
         lines = ["\t".join(header)]
-        main_axes = shown.found
+        main_axes = shown.main_axes
         for rank, output in enumerate(shown.outputs):
             numbers = (
                 *main_axes.direction[rank],
                 *main_axes.deviation[rank],
                 main_axes.share[rank],
             )
-            said = "no" if main_axes.none[rank] else "yes"
-            lines.append("\t".join((str(output), *map(copied, numbers), said)))
+            has_axis = "no" if main_axes.none[rank] else "yes"
+            lines.append("\t".join((str(output), *map(copied, numbers), has_axis)))
         return "\n".join(lines) + "\n"

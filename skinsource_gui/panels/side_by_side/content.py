@@ -87,7 +87,7 @@ class Cell:
         The level that its values are relative to, dB re 1 m/s²; None: they are not.
     design
         Its inputs are marked; None: none are.
-    words
+    text
         Why there is no map.
     late
         Whether it belongs to the design before.
@@ -101,8 +101,8 @@ class Cell:
     scale: Scale | None = None
     maximum_db: float | None = None
     design: Design | None = None
-    words: str = ""
-    late: bool = False
+    text: str = ""
+    stale: bool = False
     synthetic: bool = False
 
     @property
@@ -169,9 +169,9 @@ class SideBySideContent:
         return scales.pop() if len(scales) == 1 else None
 
     @property
-    def late(self) -> bool:
+    def stale(self) -> bool:
         """Whether any of the maps belongs to the design before."""
-        return any(cell.late for cell in self.cells)
+        return any(cell.stale for cell in self.cells)
 
     def readout(self, output: int | None) -> str:
         """What all maps say of an output; without one what they are."""
@@ -201,13 +201,13 @@ class Cells:
         self._before: dict[str, SmallMaps] = {}
 
     def of_levels(
-        self, compared: Sequence[Compared], names: Sequence[Names], look: LevelLook = USUAL_LOOK
+        self, compared: Sequence[Compared], names: Sequence[Names], style: LevelLook = USUAL_LOOK
     ) -> tuple[Cell, ...]:
         """A map of the levels of each, in the same colours over the same range."""
         self._begin()
         known = [_levels_db(side) for side in compared if side.values is not None]
         loudest = np.array([levels.max() for levels in known])
-        scale = scale_of_levels(loudest, look)
+        scale = scale_of_levels(loudest, style)
         return tuple(
             self._levels(side, name, scale) for side, name in zip(compared, names, strict=True)
         )
@@ -216,11 +216,11 @@ class Cells:
         self,
         compared: Sequence[Compared],
         names: Sequence[Names],
-        look: LevelLook = USUAL_LOOK,
+        style: LevelLook = USUAL_LOOK,
     ) -> tuple[Cell, ...]:
         """A map of the levels of each relative to its own loudest output, in colours of a look."""
         self._begin()
-        scale, pairs = scale_of_own(look), zip(compared, names, strict=True)
+        scale, pairs = scale_of_own(style), zip(compared, names, strict=True)
         return tuple(self._levels(side, name, scale, own=True) for side, name in pairs)
 
     def of_differences(
@@ -246,40 +246,42 @@ class Cells:
         compared: Sequence[Compared],
         names: Sequence[Names],
         reference: int,
-        look: LevelLook = USUAL_LOOK,
+        style: LevelLook = USUAL_LOOK,
     ) -> tuple[Cell, ...]:
         """Mean and standard deviation over all whose outputs are at the places of ``reference``."""
         self._begin()
         base = compared[reference]
         limb = _limb(base)
         pairs = zip(compared, names, strict=True)
-        alike = [(side, words) for side, words in pairs if same_outputs(limb, _limb(side))]
+        comparable = [(side, name) for side, name in pairs if same_outputs(limb, _limb(side))]
         # Silence is no level that others could lie about.
-        felt = [(side, words) for side, words in alike if side.values and not is_silent(side)]
-        known = [side for side, _ in felt]
+        heard = [(side, name) for side, name in comparable if side.values and not is_silent(side)]
+        known = [side for side, _ in heard]
         # A mean of those that happen to be known already would change by itself.
-        computing = any(side.values is None and not side.problem for side, _ in alike)
+        computing = any(side.values is None and not side.problem for side, _ in comparable)
         if base.values is None or computing or len(known) < 2:
             few = (
                 "A mean takes two at least that are not silent and have outputs at the same places."
             )
-            problem = base.problem or next((side.problem for side, _ in alike if side.problem), few)
-            return (Cell(headings=("",), limb=limb, words="" if computing else problem),)
+            problem = base.problem or next(
+                (side.problem for side, _ in comparable if side.problem), few
+            )
+            return (Cell(headings=("",), limb=limb, text="" if computing else problem),)
         mean, spread = mean_and_spread_over([_levels_db(side) for side in known])
-        called = [words for _, words in felt]
+        called = [name for _, name in heard]
         what = _of_all(called, len(compared))
-        late = any(side.late for side in known)
+        stale = any(side.late for side in known)
         noisy = _noisy(*known)
         common: dict[str, Any] = {
             "limb": limb,
-            "late": late,
+            "stale": stale,
             "synthetic": any(_synthetic(side) for side in known),
         }
-        of_mean = scale_of_levels(mean, look)
+        of_mean = scale_of_levels(mean, style)
         of_spread = Scale(
             range_db=(0.0, end_db(spread)),
             words="dB",
-            colours=look.colours,
+            colours=style.colours,
             reached_db=_reached_db([spread]),
         )
         return (
@@ -302,22 +304,22 @@ class Cells:
         )
 
     def _difference(self, side: Compared, headings: Names, base: Compared) -> Cell:
-        cell = Cell(headings=headings, limb=_limb(side), late=side.late or base.late)
+        cell = Cell(headings=headings, limb=_limb(side), stale=side.late or base.late)
         if problem := side.problem or base.problem:
-            return replace(cell, words=problem)
+            return replace(cell, text=problem)
         if not same_outputs(_limb(side), _limb(base)):
-            return replace(cell, words=ELSEWHERE)
+            return replace(cell, text=ELSEWHERE)
         if side.values is None or base.values is None:
             return cell
         if is_silent(side) or is_silent(base):
-            return replace(cell, words=SILENCE)
+            return replace(cell, text=SILENCE)
         levels = difference_db(_levels_db(side), _levels_db(base))
         both = _synthetic(side) or _synthetic(base)
         small = self._map(headings[0], side, levels, _noisy(side, base))
         return replace(cell, small=small, synthetic=both)
 
     def _levels(self, side: Compared, names: Names, scale: Scale, *, own: bool = False) -> Cell:
-        cell = Cell(headings=names, limb=_limb(side), words=side.problem, late=side.late)
+        cell = Cell(headings=names, limb=_limb(side), text=side.problem, stale=side.late)
         if side.values is None:
             return cell
         small, maximum_db = self._map(names[0], side, None, _noisy(side)), None
@@ -337,7 +339,7 @@ class Cells:
         self._before, self._maps = self._maps, {}
 
     def _map(
-        self, kept: str, side: Compared, levels_db: Floats | None, noisy: tuple[int, ...]
+        self, key: str, side: Compared, levels_db: Floats | None, noisy: tuple[int, ...]
     ) -> SmallMap:
         """A map on the limb of ``one``: of its levels as they are shown, or of others."""
         values: dict[str, Any] = dict(side.values or {})
@@ -347,7 +349,7 @@ class Cells:
         elif side.gain != 1.0:
             values["output_levels_db"] = _levels_db(side)
             values["surface_levels_db"] = values["surface_levels_db"] + gain_db(side)
-        self._maps[kept] = maps = self._before.pop(kept, None) or SmallMaps()
+        self._maps[key] = maps = self._before.pop(key, None) or SmallMaps()
         return replace(maps.map_of(values), noisy=noisy)
 
 
@@ -378,7 +380,7 @@ def _minus(names: Names, other: Names) -> Names:
     """What a difference is called; as few words of both."""
     n = max(len(names), len(other))
     pairs = [(names[min(k, len(names) - 1)], other[min(k, len(other) - 1)]) for k in range(n)]
-    return tuple(f"{this} minus {that}" for this, that in pairs)
+    return tuple(f"{first} minus {second}" for first, second in pairs)
 
 
 def _reached_db(drawn: Sequence[Floats]) -> Range | None:
@@ -540,11 +542,11 @@ class Kind:
 
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
         """What the levels are."""
-        words = f"RMS of {signal_label(view.axes, view.method)} · {span_label(view.span)}"
+        text = f"RMS of {signal_label(view.axes, view.method)} · {span_label(view.span)}"
         without = "without inputs that cannot be played"
         left_out = without if any(side.left_out for side in compared) else ""
         return " · ".join(
-            part for part in (words, display_gain_text(design, view), left_out) if part
+            part for part in (text, display_gain_text(design, view), left_out) if part
         )
 
     def shown(self, settings: SideBySideSettings) -> str:
@@ -624,8 +626,8 @@ class OfAxes(Kind):
         return [(f"Along {side.axes}", side.axes) for side in compared]
 
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
-        words = f"RMS along each axis of the sensors · {span_label(view.span)}"
-        return " · ".join(part for part in (words, display_gain_text(design, view)) if part)
+        text = f"RMS along each axis of the sensors · {span_label(view.span)}"
+        return " · ".join(part for part in (text, display_gain_text(design, view)) if part)
 
 
 # The present design on several limbs.
@@ -691,9 +693,9 @@ class OfSnapshots(Kind):
 
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
         # Each has its own gain.
-        words = super().about(compared, None, view)
+        text = super().about(compared, None, view)
         matched = have_matching_level(compared, matched=view.levels_matched)
-        return f"{words} · {LEVELS_MATCHED}" if matched else words
+        return f"{text} · {LEVELS_MATCHED}" if matched else text
 
 
 def snapshot_names(
@@ -729,10 +731,12 @@ def _own_parts(titles: Sequence[str]) -> dict[str, str]:
     Of titles whose parts, between middle dots, begin alike.
     """
     parts = [title.split(" · ") for title in titles]
-    alike = 0
-    while parts and all(len(part) > alike + 1 and part[alike] == parts[0][alike] for part in parts):
-        alike += 1
-    return {title: " · ".join(each[alike:]) for title, each in zip(titles, parts, strict=True)}
+    n_common = 0
+    while parts and all(
+        len(part) > n_common + 1 and part[n_common] == parts[0][n_common] for part in parts
+    ):
+        n_common += 1
+    return {title: " · ".join(each[n_common:]) for title, each in zip(titles, parts, strict=True)}
 
 
 # The numbers of maps side by side, for a spreadsheet.

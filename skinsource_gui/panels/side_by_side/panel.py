@@ -239,7 +239,7 @@ class SideBySidePanel(Panel):
         self.maps = MapsView(self)
         self.maps.outputs_chosen.connect(self._choose_outputs)
         self.maps.pointed_at.connect(self._read)
-        self._lateness.changed.connect(self.maps.show_outdated)
+        self._lateness.changed.connect(self.maps.show_stale)
         self.words = NoteLabel("side_by_side_words", self)
         self.copy = CopyButton(self.name, lambda: tab_separated(self.maps.content), self)
         foot = QHBoxLayout()
@@ -345,7 +345,7 @@ class SideBySidePanel(Panel):
             message=message,
             about=kind.about(compared, design, view),
         )
-        super().show_stale(self._stale if kind.own else content.late)
+        super().show_stale(self._stale if kind.own else content.stale)
         self.copy.offer(any(cell.small is not None for cell in content.cells))
         self.maps.show_content(content)
 

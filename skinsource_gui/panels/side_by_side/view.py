@@ -106,8 +106,8 @@ def places_of(room: QRectF, n: int, line: float, *, common: bool, heading_lines:
     foot = scale_height if common else 0.0
     scale = QRectF(inner.left(), inner.bottom() - foot, inner.width(), foot)
     maps = QRectF(inner.left(), head.bottom(), inner.width(), scale.top() - head.bottom())
-    beside = (heading_lines + 1.0) * line + (0.0 if common else scale_height) + edge
-    rows = _rows(maps, n, beside)
+    around = (heading_lines + 1.0) * line + (0.0 if common else scale_height) + edge
+    rows = _rows(maps, n, around)
     columns = ceil(n / rows) if n else 1
     width, height = maps.width() / columns, maps.height() / rows
     cells = tuple(
@@ -132,12 +132,12 @@ def least_height(line: float) -> float:
     return 1.2 * line + 3.0 * line + 0.9 * line + scale_row_px(line) + _LEAST_MAP_PX
 
 
-def _rows(room: QRectF, n: int, beside: float) -> int:
+def _rows(room: QRectF, n: int, around: float) -> int:
     """In how many rows maps are largest; as few as give that."""
 
     def map_width(rows: int) -> float:
         wide = room.width() / ceil(n / rows)
-        return min(wide, (room.height() / rows - beside) / _HIGH) - 1e-6 * rows
+        return min(wide, (room.height() / rows - around) / _HIGH) - 1e-6 * rows
 
     return max(range(1, n + 1), key=map_width, default=1)
 
@@ -185,12 +185,12 @@ def paint_heading(painter: QPainter, wordings: Sequence[str], room: QRectF) -> N
     inner = _inner(metrics, room)
     fitted = next((wording for wording in wordings if _fits(metrics, (wording,), room)), None)
     if fitted is not None:
-        painter.drawText(inner, wraps, _kept(fitted))
+        painter.drawText(inner, wraps, _with_joined_numbers(fitted))
         return
     lines = max(round(room.height() / metrics.height()), 1)
     width = inner.width() * (1.0 if lines == 1 else _FILLED * lines)
-    words = metrics.elidedText(wordings[-1], Qt.TextElideMode.ElideRight, width)
-    painter.drawText(inner, _CENTRE | Qt.TextFlag.TextWrapAnywhere, words)
+    text = metrics.elidedText(wordings[-1], Qt.TextElideMode.ElideRight, width)
+    painter.drawText(inner, _CENTRE | Qt.TextFlag.TextWrapAnywhere, text)
 
 
 def bold(font: QFont) -> QFont:
@@ -204,9 +204,9 @@ def _fits(metrics: QFontMetricsF, wordings: Sequence[str], room: QRectF) -> bool
     """Whether one of some wordings has room, at the breaks between words that it has."""
     inner = _inner(metrics, room)
     flags = int(_CENTRE.value) | int(Qt.TextFlag.TextWordWrap.value)
-    for words in wordings:
-        taken = metrics.boundingRect(inner, flags, _kept(words))
-        if taken.width() <= inner.width() and taken.height() <= inner.height() + 1.0:
+    for wording in wordings:
+        needed = metrics.boundingRect(inner, flags, _with_joined_numbers(wording))
+        if needed.width() <= inner.width() and needed.height() <= inner.height() + 1.0:
             return True
     return False
 
@@ -216,8 +216,8 @@ def _inner(metrics: QFontMetricsF, room: QRectF) -> QRectF:
     return room.adjusted(edge, 0.0, -edge, 0.0)
 
 
-def _kept(words: str) -> str:
-    return _BEFORE_NUMBER.sub("\N{NO-BREAK SPACE}", words)
+def _with_joined_numbers(text: str) -> str:
+    return _BEFORE_NUMBER.sub("\N{NO-BREAK SPACE}", text)
 
 
 # Maps side by side as they lie in a widget: which is where, and where their outputs are.
@@ -254,11 +254,11 @@ _PALE, _BAND_ALPHA = 0.5, 0.15
 
 def paint_view(
     painter: QPainter,
-    seen: VisibleMaps,
+    visible: VisibleMaps,
     theme: Theme,
     pointed_at: int | None,
     *,
-    outdated: bool,
+    stale: bool,
     band: QRectF | None,
 ) -> None:
     """Draw what a widget shows; the painter's font is that of all words.
@@ -272,15 +272,15 @@ def paint_view(
     band
         What is dragged around outputs, if anything.
     """
-    content, places = seen.content, seen.places
-    if outdated:
+    content, places = visible.content, visible.places
+    if stale:
         painter.setPen(QColor(theme.dim))
         painter.drawText(places.head, Qt.AlignmentFlag.AlignVCenter, "Computing…")
     if any(cell.synthetic for cell in content.cells):
         painter.setPen(QColor(theme.warning))
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         painter.drawText(places.head, right, "SYNTHETIC")
-    painter.setOpacity(_PALE if outdated else 1.0)
+    painter.setOpacity(_PALE if stale else 1.0)
     paint_content(painter, content, places, theme, pointed_at)
     painter.setOpacity(1.0)
     if band is not None:
@@ -327,8 +327,8 @@ def paint_page(painter: QPainter, content: SideBySideContent, room: QRectF, them
         painter.drawText(room, _CENTRE, content.message)
         return
     synthetic = any(cell.synthetic for cell in content.cells)
-    words = f"{content.about} · SYNTHETIC" if synthetic else content.about
-    painter.drawText(QRectF(0, 0, room.width(), 1.5 * line), _CENTRE, words)
+    text = f"{content.about} · SYNTHETIC" if synthetic else content.about
+    painter.drawText(QRectF(0, 0, room.width(), 1.5 * line), _CENTRE, text)
     below = room.adjusted(0, 1.5 * line, 0, 0)
     paint_content(painter, content, places_for(below, content, painter.font()), theme)
 
@@ -349,9 +349,9 @@ def _paint_cell(
     if cell.small is None or cell.scale is None:
         painter.setPen(QColor(theme.dim))
         flags = _CENTRE | Qt.TextFlag.TextWordWrap
-        words = cell.words or "Computing…"
-        painter.setFont(shrunk(plain, words.split(), place.map.width()))
-        painter.drawText(place.map, flags, words)
+        text = cell.text or "Computing…"
+        painter.setFont(shrunk(plain, text.split(), place.map.width()))
+        painter.drawText(place.map, flags, text)
         painter.setFont(plain)
         return
     painter.setPen(QColor(theme.text if pointed_at is not None else theme.dim))
@@ -369,7 +369,7 @@ def fitting(painter: QPainter, wordings: Sequence[str], width: float) -> str:
     """The first of some wordings, each shorter than the one before, for which there is room."""
     metrics = painter.fontMetrics()
     width -= 0.5 * metrics.height()
-    fits = (words for words in wordings if metrics.horizontalAdvance(words) <= width)
+    fits = (wording for wording in wordings if metrics.horizontalAdvance(wording) <= width)
     shortest = metrics.elidedText(wordings[-1], Qt.TextElideMode.ElideRight, int(width))
     return next(fits, shortest)
 
@@ -398,7 +398,7 @@ class MapsView(QWidget):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self._outdated = False
+        self._stale = False
         # Of which map the mouse was last.
         self._at = 0
         self.content = SideBySideContent()
@@ -419,7 +419,7 @@ class MapsView(QWidget):
         return self.picker.pointed_at(focused=self.hasFocus())
 
     @property
-    def seen(self) -> VisibleMaps:
+    def visible_maps(self) -> VisibleMaps:
         """What is shown, and where."""
         places = places_for(QRectF(self.rect()), self.content, tabular(self.font()))
         return VisibleMaps(content=self.content, places=places)
@@ -433,9 +433,9 @@ class MapsView(QWidget):
         self.setAccessibleName(content.message or content.about or "Maps side by side")
         self._tell()
 
-    def show_outdated(self, outdated: bool) -> None:
+    def show_stale(self, stale: bool) -> None:
         """Say whether what is shown belongs to an older design."""
-        self._outdated = outdated
+        self._stale = stale
         self.update()
 
     def event(self, event: QEvent) -> bool:
@@ -453,26 +453,26 @@ class MapsView(QWidget):
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(QRectF(self.rect()).adjusted(8, 8, -8, -8), flags, content.message)
         else:
-            late, band = self._outdated, self.picker.mouse.band
-            paint_view(painter, self.seen, theme, self.output, outdated=late, band=band)
+            stale, band = self._stale, self.picker.mouse.band
+            paint_view(painter, self.visible_maps, theme, self.output, stale=stale, band=band)
         if self.hasFocus():
             paint_focus_frame(painter, QRectF(self.rect()), theme)
         painter.end()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
-            self._at = self.seen.map_at(event.position(), self._at)
+            self._at = self.visible_maps.map_at(event.position(), self._at)
         self.picker.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if not event.buttons():
-            self._at = self.seen.map_at(event.position(), self._at)
-        self.picker.mouse.move(event.position(), self.seen.points_of(self._at))
+            self._at = self.visible_maps.map_at(event.position(), self._at)
+        self.picker.mouse.move(event.position(), self.visible_maps.points_of(self._at))
         self._tell()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
-            self.picker.release(event, self.seen.points_of(self._at))
+            self.picker.release(event, self.visible_maps.points_of(self._at))
             self.update()
 
     def leaveEvent(self, event: QEvent) -> None:
@@ -481,7 +481,7 @@ class MapsView(QWidget):
         self._tell()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        points = self.seen.points_of(self._at)
+        points = self.visible_maps.points_of(self._at)
         unplaced = tuple(int(k) + 1 for k in np.flatnonzero(np.isnan(points[:, 0])))
         middle = QRectF(self.rect()).center()
         if len(unplaced) == len(points) or meaning_of("skin", event) not in _KEYS:

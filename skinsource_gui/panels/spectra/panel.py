@@ -122,8 +122,8 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
     drawn = magnitude if each_axis else magnitude[:, None]
     if settings.averaged:
         drawn = mean_of_bins(drawn, MEAN_OF_BINS)
-    first, seen = (
-        [f"spectrum: {_SCALINGS[span][-3]}{_averaged_words(settings, frequency_hz)}"],
+    first, span_shown = (
+        [f"spectrum: {_SCALINGS[span][-3]}{_averaged_text(settings, frequency_hz)}"],
         None,
     )
     peaks: tuple[float, ...] = ()
@@ -134,7 +134,7 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
         # Silence has no peak to be relative to.
         drawn = drawn / np.where(largest > 0.0, largest, 1.0)[:, None, None]
         measured = _drawn(drawn[..., within], settings)
-        seen = float(measured.min()), float(measured.max())
+        span_shown = float(measured.min()), float(measured.max())
         first.append("each output relative to its largest magnitude in the measured band")
     columns = settings.relative and settings.log_magnitude
     return Curves(
@@ -143,7 +143,7 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
         names=output_names(results["outputs"], results["limb"]),
         axes=axes,
         kind=_kind(settings),
-        span=seen,
+        span=span_shown,
         level_words=_RELATIVE_LEVEL_WORDS if settings.relative else LEVEL_WORDS,
         scaling=_scaling(settings, span),
         columns=_columns(results["outputs"], axes) if columns else (),
@@ -164,10 +164,10 @@ def _scaling(settings: SpectraSettings, span: Span) -> tuple[str, ...]:
     """What heights mean, longest first."""
     if not settings.averaged:
         return _SCALINGS[span]
-    return tuple(f"{words}, {_AVERAGED}" for words in _SCALINGS[span])
+    return tuple(f"{text}, {_AVERAGED}" for text in _SCALINGS[span])
 
 
-def _averaged_words(settings: SpectraSettings, frequency_hz: Floats) -> str:
+def _averaged_text(settings: SpectraSettings, frequency_hz: Floats) -> str:
     """Over which frequencies a mean is, where each magnitude is one."""
     if not settings.averaged or frequency_hz.size < 2:
         return ""
@@ -337,10 +337,10 @@ def _axes(sample_rate_hz: float, band: Band | None) -> tuple[XAxis, XAxis]:
     highest_hz = sample_rate_hz / 2
     titles: tuple[str, ...] = ("Frequency (Hz)",)
     if band is not None:
-        words = f"{band[0]:g} to {band[1]:g} Hz"
+        text = f"{band[0]:g} to {band[1]:g} Hz"
         titles = (
-            f"Frequency (Hz) · measured band {words}, shaded outside",
-            f"Frequency (Hz) · band {words}",
+            f"Frequency (Hz) · measured band {text}, shaded outside",
+            f"Frequency (Hz) · band {text}",
             *titles,
         )
     linear = XAxis(
@@ -351,8 +351,8 @@ def _axes(sample_rate_hz: float, band: Band | None) -> tuple[XAxis, XAxis]:
 
 def _as_seen(axis: XAxis, zoom: RangesRange | None) -> XAxis:
     """The axis, without words on what is shaded where nothing that is in view is."""
-    seen = zoom or axis.extent
-    if axis.band is None or seen is None:
+    visible = zoom or axis.extent
+    if axis.band is None or visible is None:
         return axis
-    shaded = seen[0] < axis.band[0] or seen[1] > axis.band[1]
+    shaded = visible[0] < axis.band[0] or visible[1] > axis.band[1]
     return axis if shaded else replace(axis, titles=axis.titles[1:])

@@ -61,7 +61,7 @@ class SpectrogramContent:
         By how much it is louder or softer than it was stored, or "".
     """
 
-    found: Spectrogram
+    spectrogram: Spectrogram
     first_s: float
     band_hz: Range
     matched: str = ""
@@ -89,7 +89,7 @@ class SpectrogramPicture(Figure):
         """Take over what to show."""
         self.shown = shown
         rows = _rows_within(shown)
-        levels = decibels(shown.found.amplitude[rows])
+        levels = decibels(shown.spectrogram.amplitude[rows])
         top = self._held.follow(float(levels.min()), float(levels.max()), "level")[1]
         self.range_db = (top - SPAN_DB, top)
         codes = colour_indices(levels, self.range_db)
@@ -111,8 +111,8 @@ class SpectrogramPicture(Figure):
         if shown is None:
             return
         metrics = QFontMetricsF(painter.font())
-        said = scale_text(-100.0, top=True, matched=shown.matched)
-        widest = max(map(metrics.horizontalAdvance, said))
+        widest_texts = scale_text(-100.0, top=True, matched=shown.matched)
+        widest = max(map(metrics.horizontalAdvance, widest_texts))
         scale_px = widest + _SCALE_PX + 2 * UNIT_PX
         inner = room.adjusted(0, 0, -scale_px, 0)
         self.axes = axes = fitted_axes(inner, _time_axis(shown), _frequency_axis(shown), metrics)
@@ -132,7 +132,9 @@ class SpectrogramPicture(Figure):
         if axes is None or place is None or self.shown is None:
             return ""
         time_s, frequency_hz = place
-        level = float(decibels(self.shown.found.at(time_s - self.shown.first_s, frequency_hz)))
+        level = float(
+            decibels(self.shown.spectrogram.at(time_s - self.shown.first_s, frequency_hz))
+        )
         long = axes.x.factor == 1.0
         when = f"{time_s:.4f} s" if long else f"{time_s * 1e3:.1f} ms"
         return minus(f"{when} · {frequency_hz:.1f} Hz · {level:z.1f} dB re 1 m/s²")
@@ -142,7 +144,7 @@ class SpectrogramPicture(Figure):
 
     def _image_place(self, axes: Axes, shown: SpectrogramContent) -> QRectF:
         """Columns and rows stand for the middles of their cells."""
-        time_s, frequency_hz = shown.found.time_s, _rows_frequency(shown)
+        time_s, frequency_hz = shown.spectrogram.time_s, _rows_frequency(shown)
         x, y = _edges(time_s + shown.first_s), _edges(frequency_hz)
         corners = axes.to_screen(np.array(x), np.array(y))
         return QRectF(QPointF(*corners[0]), QPointF(*corners[1])).normalized()
@@ -182,22 +184,22 @@ class SpectrogramPicture(Figure):
         for part in (0.0, 0.5, 1.0):
             y = ramp.bottom() - part * ramp.height()
             place = QRectF(ramp.right() + 4, y - line / 2, room.right() - ramp.right() - 4, line)
-            told = matched or ramp.height() > _ROOM_LINES * line
-            top = bool(told) and part == 1.0
-            for words in scale_text(low + part * (high - low), top=top, matched=matched):
-                painter.drawText(place, _FLAGS, words)
+            has_reference = matched or ramp.height() > _ROOM_LINES * line
+            top = bool(has_reference) and part == 1.0
+            for text in scale_text(low + part * (high - low), top=top, matched=matched):
+                painter.drawText(place, _FLAGS, text)
                 place.translate(0.0, line)
 
 
 def scale_text(level_db: float, *, top: bool, matched: str = "") -> tuple[str, ...]:
     """A level beside the scale; at its ``top``, and below it, what levels are relative to."""
-    words = minus(f"{level_db:.0f} dB")
+    text = minus(f"{level_db:.0f} dB")
     below = matched.rsplit(" ", 1) if matched else ()
-    return (words, _REFERENCE, *below) if top else (words,)
+    return (text, _REFERENCE, *below) if top else (text,)
 
 
 def _rows_within(shown: SpectrogramContent) -> slice:
-    frequency_hz, (low, high) = shown.found.frequency_hz, shown.band_hz
+    frequency_hz, (low, high) = shown.spectrogram.frequency_hz, shown.band_hz
     first = int(np.searchsorted(frequency_hz, low, "left"))
     end = int(np.searchsorted(frequency_hz, high, "right"))
     # One beyond each end: the picture is cut at the frame, not before it.
@@ -205,7 +207,7 @@ def _rows_within(shown: SpectrogramContent) -> slice:
 
 
 def _rows_frequency(shown: SpectrogramContent) -> Floats:
-    return shown.found.frequency_hz[_rows_within(shown)]
+    return shown.spectrogram.frequency_hz[_rows_within(shown)]
 
 
 def _edges(middles: Floats) -> Range:
@@ -214,7 +216,7 @@ def _edges(middles: Floats) -> Range:
 
 
 def _time_axis(shown: SpectrogramContent) -> Axis:
-    time_s = shown.found.time_s + shown.first_s
+    time_s = shown.spectrogram.time_s + shown.first_s
     first, last = float(time_s[0]), float(time_s[-1])
     last = last if last > first else first + 1e-3
     unit, factor = axis_unit(last)
@@ -315,11 +317,11 @@ class SpectrogramPanel(FigurePanel):
     def _show_choices(self, limb: str) -> None:
         settings, outputs = self._settings, self._view.outputs
         known = [self.output.itemText(k) for k in range(self.output.count())]
-        wanted = [f"{number} {output_name(number, limb).short_name}" for number in outputs]
-        if known != wanted:
+        names = [f"{number} {output_name(number, limb).short_name}" for number in outputs]
+        if known != names:
             self.output.clear()
-            for number, words in zip(outputs, wanted, strict=True):
-                self.output.addItem(words, str(number))
+            for number, name in zip(outputs, names, strict=True):
+                self.output.addItem(name, str(number))
         chosen = settings.output if settings.output in outputs else (outputs or (0,))[-1]
         self.output.set_value(str(chosen) if chosen else "")
         self.output.setEnabled(len(outputs) > 1)
@@ -333,17 +335,19 @@ class SpectrogramPanel(FigurePanel):
         first_s = float(results["response_time_s"][0])
         matched = match_text(results["match_gain"])
         self.picture.show_spectrogram(
-            SpectrogramContent(found=spectrogram, first_s=first_s, band_hz=band, matched=matched)
+            SpectrogramContent(
+                spectrogram=spectrogram, first_s=first_s, band_hz=band, matched=matched
+            )
         )
         number = results["spectrogram_output"]
         limb = results["limb_data"]
-        words = [output_text(number, limb.name)]
-        words.append(signal_label(results["axes"], results["method"]))
+        parts = [output_text(number, limb.name)]
+        parts.append(signal_label(results["axes"], results["method"]))
         if results["method"] == "mag" and len(results["axes"]) > 1:
-            words.append("of a magnitude: rectified, doubled frequencies")
+            parts.append("of a magnitude: rectified, doubled frequencies")
         if limb.synthetic:
-            words.append("synthetic limb")
-        self.show_found(" · ".join(words))
+            parts.append("synthetic limb")
+        self.show_found(" · ".join(parts))
 
     def _choose_output(self, number: str, gesture: int | None) -> None:
         del gesture

@@ -39,7 +39,7 @@ from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.asking import CopyButton, copied
 from skinsource_gui.qt.keys import claims_shortcut
 from skinsource_gui.qt.labels import SHORT_NAME, dress_table, give_names_the_rest
-from skinsource_gui.qt.labels import how_to_select_output as empty_words_output_words
+from skinsource_gui.qt.labels import how_to_select_output as how_to_select_output
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.state.panel import Panel
 
@@ -196,10 +196,10 @@ class FigureTable(QTableView):
     copy_wanted = Signal()
 
     def event(self, event: QEvent) -> bool:
-        return claims_shortcut(event, _copies) or super().event(event)
+        return claims_shortcut(event, _is_copy) or super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if _copies(event):
+        if _is_copy(event):
             self.copy_wanted.emit()
         else:
             super().keyPressEvent(event)
@@ -248,7 +248,7 @@ class StatisticsPanel(Panel):
     @property
     def no_outputs(self) -> str:
         """What it says while no output is selected."""
-        return empty_words_output_words(self.in_sight)
+        return how_to_select_output(self.in_sight)
 
     def sizeHint(self) -> QSize:
         return QSize(460, 260)
@@ -281,9 +281,9 @@ class StatisticsPanel(Panel):
         self._say(reason)
 
     def show_in_sight(self, names: frozenset[str]) -> None:
-        said = self._message.text() == self.no_outputs
+        was_empty = self._message.text() == self.no_outputs
         super().show_in_sight(names)
-        if said:
+        if was_empty:
             self._message.setText(self.no_outputs)
 
     def _lay_out(self) -> None:
@@ -305,5 +305,5 @@ class StatisticsPanel(Panel):
         self._stack.setCurrentWidget(self._message)
 
 
-def _copies(event: QKeyEvent) -> bool:
+def _is_copy(event: QKeyEvent) -> bool:
     return event.matches(QKeySequence.StandardKey.Copy)

@@ -245,10 +245,10 @@ class ClipLengths:
     """
 
     def __init__(self, design: Design, before: "ClipLengths | None" = None) -> None:
-        self.design, self.asked = design, 0
+        self.design, self.n_computed = design, 0
         known: Mapping[int, tuple[Clip, float]] = {} if before is None else before._known
         self._known: Mapping[int, tuple[Clip, float]] = {
-            clip.id: self._known_or_asked(clip, known) for clip in design.clips
+            clip.id: self._known_or_computed(clip, known) for clip in design.clips
         }
         self._durations_s = {id: duration_s for id, (_, duration_s) in self._known.items()}
         ends = [clip.onset_s + duration_s for clip, duration_s in self._known.values()]
@@ -268,13 +268,13 @@ class ClipLengths:
         """Those of a design, most of whose clips are the same."""
         return self if design is self.design else ClipLengths(design, self)
 
-    def _known_or_asked(
+    def _known_or_computed(
         self, clip: Clip, known: Mapping[int, tuple[Clip, float]]
     ) -> tuple[Clip, float]:
         entry = known.get(clip.id)
         if entry is not None and entry[0] is clip:
             return entry
-        self.asked += 1
+        self.n_computed += 1
         return clip, clip.duration_s
 
 
@@ -342,7 +342,7 @@ def boxes_at(boxes: Sequence[Box], at: QPointF) -> list[Box]:
     return sorted(boxes_here, key=lambda box: box.lane.track.clips.index(box.clip))
 
 
-def after(ids: Sequence[int], current: int | None) -> int | None:
+def next_id(ids: Sequence[int], current: int | None) -> int | None:
     """The next of several, the first after the last; None where there is no other."""
     if len(ids) < 2:
         return None
@@ -488,7 +488,7 @@ class TimelineContent:
         return content
 
     @property
-    def place_of_keys(self) -> QPointF:
+    def keyboard_place(self) -> QPointF:
         """Where the keyboard is: on the clip that was selected last, or else at the playhead."""
         last = self.view.selected_clip
         for box in self.boxes:
@@ -581,8 +581,8 @@ def show_gain_curves(view: View, ids: Iterable[int]) -> View:
 
 def toggle_gain_curves(design: Design, view: View, ids: Iterable[int]) -> Edit:
     """Show the gain curves of tracks; if all of them are shown, hide them."""
-    wanted, shown = set(ids) & set(design.ids), shown_gain_curves(view) & set(design.ids)
-    after = shown - wanted if wanted <= shown else shown | wanted
+    toggled, shown = set(ids) & set(design.ids), shown_gain_curves(view) & set(design.ids)
+    after = shown - toggled if toggled <= shown else shown | toggled
     return Edit(label="Show gain curves", design=design, view=show_gain_curves(view, after))
 
 
@@ -647,7 +647,7 @@ class TimeZoom(QObject):
     """
 
     #: The view to look at.
-    looked = Signal(object)
+    view_changed = Signal(object)
 
     def __init__(self, content: Callable[[], TimelineContent], parent: QObject) -> None:
         super().__init__(parent)
@@ -662,7 +662,7 @@ class TimeZoom(QObject):
         """Something is dragged: what is seen stays, though the design may become longer."""
         self._held_s = self._content().scale.shown_s
 
-    def let_go(self) -> None:
+    def release(self) -> None:
         """The drag has ended."""
         self._held_s = None
 
@@ -673,26 +673,26 @@ class TimeZoom(QObject):
         if anchor_s is None:
             inside = shown[0] <= playhead_s <= shown[1]
             anchor_s = playhead_s if inside else sum(shown) / 2
-        self._look_at(zoomed(shown, anchor_s, factor, content.whole_s))
+        self._emit_range(zoomed(shown, anchor_s, factor, content.whole_s))
 
-    def turn(self, event: QWheelEvent) -> None:
+    def follow_wheel(self, event: QWheelEvent) -> None:
         """Follow the wheel."""
         content = self._content()
-        self._look_at(range_by_wheel(event, content.scale, content.whole_s))
+        self._emit_range(range_by_wheel(event, content.scale, content.whole_s))
 
     def show_range(self, wanted_s: Range) -> None:
         """See this part."""
-        self._look_at(within(wanted_s, self._content().whole_s))
+        self._emit_range(within(wanted_s, self._content().whole_s))
 
     def show_everything(self) -> None:
         """See all of it."""
-        self._look_at(None)
+        self._emit_range(None)
 
-    def _look_at(self, shown_s: Range | None) -> None:
+    def _emit_range(self, shown_s: Range | None) -> None:
         self._held_s = None
         view = self._content().view
         if shown_s != view.time_range_s:
-            self.looked.emit(replace(view, time_range_s=shown_s))
+            self.view_changed.emit(replace(view, time_range_s=shown_s))
 
 
 # What is said of the part of a clip under the pointer.

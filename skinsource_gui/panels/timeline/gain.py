@@ -18,7 +18,7 @@ from skinsource_gui.panels.timeline.content import (
     show_gain_curves,
     toggle_gain_curves,
 )
-from skinsource_gui.panels.timeline.gestures import Gesture, GestureContext, Held, MoveGain
+from skinsource_gui.panels.timeline.gestures import Gesture, GestureContext, Modifier, MoveGain
 from skinsource_gui.qt.keys import meaning_of
 from skinsource_gui.qt.theme import current_theme
 
@@ -84,10 +84,10 @@ class GainItem(pyqtgraph.GraphicsObject):
             painter.restore()
 
     def _paint_curve(self, painter: QPainter, strip: GainStrip, room: QRectF) -> None:
-        line, words = QColor(current_theme().text), QColor(current_theme().dim)
+        line, text_colour = QColor(current_theme().text), QColor(current_theme().dim)
         if strip.shown:
             unity = strip.y(1.0)
-            painter.setPen(QPen(words, 1, Qt.PenStyle.DotLine))
+            painter.setPen(QPen(text_colour, 1, Qt.PenStyle.DotLine))
             painter.drawLine(QLineF(room.left(), unity, room.right(), unity))
         points = strip.points or ((0.0, 1.0, "straight"),)
         places = [strip.at(x, y) for x, y, _ in points]
@@ -118,19 +118,19 @@ class GainItem(pyqtgraph.GraphicsObject):
             painter.setPen(QPen(QColor(theme.text), 1.5))
             painter.setBrush(QColor(theme.accent if k == chosen else theme.base))
             painter.drawEllipse(strip.at(x, y), radius, radius)
-        words = "Gain" if chosen is None else gain_point_text(*strip.points[chosen][:2])
+        text = "Gain" if chosen is None else gain_point_text(*strip.points[chosen][:2])
         metrics = QFontMetricsF(self._font)
         height, top = metrics.height() + 1, room.top() + 2
         if has_hint(strip):
             # Below, as names of clips stand above.
-            words, top = HINT, room.bottom() - height - 2
-        width = metrics.horizontalAdvance(words) + 8
+            text, top = HINT, room.bottom() - height - 2
+        width = metrics.horizontalAdvance(text) + 8
         label = QRectF(room.right() - width - 4, top, width, height)
         ground = QColor(theme.base)
         ground.setAlpha(_HALO_ALPHA)
         painter.fillRect(label, ground)
         painter.setPen(QColor(theme.text))
-        painter.drawText(label, Qt.AlignmentFlag.AlignCenter, words)
+        painter.drawText(label, Qt.AlignmentFlag.AlignCenter, text)
 
 
 # What mouse and keys do to the gain curves on the lanes.
@@ -139,8 +139,8 @@ _PLACE = "timeline"
 _Key = Qt.Key
 #: Steps of the arrow keys, s and gain; with Shift so many times as far.
 STEP_S, STEP_GAIN, _LEAP = 0.001, 0.01, 10
-_ASIDE = {_Key.Key_Left: -1, _Key.Key_Right: 1}
-_UPRIGHT = {_Key.Key_Down: -1, _Key.Key_Up: 1}
+_TIME_STEPS = {_Key.Key_Left: -1, _Key.Key_Right: 1}
+_GAIN_STEPS = {_Key.Key_Down: -1, _Key.Key_Up: 1}
 
 
 class GainPoints(QObject):
@@ -158,9 +158,9 @@ class GainPoints(QObject):
     """
 
     edited = Signal(object, object)
-    looked = Signal(object)
+    view_changed = Signal(object)
     #: Another point is chosen, or none.
-    chose = Signal()
+    choice_changed = Signal()
 
     def __init__(self, content: Callable[[], TimelineContent], parent: QObject) -> None:
         super().__init__(parent)
@@ -179,7 +179,7 @@ class GainPoints(QObject):
                 return strip
         return None
 
-    def press(self, stage: GestureContext, at: QPointF, held: Held) -> Gesture | None:
+    def press(self, context: GestureContext, at: QPointF, modifiers: Modifier) -> Gesture | None:
         """The left button went down; None where no curve is caught."""
         strip = self.strip_at(at)
         if strip is None:
@@ -189,16 +189,16 @@ class GainPoints(QObject):
         track, near = strip.lane.track.id, strip.point_at(at)
         if near is not None:
             self.choose((track, near))
-            return MoveGain(stage, strip, at, strip.points, (near,))
+            return MoveGain(context, strip, at, strip.points, (near,))
         time_s = max(strip.scale.time(at.x()), 0.0)
-        if held & Held.ControlModifier:
+        if modifiers & Modifier.ControlModifier:
             points, number = _added(strip, time_s)
-            gesture = MoveGain(stage, strip, at, points, (number,), fine=False)
+            gesture = MoveGain(context, strip, at, points, (number,), fine=False)
             gesture.put(points)
             self.choose((track, number))
             return gesture
         points = strip.points or ((0.0, 1.0, "straight"),)
-        return MoveGain(stage, strip, at, points, strip.around(time_s) or (0,), upright=True)
+        return MoveGain(context, strip, at, points, strip.around(time_s) or (0,), vertical=True)
 
     def double_click(self, at: QPointF) -> bool:
         """Add a point where the curve is pressed twice; whether one is there."""
@@ -211,20 +211,20 @@ class GainPoints(QObject):
 
     def key(self, event: QKeyEvent) -> bool:
         """Do what a key means to a curve; whether it means anything to one."""
-        wanted, key = meaning_of(_PLACE, event), Qt.Key(event.key())
-        if wanted == "gain_curve":
+        command, key = meaning_of(_PLACE, event), Qt.Key(event.key())
+        if command == "gain_curve":
             content = self._content()
             ids = content.view.selected_inputs
-            self.looked.emit(toggle_gain_curves(content.design, content.view, ids).view)
+            self.view_changed.emit(toggle_gain_curves(content.design, content.view, ids).view)
             self.choose(None)
-        elif wanted == "gain_point":
+        elif command == "gain_point":
             self._walk(-1 if key == _Key.Key_PageUp else 1)
-        elif wanted == "gain_add":
+        elif command == "gain_add":
             strip = self._selected_strip()
             if strip is not None:
                 self._add(strip, self._content().view.playhead_s)
         else:
-            return self._key_of_point(wanted, key, event.modifiers())
+            return self._key_of_point(command, key, event.modifiers())
         return True
 
     def remove(self, track: int, numbers: tuple[int, ...]) -> None:
@@ -235,38 +235,38 @@ class GainPoints(QObject):
         curve = design.input(track).gain_curve
         left = tuple(point for k, point in enumerate(curve) if k not in numbers)
         self.choose(None)
-        self._tell(track, tuple((x, y, "straight") for x, y in left), None)
+        self._emit(track, tuple((x, y, "straight") for x, y in left), None)
 
     def choose(self, chosen: tuple[int, int] | None) -> None:
         """Let keys be about another point, or about none."""
         if chosen != self.chosen:
             self.chosen = chosen
-            self.chose.emit()
+            self.choice_changed.emit()
 
-    def words(self) -> str:
+    def description(self) -> str:
         """The chosen point in words, or "" where there is none."""
         strip, number = self._chosen_strip()
         if strip is None:
             return ""
         return f"Point {number + 1} of the gain curve: {gain_point_text(*strip.points[number][:2])}"
 
-    def _key_of_point(self, wanted: str, key: Qt.Key, held: Held) -> bool:
+    def _key_of_point(self, command: str, key: Qt.Key, modifiers: Modifier) -> bool:
         strip, number = self._chosen_strip()
         if strip is None:
             # Held as for a point, where there is none it is for the clips.
             return False
-        if wanted == "give_up":
+        if command == "give_up":
             self.choose(None)
-        elif wanted == "remove":
+        elif command == "remove":
             self.remove(strip.lane.track.id, (number,))
-        elif wanted in ("nudge", "change_track", "gain_far"):
-            far = _LEAP if held & Held.ShiftModifier else 1
+        elif command in ("nudge", "change_track", "gain_far"):
+            far = _LEAP if modifiers & Modifier.ShiftModifier else 1
             by_s, by_gain = (
-                far * STEP_S * _ASIDE.get(key, 0),
-                far * STEP_GAIN * _UPRIGHT.get(key, 0),
+                far * STEP_S * _TIME_STEPS.get(key, 0),
+                far * STEP_GAIN * _GAIN_STEPS.get(key, 0),
             )
             after = moved(strip.points, (number,), by_s, by_gain)
-            self._tell(strip.lane.track.id, after, self._burst.gesture())
+            self._emit(strip.lane.track.id, after, self._burst.gesture())
         else:
             return False
         return True
@@ -284,10 +284,10 @@ class GainPoints(QObject):
     def _add(self, strip: GainStrip, time_s: float) -> None:
         points, number = _added(strip, time_s)
         track = strip.lane.track.id
-        self._tell(track, points, None)
+        self._emit(track, points, None)
         self.choose((track, number))
 
-    def _tell(self, track: int, points: Points, gesture: int | None) -> None:
+    def _emit(self, track: int, points: Points, gesture: int | None) -> None:
         content = self._content()
         curve = curve_of(points)
         self.edited.emit(edits.set_gain_curve(content.design, content.view, track, curve), gesture)
@@ -300,7 +300,7 @@ class GainPoints(QObject):
             return None
         shown = {strip.lane.track.id for strip in content.strips if strip.shown}
         if track not in shown:
-            self.looked.emit(show_gain_curves(content.view, shown | {track}))
+            self.view_changed.emit(show_gain_curves(content.view, shown | {track}))
         strips = self._content().strips
         return next(
             (strip for strip in strips if strip.lane.track.id == track and strip.shown), None

@@ -26,7 +26,7 @@ from skinsource_gui.panels.timeline.content import (
 from skinsource_gui.plots.time_scale import Rest, panned, rest_of
 from skinsource_gui.qt.frames import DropPlace
 
-Held = Qt.KeyboardModifier
+Modifier = Qt.KeyboardModifier
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,13 +39,13 @@ class GesturePreview:
         The time that something snapped to.
     covered
         What a rectangle covers, px.
-    words
+    label
         What a small label beside the pointer says.
     """
 
     guide_s: float | None = None
     covered: QRectF | None = None
-    words: str = ""
+    label: str = ""
 
 
 @dataclass(slots=True, kw_only=True)
@@ -58,7 +58,7 @@ class GestureContext:
         Returns what is shown now.
     apply
         Takes an edit, or a refusal, and the number of the gesture.
-    look
+    show_view
         Takes another view.
     put_playhead
         Takes where the playhead shall be, s.
@@ -69,23 +69,23 @@ class GestureContext:
         let go.
     before
         What was shown when the button went down.
-    made
+    applied
         What the last edit led to; None before there is any.
     """
 
     content: Callable[[], TimelineContent]
     apply: Callable[[Edit | Refusal, int], None]
-    look: Callable[[View], None]
+    show_view: Callable[[View], None]
     put_playhead: Callable[[float], None]
     elsewhere: Callable[[QPointF | None], DropPlace | None]
     before: TimelineContent
     number: int = field(default_factory=new_gesture)
-    made: Design | None = None
+    applied: Design | None = None
 
     @property
     def disturbed(self) -> bool:
         """Whether something else has changed the design since the button went down."""
-        now, expected = self.content().design, self.made or self.before.design
+        now, expected = self.content().design, self.applied or self.before.design
         return now is not expected and now != expected
 
     def edit(self, outcome: Edit | Refusal) -> None:
@@ -93,22 +93,22 @@ class GestureContext:
         if self.disturbed:
             return
         if isinstance(outcome, Edit):
-            self.made = outcome.design
+            self.applied = outcome.design
         self.apply(outcome, self.number)
 
-    def take_back(self) -> None:
+    def undo(self) -> None:
         """Put the design back as if the gesture had not begun."""
-        if self.made is not None and not self.disturbed:
+        if self.applied is not None and not self.disturbed:
             before = self.before
             self.apply(Edit(label="", design=before.design, view=before.view), self.number)
             # It may go on from there.
-            self.made = None
+            self.applied = None
 
 
 class Gesture(Protocol):
     """What happens between pressing a button and letting it go."""
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
+    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
         """The pointer is ``at``, with these keys held."""
 
     def finish(self) -> None:
@@ -124,23 +124,23 @@ class Gesture(Protocol):
 _SHORTEST_S = 0.001
 
 
-class _OneEnd:
+class _EndDrag:
     """An end that follows the pointer."""
 
-    def __init__(self, stage: GestureContext, box: Box, at: QPointF, part: Part) -> None:
-        self._stage, self._clip, self._at, self._part = stage, box.clip, at, part
+    def __init__(self, context: GestureContext, box: Box, at: QPointF, part: Part) -> None:
+        self._context, self._clip, self._at, self._part = context, box.clip, at, part
         self._start_s = box.clip.onset_s
-        self._end_s = self._start_s + stage.before.durations_s[box.clip.id]
-        self._neighbours = stage.before.neighbours_s(frozenset({box.clip.id}))
+        self._end_s = self._start_s + context.before.durations_s[box.clip.id]
+        self._neighbours = context.before.neighbours_s(frozenset({box.clip.id}))
 
     def finish(self) -> None:
         """What is changed stays."""
 
     def cancel(self) -> None:
-        self._stage.take_back()
+        self._context.undo()
 
     def _rest(self, at: QPointF, edge_s: float) -> Rest:
-        content = self._stage.content()
+        content = self._context.content()
         by_s = (at.x() - self._at.x()) / content.scale.px_per_s
         if not content.snaps:
             return Rest(by_s=by_s)
@@ -153,13 +153,13 @@ class _OneEnd:
         )
 
 
-class MoveEnd(_OneEnd):
+class MoveEnd(_EndDrag):
     """Drags the start or the end of a clip: trims it; with Alt or Shift held stretches it.
 
     Some desktops take Alt and a drag for themselves.
     """
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
+    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
         start_s, end_s = self._start_s, self._end_s
         if self._part is Part.START:
             rest = self._rest(at, start_s)
@@ -167,20 +167,20 @@ class MoveEnd(_OneEnd):
         else:
             rest = self._rest(at, end_s)
             end_s = max(end_s + rest.by_s, start_s + _SHORTEST_S)
-        stretches = held & (Held.AltModifier | Held.ShiftModifier)
+        stretches = modifiers & (Modifier.AltModifier | Modifier.ShiftModifier)
         act = edits.stretch_clip if stretches else edits.trim_clip
-        design, view = self._stage.before.design, self._stage.content().view
-        self._stage.edit(act(design, view, self._clip.id, start_s, end_s))
+        design, view = self._context.before.design, self._context.content().view
+        self._context.edit(act(design, view, self._clip.id, start_s, end_s))
         length = value_text(end_s - start_s, "s", digits=5)
-        words = f"Stretched to {length}" if stretches else f"{length} · Shift: stretch"
-        return GesturePreview(guide_s=rest.guide_s, words=words)
+        text = f"Stretched to {length}" if stretches else f"{length} · Shift: stretch"
+        return GesturePreview(guide_s=rest.guide_s, label=text)
 
 
-class FadeEnd(_OneEnd):
+class FadeEnd(_EndDrag):
     """Drags an upper corner of a clip: how long it takes to fade in, or out."""
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
-        content = self._stage.content()
+    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
+        content = self._context.content()
         by_s = (at.x() - self._at.x()) / content.scale.px_per_s
         in_s, out_s = fades_of(self._clip)
         length_s = self._end_s - self._start_s
@@ -188,9 +188,9 @@ class FadeEnd(_OneEnd):
             changed = in_s = min(max(in_s + by_s, 0.0), length_s - out_s)
         else:
             changed = out_s = min(max(out_s - by_s, 0.0), length_s - in_s)
-        design = self._stage.before.design
-        self._stage.edit(edits.fade_clip(design, content.view, self._clip.id, in_s, out_s))
-        return GesturePreview(words=value_text(changed, "s", digits=4))
+        design = self._context.before.design
+        self._context.edit(edits.fade_clip(design, content.view, self._clip.id, in_s, out_s))
+        return GesturePreview(label=value_text(changed, "s", digits=4))
 
 
 # A rectangle that selects.
@@ -199,32 +199,34 @@ class FadeEnd(_OneEnd):
 class Marquee:
     """Selects the clips that a rectangle touches, over all lanes; with Ctrl held adds them."""
 
-    def __init__(self, stage: GestureContext, at: QPointF) -> None:
-        self._stage = stage
-        scale = stage.before.scale
+    def __init__(self, context: GestureContext, at: QPointF) -> None:
+        self._context = context
+        scale = context.before.scale
         # It stays at its time while the view pans.
         self._from = (scale.time(at.x()), at.y())
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
-        content = self._stage.content()
+    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
+        content = self._context.content()
         down = QPointF(content.scale.x(self._from[0]), self._from[1])
         covered = QRectF(down, at).normalized()
         # One that is drawn straight along a lane has no height, and would touch nothing.
         touching = covered.adjusted(-0.5, -0.5, 0.5, 0.5)
         touched = [box.clip.id for box in content.boxes if box.rect.intersects(touching)]
-        kept = self._stage.before.view.selected_clips if held & Held.ControlModifier else ()
-        chosen = (*(clip_id for clip_id in kept if clip_id not in touched), *touched)
-        self._stage.look(edits.select_clips(content.design, content.view, chosen).view)
+        added_to = (
+            self._context.before.view.selected_clips if modifiers & Modifier.ControlModifier else ()
+        )
+        chosen = (*(clip_id for clip_id in added_to if clip_id not in touched), *touched)
+        self._context.show_view(edits.select_clips(content.design, content.view, chosen).view)
         return GesturePreview(covered=covered)
 
     def finish(self) -> None:
         """What is selected stays."""
 
     def cancel(self) -> None:
-        view = self._stage.before.view
-        self._stage.look(
+        view = self._context.before.view
+        self._context.show_view(
             replace(
-                self._stage.content().view,
+                self._context.content().view,
                 selected_clips=view.selected_clips,
                 selected_inputs=view.selected_inputs,
             )
@@ -242,13 +244,15 @@ class MoveClips:
     on the hand, they lie where they were until they are dropped there.
     """
 
-    def __init__(self, stage: GestureContext, box: Box, at: QPointF, sample_rate_hz: float) -> None:
-        self._stage, self._box, self._at = stage, box, at
+    def __init__(
+        self, context: GestureContext, box: Box, at: QPointF, sample_rate_hz: float
+    ) -> None:
+        self._context, self._box, self._at = context, box, at
         self._sample_s = 1.0 / sample_rate_hz
         # Where in another panel they would go, and whether as copies.
         self._place: DropPlace | None = None
         self._copies = False
-        content = stage.before
+        content = context.before
         chosen = content.view.selected_clips
         self._ids = chosen if box.clip.id in chosen else (box.clip.id,)
         ids = frozenset(self._ids)
@@ -256,43 +260,43 @@ class MoveClips:
         self._first_s = min(clip.onset_s for clip in clips)
         own = box.clip
         self._edges = (own.onset_s, own.onset_s + content.durations_s[own.id])
-        self._rests = {
+        self._snap_times_s = {
             copies: content.neighbours_s(frozenset() if copies else ids) for copies in (False, True)
         }
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
-        copies = self._copies = bool(held & Held.ControlModifier)
-        place = self._stage.elsewhere(at)
+    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
+        copies = self._copies = bool(modifiers & Modifier.ControlModifier)
+        place = self._context.elsewhere(at)
         if place is not None and place.location is not None:
             if self._place is None:
-                self._stage.take_back()
+                self._context.undo()
             self._place = place
             return GesturePreview()
         self._place = None
-        rest = self._rest(at, copies=copies, free=bool(held & Held.AltModifier))
-        by_tracks = 0 if held & Held.ShiftModifier else self._lanes_to(at)
-        before, view = self._stage.before, self._stage.content().view
+        rest = self._rest(at, copies=copies, free=bool(modifiers & Modifier.AltModifier))
+        by_tracks = 0 if modifiers & Modifier.ShiftModifier else self._lanes_to(at)
+        before, view = self._context.before, self._context.content().view
         act = edits.copy_clips if copies else edits.move_clips
-        self._stage.edit(act(before.design, view, self._ids, rest.by_s, by_tracks))
+        self._context.edit(act(before.design, view, self._ids, rest.by_s, by_tracks))
         onset_s = self._edges[0] + rest.by_s
-        return GesturePreview(guide_s=rest.guide_s, words=value_text(onset_s, "s", digits=5))
+        return GesturePreview(guide_s=rest.guide_s, label=value_text(onset_s, "s", digits=5))
 
     def finish(self) -> None:
         """What is moved stays; what is held over a place goes there."""
-        self._stage.elsewhere(None)
+        self._context.elsewhere(None)
         if self._place is not None and self._place.location is not None:
-            design, view = self._stage.before.design, self._stage.content().view
+            design, view = self._context.before.design, self._context.content().view
             place = self._place.location
-            self._stage.edit(
+            self._context.edit(
                 edits.move_clips_to_place(design, view, self._ids, place, self._copies)
             )
 
     def cancel(self) -> None:
-        self._stage.elsewhere(None)
-        self._stage.take_back()
+        self._context.elsewhere(None)
+        self._context.undo()
 
     def _rest(self, at: QPointF, *, copies: bool, free: bool) -> Rest:
-        content = self._stage.content()
+        content = self._context.content()
         by_s = (at.x() - self._at.x()) / content.scale.px_per_s
         by_s = max(round(by_s / self._sample_s) * self._sample_s, -self._first_s)
         if free or not content.snaps:
@@ -300,18 +304,20 @@ class MoveClips:
         rest = rest_of(
             self._edges,
             by_s,
-            neighbours_s=self._rests[copies],
+            neighbours_s=self._snap_times_s[copies],
             grid_s=content.grid_s,
             reach_s=content.reach_s,
         )
         return rest if self._first_s + rest.by_s >= 0.0 else Rest(by_s=-self._first_s)
 
     def _lanes_to(self, at: QPointF) -> int:
-        lanes = self._stage.content().lanes
+        lanes = self._context.content().lanes
         # Where it was when the button went down: its track may have gone meanwhile.
-        here = self._stage.before.design.index_of(self._box.lane.track.id)
-        under = next((k for k, lane in enumerate(lanes) if at.y() < lane.bottom_px), len(lanes) - 1)
-        return under - here
+        here = self._context.before.design.index_of(self._box.lane.track.id)
+        target = next(
+            (k for k, lane in enumerate(lanes) if at.y() < lane.bottom_px), len(lanes) - 1
+        )
+        return target - here
 
 
 # Points of a gain curve that are dragged.
@@ -338,33 +344,33 @@ class MoveGain:
 
     def __init__(
         self,
-        stage: GestureContext,
+        context: GestureContext,
         strip: GainStrip,
         at: QPointF,
         points: Points,
         chosen: tuple[int, ...],
         *,
-        upright: bool = False,
+        vertical: bool = False,
         fine: bool = True,
     ) -> None:
-        self._stage, self._strip, self._at = stage, strip, at
+        self._context, self._strip, self._at = context, strip, at
         self._points, self._chosen = points, chosen
-        self.upright, self._fine = upright, fine
+        self.vertical, self._fine = vertical, fine
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
-        strip, scale = self._strip, self._stage.content().scale
-        way = at - self._at
-        by_s, by_gain = way.x() / scale.px_per_s, -way.y() * strip.top / strip.height_px
-        if self._fine and held & Held.ControlModifier:
+    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
+        strip, scale = self._strip, self._context.content().scale
+        moved_px = at - self._at
+        by_s, by_gain = moved_px.x() / scale.px_per_s, -moved_px.y() * strip.top / strip.height_px
+        if self._fine and modifiers & Modifier.ControlModifier:
             by_s, by_gain = by_s * _FINE, by_gain * _FINE
-        upright = self.upright
-        if held & Held.ShiftModifier:
-            upright = upright or abs(way.y()) > abs(way.x())
-            by_gain = by_gain if upright else 0.0
-        if upright:
+        vertical = self.vertical
+        if modifiers & Modifier.ShiftModifier:
+            vertical = vertical or abs(moved_px.y()) > abs(moved_px.x())
+            by_gain = by_gain if vertical else 0.0
+        if vertical:
             by_s = 0.0
         time_s, gain, _ = self._points[self._chosen[0]]
-        free = bool(held & Held.AltModifier)
+        free = bool(modifiers & Modifier.AltModifier)
         guide_s = None
         if by_s and not free:
             by_s, guide_s = self._rest(time_s, by_s)
@@ -373,28 +379,28 @@ class MoveGain:
         after = moved(self._points, self._chosen, by_s, by_gain)
         self.put(after)
         x, y, _ = after[self._chosen[0]]
-        return GesturePreview(guide_s=guide_s, words=gain_point_text(x, y))
+        return GesturePreview(guide_s=guide_s, label=gain_point_text(x, y))
 
     def put(self, points: Points) -> None:
         """Give the track these points."""
-        before, view = self._stage.before, self._stage.content().view
+        before, view = self._context.before, self._context.content().view
         track = self._strip.lane.track.id
-        self._stage.edit(edits.set_gain_curve(before.design, view, track, curve_of(points)))
+        self._context.edit(edits.set_gain_curve(before.design, view, track, curve_of(points)))
 
     def finish(self) -> None:
         """They stay there."""
 
     def cancel(self) -> None:
-        self._stage.take_back()
+        self._context.undo()
 
     def _rest(self, time_s: float, by_s: float) -> tuple[float, float | None]:
-        content = self._stage.content()
+        content = self._context.content()
         if not content.snaps:
             return by_s, None
         rest = rest_of(
             (time_s,),
             by_s,
-            neighbours_s=self._stage.before.neighbours_s(),
+            neighbours_s=self._context.before.neighbours_s(),
             grid_s=content.grid_s,
             reach_s=content.reach_s,
         )
@@ -405,16 +411,18 @@ class MoveGain:
 
 
 def snapped_time(
-    stage: GestureContext, at: QPointF, without: float | None = None
+    context: GestureContext, at: QPointF, without: float | None = None
 ) -> tuple[float, float | None]:
     """Time at a place, not before 0, and what it snapped to; never to the time ``without``."""
-    content = stage.content()
+    content = context.content()
     time_s = max(content.scale.time(at.x()), 0.0)
     if not content.snaps:
         return time_s, None
-    near = [neighbour_s for neighbour_s in stage.before.neighbours_s() if neighbour_s != without]
+    candidates_s = [
+        neighbour_s for neighbour_s in context.before.neighbours_s() if neighbour_s != without
+    ]
     rest = rest_of(
-        (0.0,), time_s, neighbours_s=near, grid_s=content.grid_s, reach_s=content.reach_s
+        (0.0,), time_s, neighbours_s=candidates_s, grid_s=content.grid_s, reach_s=content.reach_s
     )
     return max(rest.by_s, 0.0), rest.guide_s
 
@@ -422,86 +430,86 @@ def snapped_time(
 class MovePlayhead:
     """Puts the playhead under the pointer."""
 
-    def __init__(self, stage: GestureContext) -> None:
-        self._stage = stage
+    def __init__(self, context: GestureContext) -> None:
+        self._context = context
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
-        time_s, guide_s = snapped_time(self._stage, at, self._stage.before.view.playhead_s)
-        self._stage.put_playhead(time_s)
-        return GesturePreview(guide_s=guide_s, words=value_text(time_s, "s", digits=5))
+    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
+        time_s, guide_s = snapped_time(self._context, at, self._context.before.view.playhead_s)
+        self._context.put_playhead(time_s)
+        return GesturePreview(guide_s=guide_s, label=value_text(time_s, "s", digits=5))
 
     def finish(self) -> None:
         """It stays there."""
 
     def cancel(self) -> None:
-        self._stage.put_playhead(self._stage.before.view.playhead_s)
+        self._context.put_playhead(self._context.before.view.playhead_s)
 
 
 class MoveLoop:
     """Draws the loop region, or moves one of its ends: ``fixed_s`` is the other one."""
 
-    def __init__(self, stage: GestureContext, fixed_s: float) -> None:
-        self._stage, self._fixed_s = stage, fixed_s
+    def __init__(self, context: GestureContext, fixed_s: float) -> None:
+        self._context, self._fixed_s = context, fixed_s
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
-        time_s, guide_s = snapped_time(self._stage, at)
+    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
+        time_s, guide_s = snapped_time(self._context, at)
         ends = (min(time_s, self._fixed_s), max(time_s, self._fixed_s))
-        design, view = self._stage.before.design, self._stage.content().view
-        self._stage.edit(edits.set_loop(design, view, ends if ends[0] < ends[1] else None))
-        return GesturePreview(guide_s=guide_s, words=value_text(ends[1] - ends[0], "s", digits=4))
+        design, view = self._context.before.design, self._context.content().view
+        self._context.edit(edits.set_loop(design, view, ends if ends[0] < ends[1] else None))
+        return GesturePreview(guide_s=guide_s, label=value_text(ends[1] - ends[0], "s", digits=4))
 
     def finish(self) -> None:
         """It stays there."""
 
     def cancel(self) -> None:
-        self._stage.take_back()
+        self._context.undo()
 
 
 class MoveMarker:
     """Drags a marker."""
 
-    def __init__(self, stage: GestureContext, marker: Marker) -> None:
-        self._stage, self._marker = stage, marker
+    def __init__(self, context: GestureContext, marker: Marker) -> None:
+        self._context, self._marker = context, marker
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
-        time_s, guide_s = snapped_time(self._stage, at, self._marker.time_s)
-        design, view = self._stage.before.design, self._stage.content().view
-        index = self._stage.before.design.markers.index(self._marker)
-        self._stage.edit(edits.move_marker(design, view, index, time_s))
-        return GesturePreview(guide_s=guide_s, words=value_text(time_s, "s", digits=5))
+    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
+        time_s, guide_s = snapped_time(self._context, at, self._marker.time_s)
+        design, view = self._context.before.design, self._context.content().view
+        index = self._context.before.design.markers.index(self._marker)
+        self._context.edit(edits.move_marker(design, view, index, time_s))
+        return GesturePreview(guide_s=guide_s, label=value_text(time_s, "s", digits=5))
 
     def finish(self) -> None:
         """It stays there."""
 
     def cancel(self) -> None:
-        self._stage.take_back()
+        self._context.undo()
 
 
 class Pan:
     """Moves the visible part of the time with the pointer."""
 
-    def __init__(self, stage: GestureContext, at: QPointF) -> None:
-        self._stage, self._at = stage, at
+    def __init__(self, context: GestureContext, at: QPointF) -> None:
+        self._context, self._at = context, at
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
-        before = self._stage.before
+    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
+        before = self._context.before
         by_s = (self._at.x() - at.x()) / before.scale.px_per_s
         shown = panned(before.scale.shown_s, by_s, before.whole_s)
-        self._stage.look(replace(self._stage.content().view, time_range_s=shown))
+        self._context.show_view(replace(self._context.content().view, time_range_s=shown))
         return GesturePreview()
 
     def finish(self) -> None:
         """It stays there."""
 
     def cancel(self) -> None:
-        view = self._stage.content().view
-        self._stage.look(replace(view, time_range_s=self._stage.before.view.time_range_s))
+        view = self._context.content().view
+        self._context.show_view(replace(view, time_range_s=self._context.before.view.time_range_s))
 
 
 # A gesture whose way says what it is.
 
 
-class Either:
+class EitherGesture:
     """Goes up or down: one gesture; goes along: another one.
 
     A gain curve lies over the clips of its track: pulled up or down it is the curve that is meant,
@@ -516,23 +524,25 @@ class Either:
     """
 
     def __init__(
-        self, at: QPointF, upright: Callable[[], Gesture], along: Callable[[], Gesture]
+        self, at: QPointF, vertical: Callable[[], Gesture], along: Callable[[], Gesture]
     ) -> None:
-        self._at, self._upright, self._along = at, upright, along
-        self._meant: Gesture | None = None
+        self._at, self._upright, self._along = at, vertical, along
+        self._gesture: Gesture | None = None
 
-    def move(self, at: QPointF, held: Held) -> GesturePreview:
-        if self._meant is None:
-            way = at - self._at
-            self._meant = self._along() if abs(way.x()) > abs(way.y()) else self._upright()
-        return self._meant.move(at, held)
+    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
+        if self._gesture is None:
+            moved_px = at - self._at
+            self._gesture = (
+                self._along() if abs(moved_px.x()) > abs(moved_px.y()) else self._upright()
+            )
+        return self._gesture.move(at, modifiers)
 
     def finish(self) -> None:
         """What has become of it stays."""
-        if self._meant is not None:
-            self._meant.finish()
+        if self._gesture is not None:
+            self._gesture.finish()
 
     def cancel(self) -> None:
         """Everything is as if it had not begun."""
-        if self._meant is not None:
-            self._meant.cancel()
+        if self._gesture is not None:
+            self._gesture.cancel()

@@ -48,7 +48,7 @@ class RowPlaces:
         The controls.
     peak
         The peak that results from a gain, painted beside it.
-    words
+    text
         What has to be painted anew when the words change.
     """
 
@@ -60,7 +60,7 @@ class RowPlaces:
     solo: QRect
     remove: QRect
     peak: QRect
-    words: QRect
+    text: QRect
 
 
 def heads_px(line_px: int) -> int:
@@ -104,7 +104,7 @@ def row_places(width: int, line_px: int = USUAL_LINE_PX, *, peak: bool = False) 
         solo=solo,
         remove=remove,
         peak=QRect(peak_left, second, remove.x() - peak_left, line + 1),
-        words=QRect(0, 0, remove.x() if peak else mute.x(), height),
+        text=QRect(0, 0, remove.x() if peak else mute.x(), height),
     )
 
 
@@ -117,8 +117,8 @@ class RowState:
 
     Attributes
     ----------
-    shown
-        The input.
+    track
+        The track.
     silent
         Whether it is not heard, for being muted or because another is solo.
     selected, last, list_focused
@@ -134,7 +134,7 @@ class RowState:
         Whose places have which names.
     """
 
-    shown: Input
+    track: Input
     silent: bool
     selected: bool
     last: bool
@@ -149,7 +149,7 @@ class RowState:
         """What the input plays, and for how long."""
         if self.clip is None:
             return EMPTY
-        others = clips_text(len(self.shown.clips))
+        others = clips_text(len(self.track.clips))
         lasts = duration_text(self.clip.duration_s)
         return f"{clip_text(self.clip)} · {lasts}{others}"
 
@@ -159,9 +159,9 @@ class RowState:
         return EMPTY if self.clip is None else clip_text(self.clip)
 
     @property
-    def words(self) -> tuple[int, int, bool, str, str]:
+    def text(self) -> tuple[int, int, bool, str, str]:
         """What is painted on it: what it plays is said by its tooltip only."""
-        return self.shown.location, self.shown.colour, self.silent, self.limb, self.peak
+        return self.track.location, self.track.colour, self.silent, self.limb, self.peak
 
     @property
     def frame(self) -> tuple[bool, bool, bool]:
@@ -179,12 +179,12 @@ _SMALLER = 0.8
 def paint_row(painter: QPainter, state: RowState, places: RowPlaces, theme: Theme) -> None:
     """Paint ground, place and name of a track, and the peak that results from a gain."""
     _paint_ground(painter, state, places.row, theme)
-    shown, silent = state.shown, state.silent
+    track, silent = state.track, state.silent
     paint_swatch(
         painter,
         places.swatch,
-        shown.location,
-        theme.input_colour(shown.colour),
+        track.location,
+        theme.input_colour(track.colour),
         QColor(theme.text),
         silent=silent,
     )
@@ -193,7 +193,7 @@ def paint_row(painter: QPainter, state: RowState, places: RowPlaces, theme: Them
     font = QFont(usual)
     font.setWeight(QFont.Weight.Medium)
     painter.setFont(font)
-    place = input_name(shown.location, state.limb)
+    place = input_name(track.location, state.limb)
     fits = painter.fontMetrics().horizontalAdvance(place.name) <= places.name.width()
     short_name = place.short_name[0].upper() + place.short_name[1:]
     _write(painter, places.name, place.name if fits else short_name)
@@ -201,9 +201,9 @@ def paint_row(painter: QPainter, state: RowState, places: RowPlaces, theme: Them
     if state.peak:
         painter.setPen(QColor(theme.dim))
         painter.setFont(scaled(usual, _SMALLER))
-        room, said = places.peak.width(), f"peak {state.peak}"
-        fits = painter.fontMetrics().horizontalAdvance(said) <= room
-        _write(painter, places.peak, said if fits else state.peak)
+        room, text = places.peak.width(), f"peak {state.peak}"
+        fits = painter.fontMetrics().horizontalAdvance(text) <= room
+        _write(painter, places.peak, text if fits else state.peak)
         painter.setFont(usual)
 
 
@@ -223,8 +223,8 @@ def _paint_ground(painter: QPainter, state: RowState, row: QRect, theme: Theme) 
 
 
 def _write(painter: QPainter, place: QRect, text: str) -> None:
-    shown = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, place.width())
-    painter.drawText(place, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, shown)
+    track = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, place.width())
+    painter.drawText(place, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, track)
 
 
 # What heads of tracks tell.
@@ -277,7 +277,7 @@ class InputRow(QWidget):
     @property
     def id(self) -> int:
         """Id of its input."""
-        return self.state.shown.id
+        return self.state.track.id
 
     @property
     def state(self) -> RowState:
@@ -291,14 +291,14 @@ class InputRow(QWidget):
         if state == self._state:
             return
         old, self._state = self._state, state
-        shown = state.shown
+        track = state.track
         self.amplitude.set_spec(state.amplitude)
-        self.amplitude.set_value(shown.amplitude)
-        self.mute.setChecked(shown.muted)
-        self.solo.setChecked(shown.solo)
+        self.amplitude.set_value(track.amplitude)
+        self.mute.setChecked(track.muted)
+        self.solo.setChecked(track.solo)
         if old is None or old.last != state.last:
             self._let_keyboard_in(state.last)
-        place = input_name(shown.location, state.limb)
+        place = input_name(track.location, state.limb)
         self.setAccessibleName(
             f"Input at {place.number}, {place.name}: {state.title}"
             f"{', silent' if state.silent else ''}"
@@ -309,9 +309,9 @@ class InputRow(QWidget):
             self._lay_out()
         if old is None or old.frame != state.frame:
             self.update()
-        elif old.words != state.words:
+        elif old.text != state.text:
             # These alone: the controls beside them look after themselves.
-            self.update(self._places.words)
+            self.update(self._places.text)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.amplitude and event.type() == QEvent.Type.FocusIn:

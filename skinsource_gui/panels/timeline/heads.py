@@ -65,7 +65,7 @@ class CachedRows:
         """The row at a height of the column."""
         return next((row for row in self.rows if row.y() <= y < row.y() + row.height()), None)
 
-    def stand_for(self, ids: Sequence[int]) -> bool:
+    def matches(self, ids: Sequence[int]) -> bool:
         """Whether there is a row for each of these inputs, in that order, and no other."""
         return list(ids) == list(self._rows)
 
@@ -126,23 +126,23 @@ class ListKeys(QObject):
 
     def press(self, event: QKeyEvent, here: int | None, count: int) -> bool:
         """Tell what a key means at row ``here`` of ``count``; whether it means anything."""
-        wanted = meaning_of(_PLACE, event)
-        if not wanted or not count:
+        command = meaning_of(_PLACE, event)
+        if not command or not count:
             return False
-        if wanted == "go":
+        if command == "go":
             extending = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
             self.moved.emit(_target(_Key(event.key()), here, count), extending)
-        elif wanted in ("shift_up", "shift_down"):
-            self.shifted.emit(wanted == "shift_down")
-        elif wanted == "select_all":
+        elif command in ("shift_up", "shift_down"):
+            self.shifted.emit(command == "shift_down")
+        elif command == "select_all":
             self.all_selected.emit()
         elif here is None:
             return False
         else:
-            self._act(wanted)
+            self._act(command)
         return True
 
-    def _act(self, wanted: str) -> None:
+    def _act(self, command: str) -> None:
         """Tell what is wanted of the selected inputs."""
         {
             "mute": self.mute_toggled,
@@ -151,7 +151,7 @@ class ListKeys(QObject):
             "type": self.typing_wanted,
             "gain_curve": self.gain_toggled,
             "remove": self.removed,
-        }[wanted].emit()
+        }[command].emit()
 
 
 def _target(key: Qt.Key, here: int | None, count: int) -> int:
@@ -216,8 +216,8 @@ class ListMouse(QObject):
         press = self._press
         if press is None or not event.buttons() & Qt.MouseButton.LeftButton:
             return
-        way = (event.globalPosition().toPoint() - press.at).manhattanLength()
-        if press.gap is not None or way >= QApplication.startDragDistance():
+        distance_px = (event.globalPosition().toPoint() - press.at).manhattanLength()
+        if press.gap is not None or distance_px >= QApplication.startDragDistance():
             press.gap = gap
             self.held_over.emit(gap)
 
@@ -286,7 +286,7 @@ class InputRows(QWidget):
         self.setAccessibleName("Inputs")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.signals = RowSignals(self)
-        self._kept = CachedRows(self, self.signals)
+        self._cached = CachedRows(self, self.signals)
         self.keys, self.mouse = ListKeys(self), ListMouse(self)
         self.keys.typing_wanted.connect(self._type_amplitude)
         self.keys.moved.connect(self._take_keys)
@@ -296,26 +296,26 @@ class InputRows(QWidget):
     @property
     def rows(self) -> tuple[InputRow, ...]:
         """The rows, from top to bottom."""
-        return self._kept.rows
+        return self._cached.rows
 
     @property
     def last_row(self) -> InputRow | None:
         """The row that was selected last."""
-        return self._kept.last
+        return self._cached.last
 
     def show_rows(self, states: Sequence[RowState]) -> None:
         """Show one row for each state."""
-        ids = [state.shown.id for state in states]
+        ids = [state.track.id for state in states]
         left: list[InputRow] = []
-        if not self._kept.stand_for(ids):
+        if not self._cached.matches(ids):
             self.mouse.cancel()
-            left = self._kept.arrange(ids)
+            left = self._cached.arrange(ids)
         focused = self.hasFocus()
         for row, state in zip(self.rows, states, strict=True):
             row.show_state(replace(state, list_focused=True) if focused else state)
         # The keyboard may come from a row that goes: those that stay know by now what they show.
         for row in left:
-            if self._kept.remove(row):
+            if self._cached.remove(row):
                 self.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def event(self, event: QEvent) -> bool:
@@ -335,7 +335,7 @@ class InputRows(QWidget):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         # Also reached by presses on a row, which leaves them to us.
         self.setFocus(Qt.FocusReason.MouseFocusReason)
-        row = self._kept.at(event.position().y())
+        row = self._cached.at(event.position().y())
         if row is not None and event.button() == Qt.MouseButton.LeftButton:
             self.mouse.press(event, row.id, row.state.selected)
 
@@ -350,7 +350,7 @@ class InputRows(QWidget):
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         # A menu key means the row that was selected last, and finds its menu beside it.
         by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
-        row = self.last_row if by_key else self._kept.at(event.pos().y())
+        row = self.last_row if by_key else self._cached.at(event.pos().y())
         if row is not None:
             at = row.mapToGlobal(row.rect().center()) if by_key else event.globalPos()
             self.mouse.menu_wanted.emit(row.id, at)
@@ -393,7 +393,7 @@ class InputList(QScrollArea):
         self.rows = InputRows()
         self.setWidget(self.rows)
         self._shown: tuple[int, int] | None = None
-        self._kept_in_sight = False
+        self._follows_selection = False
         bar = self.verticalScrollBar()
         # Rows that came have no place before their layout is done, and the bar no room for them.
         bar.rangeChanged.connect(self._scroll)
@@ -404,7 +404,7 @@ class InputList(QScrollArea):
         row = self.rows.last_row
         shown = None if row is None else (row.id, self.rows.rows.index(row))
         if shown is not None and shown != self._shown:
-            self._kept_in_sight = True
+            self._follows_selection = True
             self._scroll()
         self._shown = shown
 
@@ -418,11 +418,11 @@ class InputList(QScrollArea):
 
     def _let_go(self) -> None:
         # Who scrolls wants to see something else.
-        self._kept_in_sight = False
+        self._follows_selection = False
 
     def _scroll(self) -> None:
         row = self.rows.last_row
-        if not self._kept_in_sight or row is None:
+        if not self._follows_selection or row is None:
             return
         bar, top = self.verticalScrollBar(), self.rows.rows.index(row) * row.height()
         lowest = top + row.height() - self.viewport().height()
@@ -454,16 +454,16 @@ class ListEdits(QObject):
     def shift(self, down: bool) -> None:
         """Move the selected inputs past their neighbour."""
         ids = self._view.selected_inputs
-        self._tell(edits.shift_inputs(self._design, self._view, ids, down))
+        self._emit(edits.shift_inputs(self._design, self._view, ids, down))
 
     def put(self, gap: int) -> None:
         """Put the selected inputs into a gap between rows."""
         ids = self._view.selected_inputs
-        self._tell(edits.put_inputs_before(self._design, self._view, ids, gap))
+        self._emit(edits.put_inputs_before(self._design, self._view, ids, gap))
 
     def change_amplitude(self, track_id: int, value: float, gesture: int | None) -> None:
         """Type or drag an amplitude."""
-        ids = self.together(track_id)
+        ids = self.affected(track_id)
         changed = self._changes.change(
             self._design, self._view, ids, "amplitude", value, lead=track_id, gesture=gesture
         )
@@ -471,32 +471,32 @@ class ListEdits(QObject):
 
     def toggle_mute(self, track_id: int | None = None) -> None:
         """Mute all, or none if all are."""
-        self._tell(edits.toggle_mute(self._design, self._view, self.together(track_id)))
+        self._emit(edits.toggle_mute(self._design, self._view, self.affected(track_id)))
 
     def toggle_solo(self, track_id: int | None = None) -> None:
         """Make all solo, or none if all are."""
-        self._tell(edits.toggle_solo(self._design, self._view, self.together(track_id)))
+        self._emit(edits.toggle_solo(self._design, self._view, self.affected(track_id)))
 
     def remove(self, track_id: int | None = None) -> None:
         """Remove the selected inputs; the cross of a row removes that row alone."""
         ids = self._view.selected_inputs if track_id is None else (track_id,)
-        self._tell(edits.remove_inputs(self._design, self._view, ids))
+        self._emit(edits.remove_inputs(self._design, self._view, ids))
 
     def edit(self, ids: tuple[int, ...], edit: InputEdit) -> None:
         """Do to these inputs what was chosen."""
-        self._tell(edit(self._design, self._view, ids))
+        self._emit(edit(self._design, self._view, ids))
 
     def duplicate(self) -> None:
         """Duplicate the selected inputs."""
         ids = self._view.selected_inputs
-        self._tell(edits.duplicate_inputs(self._design, self._view, ids))
+        self._emit(edits.duplicate_inputs(self._design, self._view, ids))
 
-    def together(self, track_id: int | None) -> tuple[int, ...]:
+    def affected(self, track_id: int | None) -> tuple[int, ...]:
         """Whom a control of the row of ``one`` is about: all selected, if it is one of them."""
         selected = self._view.selected_inputs
         return selected if track_id is None or track_id in selected else (track_id,)
 
-    def _tell(self, outcome: edits.Edit | edits.Refusal) -> None:
+    def _emit(self, outcome: edits.Edit | edits.Refusal) -> None:
         self.edited.emit(outcome, None)
 
 
@@ -528,29 +528,29 @@ class ListSelection(QObject):
     def select(self, chosen: int) -> None:
         """Select this input alone."""
         self._anchor = chosen
-        self._tell(edits.select_inputs(self._design, self._view, (chosen,)))
+        self._emit(edits.select_inputs(self._design, self._view, (chosen,)))
 
     def toggle(self, chosen: int) -> None:
         """Add this input, or take it out."""
         self._anchor = chosen
-        self._tell(edits.toggle_selected(self._design, self._view, chosen))
+        self._emit(edits.toggle_selected(self._design, self._view, chosen))
 
     def select_through(self, chosen: int) -> None:
         """Select all from where it began to this input."""
         known = self._anchor in self._view.selected_inputs
         self._anchor = self._anchor if known else self._view.selected_input
-        self._tell(edits.select_through(self._design, self._view, self._anchor, chosen))
+        self._emit(edits.select_through(self._design, self._view, self._anchor, chosen))
 
     def select_all(self) -> None:
         """Select all inputs."""
-        self._tell(edits.select_all_inputs(self._design, self._view))
+        self._emit(edits.select_all_inputs(self._design, self._view))
 
     def go(self, place: int, extending: bool) -> None:
         """Select the input of this row, or with ``extending`` all on the way to it."""
         chosen = self._design.ids[place]
         (self.select_through if extending else self.select)(chosen)
 
-    def _tell(self, outcome: edits.Edit | edits.Refusal) -> None:
+    def _emit(self, outcome: edits.Edit | edits.Refusal) -> None:
         self.edited.emit(outcome, None)
 
 
@@ -588,7 +588,7 @@ class Heads(QObject):
         self.list.rows.show_rows(
             [
                 RowState(
-                    shown=track,
+                    track=track,
                     silent=id(track) not in audible,
                     selected=track.id in view.selected_inputs,
                     last=track.id == view.selected_input,
@@ -629,15 +629,15 @@ class Heads(QObject):
         keys.gain_toggled.connect(self._toggle_gain)
 
     def _toggle_gain(self) -> None:
-        self._edits.edit(self._edits.together(None), toggle_gain_curves)
+        self._edits.edit(self._edits.affected(None), toggle_gain_curves)
 
     def _open_menu(self, track_id: int, at: QPoint) -> None:
         self._selection.enter(track_id)
         menu = QMenu(self.list)
         menu.setObjectName("inputs_menu")
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        ids = self._edits.together(track_id)
-        chosen = [row.state.shown for row in self.list.rows.rows if row.id in ids]
+        ids = self._edits.affected(track_id)
+        chosen = [row.state.track for row in self.list.rows.rows if row.id in ids]
         act = partial(self._edits.edit, ids)
         gain = Entry(
             words="Gain curve",

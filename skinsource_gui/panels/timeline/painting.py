@@ -36,7 +36,7 @@ _BLOCK = 0.8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Played:
+class ClipSamples:
     """What a clip plays.
 
     Attributes
@@ -78,7 +78,7 @@ class _Key:
     rate_hz: float
     width: float
     height: float
-    look: ClipStyle
+    style: ClipStyle
 
 
 class ClipPictures:
@@ -96,72 +96,72 @@ class ClipPictures:
     """
 
     def __init__(self, budget_bytes: int = _BUDGET_BYTES) -> None:
-        self._kept: OrderedDict[_Key, tuple[Floats, QPixmap]] = OrderedDict()
+        self._pictures: OrderedDict[_Key, tuple[Floats, QPixmap]] = OrderedDict()
         self._budget, self._bytes = budget_bytes, 0
         self.painted = self.waves = 0
         self.mark, self.columns = CachedPicture(), CachedColumns()
 
-    def paint(self, painter: QPainter, played: Played, area: QRectF, look: ClipStyle) -> None:
+    def paint(self, painter: QPainter, played: ClipSamples, area: QRectF, style: ClipStyle) -> None:
         """Paint what a clip plays; on paper as lines."""
         if is_on_paper():
             painter.save()
             painter.translate(area.topLeft())
-            self._draw(painter, played, area.size(), look)
+            self._draw(painter, played, area.size(), style)
             painter.restore()
             return
-        painter.drawPixmap(area.topLeft(), self.picture(played, area.size(), look))
+        painter.drawPixmap(area.topLeft(), self.picture(played, area.size(), style))
 
-    def picture(self, played: Played, size: QSizeF, look: ClipStyle) -> QPixmap:
+    def picture(self, played: ClipSamples, size: QSizeF, style: ClipStyle) -> QPixmap:
         """Picture of what a clip plays, so large, px."""
         samples = played.samples
-        key = _Key(id(samples), played.sample_rate_hz, size.width(), size.height(), look)
-        cached = self._kept.get(key)
+        key = _Key(id(samples), played.sample_rate_hz, size.width(), size.height(), style)
+        cached = self._pictures.get(key)
         if cached is not None and cached[0] is samples:
-            self._kept.move_to_end(key)
+            self._pictures.move_to_end(key)
             return cached[1]
-        made = QPixmap((size * look.ratio).toSize().expandedTo(QSizeF(1, 1).toSize()))
-        made.setDevicePixelRatio(look.ratio)
+        made = QPixmap((size * style.ratio).toSize().expandedTo(QSizeF(1, 1).toSize()))
+        made.setDevicePixelRatio(style.ratio)
         made.fill(Qt.GlobalColor.transparent)
         on_picture = QPainter(made)
-        self._draw(on_picture, played, size, look)
+        self._draw(on_picture, played, size, style)
         on_picture.end()
         self.painted += 1
-        self._keep(key, samples, made)
+        self._store(key, samples, made)
         return made
 
     def forget(self) -> None:
         """Keep nothing."""
-        self._kept.clear()
+        self._pictures.clear()
         self._bytes = 0
 
-    def _keep(self, key: _Key, samples: Floats, made: QPixmap) -> None:
-        old = self._kept.pop(key, None)
+    def _store(self, key: _Key, samples: Floats, made: QPixmap) -> None:
+        old = self._pictures.pop(key, None)
         self._bytes += _size(made) - (0 if old is None else _size(old[1]))
-        self._kept[key] = (samples, made)
-        while self._bytes > self._budget and len(self._kept) > 1:
-            _, (_, gone) = self._kept.popitem(last=False)
-            self._bytes -= _size(gone)
+        self._pictures[key] = (samples, made)
+        while self._bytes > self._budget and len(self._pictures) > 1:
+            _, (_, removed) = self._pictures.popitem(last=False)
+            self._bytes -= _size(removed)
 
-    def _draw(self, painter: QPainter, played: Played, size: QSizeF, look: ClipStyle) -> None:
+    def _draw(self, painter: QPainter, played: ClipSamples, size: QSizeF, style: ClipStyle) -> None:
         samples, width, height = played.samples, size.width(), size.height()
         if not samples.size:
             return
         time_s = np.arange(samples.size) / played.sample_rate_hz
-        first_s, end_s = (share * samples.size / played.sample_rate_hz for share in look.part)
-        across = max(round(width * look.ratio), 1)
+        first_s, end_s = (share * samples.size / played.sample_rate_hz for share in style.part)
+        across = max(round(width * style.ratio), 1)
         wave = wave_of(time_s, samples[np.newaxis])
         columns = self.columns.of(time_s, (first_s, end_s), across)
-        seen = course_of(columns, samples[np.newaxis], wave, width, look.ratio)
-        heights = look.reach * seen.line.y[0]
-        if seen.wave:
+        curve = course_of(columns, samples[np.newaxis], wave, width, style.ratio)
+        heights = style.reach * curve.line.y[0]
+        if curve.wave:
             self.waves += 1
             # Between samples it may be higher than the lane is for them.
             heights = heights / max(float(np.abs(heights).max()), 1.0)
-        strokes = np.abs(heights[1::2] - heights[::2]) if seen.line.strokes else 0.0
-        block = not is_on_paper() and np.mean(strokes) > _BLOCK * abs(look.reach)
+        strokes = np.abs(heights[1::2] - heights[::2]) if curve.line.strokes else 0.0
+        block = not is_on_paper() and np.mean(strokes) > _BLOCK * abs(style.reach)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, not block)
-        painter.setPen(thin_pen(QColor.fromRgba(look.colour)))
-        x = (seen.line.x - first_s) / (end_s - first_s) * width
+        painter.setPen(thin_pen(QColor.fromRgba(style.colour)))
+        x = (curve.line.x - first_s) / (end_s - first_s) * width
         y = height / 2 - np.clip(heights, -1, 1) * (height / 2 - 1)
         if x.size == 1:
             painter.drawLine(QPointF(x[0], height / 2), QPointF(x[0], y[0]))
@@ -176,7 +176,7 @@ def _size(picture: QPixmap) -> int:
 # How a clip looks.
 
 _ROUNDING_PX = 3.0
-_WORDS_FROM_PX = 40.0
+_LABEL_FROM_PX = 40.0
 _BODY_ALPHA, _PALE_BODY_ALPHA, _SELECTED_ALPHA = 46, 18, 84
 _PALE = 0.45
 _HANDLE_PX = 5.0
@@ -228,15 +228,15 @@ def paint_clip(
     _paint_body(painter, box.rect, shown, colour, selected=selected, pale=pale)
     if samples is not None and shown.width() >= 1:
         painter.setOpacity(_PALE if pale else 1.0)
-        played = Played(samples, sample_rate_hz)
+        played = ClipSamples(samples, sample_rate_hz)
         _paint_samples(painter, box, shown, played, pictures, colour, loudest)
         painter.setOpacity(1.0)
     if any(box.fades_px):
         _paint_fades(painter, box, QColor(theme.text))
     # Over the lines of fades: the name is read first.
-    if shown.width() >= _WORDS_FROM_PX:
-        words = clip_label(box)
-        _write(painter, f"{words} · updating…" if awaited else words, shown, theme, pale=pale)
+    if shown.width() >= _LABEL_FROM_PX:
+        text = clip_label(box)
+        _write(painter, f"{text} · updating…" if awaited else text, shown, theme, pale=pale)
     _paint_frame(painter, box.rect, shown, theme, colour, selected=selected)
     if unplayable:
         _paint_frame(painter, box.rect, shown, theme, QColor(theme.error), selected=False)
@@ -262,7 +262,7 @@ def _paint_samples(
     painter: QPainter,
     box: Box,
     shown: QRectF,
-    played: Played,
+    played: ClipSamples,
     pictures: ClipPictures,
     colour: QColor,
     loudest: float,
@@ -365,10 +365,10 @@ def _paint_handles(painter: QPainter, box: Box, colour: QColor) -> None:
         (rect.topLeft() + QPointF(in_px, 0), 1),
         (rect.topRight() - QPointF(out_px, 0), -1),
     )
-    for corner, aside in fades:
+    for corner, side in fades:
         ends = (
             corner,
-            corner + QPointF(aside * 2 * _HANDLE_PX, 0),
+            corner + QPointF(side * 2 * _HANDLE_PX, 0),
             corner + QPointF(0, 2 * _HANDLE_PX),
         )
         painter.drawPolygon(QPolygonF(ends))
@@ -457,17 +457,17 @@ def paint_ruler(painter: QPainter, content: TimelineContent, room: QRectF, theme
     painter.fillRect(room, QColor(theme.window))
     if content.design.loop_s is not None:
         _paint_loop(painter, content, content.design.loop_s, room, theme)
-    taken = []
+    names = []
     for marker in content.design.markers:
         x = content.scale.x(marker.time_s)
-        taken.append(_paint_marker(painter, x, marker.name, room, theme))
-    _paint_ticks(painter, content.scale, room, theme, taken)
+        names.append(_paint_marker(painter, x, marker.name, room, theme))
+    _paint_ticks(painter, content.scale, room, theme, names)
     painter.setPen(QPen(QColor(theme.border), 1))
     painter.drawLine(QLineF(room.left(), room.bottom() - 0.5, room.right(), room.bottom() - 0.5))
 
 
 def _paint_ticks(
-    painter: QPainter, scale: TimeScale, room: QRectF, theme: Theme, taken: Sequence[QRectF]
+    painter: QPainter, scale: TimeScale, room: QRectF, theme: Theme, names: Sequence[QRectF]
 ) -> None:
     """Paint ticks, and their numbers where no marker's name stands."""
     metrics = QFontMetricsF(painter.font())
@@ -484,7 +484,7 @@ def _paint_ticks(
         width = metrics.horizontalAdvance(tick.label)
         left = max(x - width / 2, room.left() + 2)
         number = QRectF(left, room.top(), width, metrics.height())
-        free = not any(name.intersects(number) for name in taken)
+        free = not any(name.intersects(number) for name in names)
         if free and left >= free_from and left + width < unit_left - _GAP_PX:
             painter.drawText(QPointF(left, room.top() + metrics.ascent() + 1), tick.label)
             free_from = left + width + _GAP_PX
@@ -609,7 +609,7 @@ class LanesItem(pyqtgraph.GraphicsObject):
         painter.drawLines(grid_lines(content.scale, lanes))
         self._paint_after_end(painter, content, lanes)
         for lane in shown:
-            self._paint_why_silent(painter, lane)
+            self._paint_silence_reason(painter, lane)
             self._paint_clips(painter, content, lane, lanes)
             overlaps = content.overlaps.of(lane.track)
             paint_overlaps(painter, lane, overlaps, content.scale, current_theme())
@@ -626,12 +626,12 @@ class LanesItem(pyqtgraph.GraphicsObject):
 
     def _update_lanes(self, before: TimelineContent, after: TimelineContent) -> None:
         """Have painted the lanes that look different now."""
-        chosen_alike = same_chosen(before, after)
+        same_selection = same_chosen(before, after)
         for then, now in zip(before.lanes, after.lanes, strict=True):
             if not same_ground(then, now):
                 self.update(self._strip(now))
             elif not same_clips(before, then, after, now) or not (
-                chosen_alike or same_choice(before, after, now)
+                same_selection or same_choice(before, after, now)
             ):
                 self.update(self._strip(now).adjusted(0, _INSIDE_PX, 0, -_INSIDE_PX))
 
@@ -659,16 +659,16 @@ class LanesItem(pyqtgraph.GraphicsObject):
             QLineF(strip.left(), strip.bottom() - 0.5, strip.right(), strip.bottom() - 0.5)
         )
 
-    def _paint_why_silent(self, painter: QPainter, lane: Lane) -> None:
+    def _paint_silence_reason(self, painter: QPainter, lane: Lane) -> None:
         """Say it over the grid, whose lines stop around the words."""
         if not lane.silent:
             return
         flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
         room = self._strip(lane).adjusted(0, 0, -_SIDE_PX, -3)
-        words = QRectF(painter.boundingRect(room, flags, lane.silent))
-        painter.fillRect(words.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._ground)
+        room_of_text = QRectF(painter.boundingRect(room, flags, lane.silent))
+        painter.fillRect(room_of_text.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._ground)
         if lane.selected:
-            painter.fillRect(words.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._tint)
+            painter.fillRect(room_of_text.adjusted(-_AROUND_PX, 0, _AROUND_PX, 0), self._tint)
         theme = current_theme()
         painter.setPen(QColor(theme.error if lane.problem else theme.dim))
         painter.drawText(room, flags, lane.silent)
@@ -708,24 +708,24 @@ class LanesItem(pyqtgraph.GraphicsObject):
 
 # What a gesture shows over the lanes.
 
-_WORDS_GAP_PX = 8.0
+_LABEL_GAP_PX = 8.0
 
 
-class OverItem(pyqtgraph.GraphicsObject):
+class OverlayItem(pyqtgraph.GraphicsObject):
     """A guide, a marquee and words, an item of its own: the lanes below are not painted with it."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setZValue(2)
-        self._shown, self._pointer = GesturePreview(), QPointF()
+        self._preview, self._pointer = GesturePreview(), QPointF()
         self._content: TimelineContent | None = None
         self._rect = QRectF(0, 0, 1, 1)
         self._font = QFont()
 
     @property
-    def shown(self) -> GesturePreview:
+    def preview(self) -> GesturePreview:
         """What is shown."""
-        return self._shown
+        return self._preview
 
     def show_content(self, content: TimelineContent, rect: QRectF) -> None:
         """Lie over these lanes, in this rectangle."""
@@ -734,14 +734,14 @@ class OverItem(pyqtgraph.GraphicsObject):
             self._rect = rect
         moved = self._content is not None and self._content.scale != content.scale
         self._content = content
-        if moved and self._shown.guide_s is not None:
+        if moved and self._preview.guide_s is not None:
             self.update()
 
-    def show_over(self, shown: GesturePreview, pointer: QPointF) -> None:
-        """Show this, with words beside the pointer."""
-        if (shown, pointer) != (self._shown, self._pointer):
+    def show_preview(self, preview: GesturePreview, pointer: QPointF) -> None:
+        """Show a preview, with its label beside the pointer."""
+        if (preview, pointer) != (self._preview, self._pointer):
             self._update_places()
-            self._shown, self._pointer = shown, pointer
+            self._preview, self._pointer = preview, pointer
             self._update_places()
 
     def show_font(self, font: QFont) -> None:
@@ -758,48 +758,48 @@ class OverItem(pyqtgraph.GraphicsObject):
         if guide is not None:
             painter.setPen(QPen(QColor(current_theme().warning), 2))
             painter.drawLine(guide)
-        if self._shown.covered is not None:
+        if self._preview.covered is not None:
             tint = QColor(current_theme().accent)
             painter.setPen(QPen(tint, 1))
             tint.setAlpha(30)
             painter.setBrush(tint)
-            painter.drawRect(self._shown.covered)
-        if self._shown.words:
-            room = self._room_for_words()
+            painter.drawRect(self._preview.covered)
+        if self._preview.label:
+            room = self._label_room()
             painter.setPen(QPen(QColor(current_theme().border), 1))
             painter.setBrush(QColor(current_theme().raised))
             painter.drawRect(room)
             painter.setPen(QColor(current_theme().text))
-            painter.drawText(room, Qt.AlignmentFlag.AlignCenter, self._shown.words)
+            painter.drawText(room, Qt.AlignmentFlag.AlignCenter, self._preview.label)
 
     def _update_places(self) -> None:
         """Have painted anew where something is shown."""
         guide = self._guide()
         if guide is not None:
             self.update(QRectF(guide.p1(), guide.p2()).adjusted(-2, -2, 2, 2))
-        if self._shown.covered is not None:
-            self.update(self._shown.covered.adjusted(-2, -2, 2, 2))
-        if self._shown.words:
-            self.update(self._room_for_words().adjusted(-2, -2, 2, 2))
+        if self._preview.covered is not None:
+            self.update(self._preview.covered.adjusted(-2, -2, 2, 2))
+        if self._preview.label:
+            self.update(self._label_room().adjusted(-2, -2, 2, 2))
 
     def _guide(self) -> QLineF | None:
-        if self._shown.guide_s is None or self._content is None:
+        if self._preview.guide_s is None or self._content is None:
             return None
-        x = self._content.scale.x(self._shown.guide_s)
+        x = self._content.scale.x(self._preview.guide_s)
         return QLineF(x, self._content.ruler_px, x, self._rect.bottom())
 
-    def _room_for_words(self) -> QRectF:
+    def _label_room(self) -> QRectF:
         metrics = QFontMetricsF(self._font)
         ruler_px = 0.0 if self._content is None else self._content.ruler_px
-        width = metrics.horizontalAdvance(self._shown.words) + 8
-        left = min(self._pointer.x() + _WORDS_GAP_PX, self._rect.right() - width - 2)
-        top = max(self._pointer.y() - metrics.height() - _WORDS_GAP_PX, ruler_px + 2)
+        width = metrics.horizontalAdvance(self._preview.label) + 8
+        left = min(self._pointer.x() + _LABEL_GAP_PX, self._rect.right() - width - 2)
+        top = max(self._pointer.y() - metrics.height() - _LABEL_GAP_PX, ruler_px + 2)
         return QRectF(left, top, width, metrics.height() + 2)
 
 
 # The playhead over the lanes.
 
-_HALF_PX, _PLAYHEAD_ITEM_HANDLE_PX = 5.0, 8.0
+_HALF_PX, _PLAYHEAD_HANDLE_PX = 5.0, 8.0
 
 
 class PlayheadItem(pyqtgraph.GraphicsObject):
@@ -819,12 +819,12 @@ class PlayheadItem(pyqtgraph.GraphicsObject):
 
     def show_content(self, content: TimelineContent, height_px: float) -> None:
         """Stand where the content says, from the ruler down to a height."""
-        height = max(height_px - content.ruler_px + _PLAYHEAD_ITEM_HANDLE_PX, 1.0)
+        height = max(height_px - content.ruler_px + _PLAYHEAD_HANDLE_PX, 1.0)
         if height != self._height:
             self.prepareGeometryChange()
             self._height = height
         at = QPointF(
-            content.scale.x(content.view.playhead_s), content.ruler_px - _PLAYHEAD_ITEM_HANDLE_PX
+            content.scale.x(content.view.playhead_s), content.ruler_px - _PLAYHEAD_HANDLE_PX
         )
         if at != self.pos():
             self.moved += 1

@@ -195,7 +195,7 @@ class LanesMenu(QObject):
     """
 
     edited = Signal(object, object)
-    looked = Signal(object)
+    view_changed = Signal(object)
     opened = Signal(int)
 
     def __init__(
@@ -222,7 +222,7 @@ class LanesMenu(QObject):
             self._fill_curve(menu, strip, place)
         elif box is not None:
             if box.clip.id not in content.view.selected_clips:
-                self.looked.emit(
+                self.view_changed.emit(
                     edits.select_clips(content.design, content.view, (box.clip.id,)).view
                 )
             self._fill_clips_here(menu, content.boxes_at(place))
@@ -246,7 +246,7 @@ class LanesMenu(QObject):
 
     def _select(self, clip: int, _checked: bool = False) -> None:
         content = self._content()
-        self.looked.emit(edits.select_clips(content.design, content.view, (clip,)).view)
+        self.view_changed.emit(edits.select_clips(content.design, content.view, (clip,)).view)
 
     def _fill_clip(self, menu: QMenu, clip: int) -> None:
         content = self._content()
@@ -270,13 +270,13 @@ class LanesMenu(QObject):
         self._line(menu, "Cut", "cut", self._clips.cut)
         self._act(menu, f"Remove {what}", "remove", edits.remove_clips)
 
-    def _fill_places(self, menu: QMenu, words: str) -> None:
-        places = menu.addMenu(words)
+    def _fill_places(self, menu: QMenu, label: str) -> None:
+        places = menu.addMenu(label)
         places.setObjectName("lanes_places")
         design = self._content().design
-        taken = {track.location for track in design.inputs}
+        occupied = {track.location for track in design.inputs}
         for number in range(1, facts_of(design.limb).n_inputs + 1):
-            track = "" if number in taken else " (new track)"
+            track = "" if number in occupied else " (new track)"
             title = f"{number} · {input_name(number, design.limb).name}{track}"
             self._act(places, title, "", edits.move_clips_to_place, number)
 
@@ -288,8 +288,8 @@ class LanesMenu(QObject):
             track = lane.track.id
             self._line(menu, "Add clip here", "", lambda: self._clips.add(track, time_s))
             shown = track in content.gain_shown
-            words = "Hide gain curve" if shown else "Show gain curve"
-            self._line(menu, words, "gain_curve", lambda: self._toggle_gain(track))
+            text = "Hide gain curve" if shown else "Show gain curve"
+            self._line(menu, text, "gain_curve", lambda: self._toggle_gain(track))
         self._line(menu, "Paste at playhead", "paste", self._clips.paste)
         menu.addSeparator()
         self._fill_time(menu, content)
@@ -307,7 +307,7 @@ class LanesMenu(QObject):
 
     def _toggle_gain(self, track: int) -> None:
         content = self._content()
-        self.looked.emit(toggle_gain_curves(content.design, content.view, (track,)).view)
+        self.view_changed.emit(toggle_gain_curves(content.design, content.view, (track,)).view)
 
     def _fill_ruler(
         self, menu: QMenu, content: TimelineContent, place: QPointF, time_s: float
@@ -336,7 +336,7 @@ class LanesMenu(QObject):
         self._edit_line(menu, "Insert the loop's time before it", insert, start_s, end_s - start_s)
         self._edit_line(menu, "Remove the loop's time", edits.remove_time, start_s, end_s)
 
-    def _act(self, menu: QMenu, words: str, key: str, edit: AnyEdit, *more: object) -> None:
+    def _act(self, menu: QMenu, text: str, key: str, edit: AnyEdit, *more: object) -> None:
         """Add a line that edits the clips which are selected when it is chosen."""
 
         def act() -> None:
@@ -344,19 +344,19 @@ class LanesMenu(QObject):
             chosen = content.view.selected_clips
             self.edited.emit(edit(content.design, content.view, chosen, *more), None)
 
-        self._line(menu, words, key, act)
+        self._line(menu, text, key, act)
 
-    def _edit_line(self, menu: QMenu, words: str, edit: AnyEdit, *more: object) -> None:
+    def _edit_line(self, menu: QMenu, text: str, edit: AnyEdit, *more: object) -> None:
         def act() -> None:
             content = self._content()
             outcome: Edit | Refusal = edit(content.design, content.view, *more)
             self.edited.emit(outcome, None)
 
-        self._line(menu, words, "", act)
+        self._line(menu, text, "", act)
 
-    def _line(self, menu: QMenu, words: str, key: str, act: Callable[[], object]) -> None:
+    def _line(self, menu: QMenu, text: str, key: str, act: Callable[[], object]) -> None:
         # A tab makes the key stand at the right; it is the widget's, no shortcut of the menu.
-        shown = f"{words}\t{key_text(_PLACE, key)}" if key else words
+        shown = f"{text}\t{key_text(_PLACE, key)}" if key else text
         menu.addAction(shown).triggered.connect(lambda _=False: act())
 
     def _rename(self, index: int) -> None:
@@ -392,13 +392,13 @@ class TimeBar(QScrollBar):
         self.setObjectName("time_bar")
         self.setAccessibleName("Time shown")
         self._shown_s: Range = (0.0, 1.0)
-        self._taking = False
-        self.valueChanged.connect(self._tell)
+        self._updating = False
+        self.valueChanged.connect(self._emit)
         self.hide()
 
     def show_range(self, shown_s: Range, whole_s: Range) -> None:
         """Show a part of the whole."""
-        self._taking, self._shown_s = True, shown_s
+        self._updating, self._shown_s = True, shown_s
         length = round((shown_s[1] - shown_s[0]) * _STEPS_PER_S)
         whole = round((whole_s[1] - whole_s[0]) * _STEPS_PER_S)
         self.setRange(0, max(whole - length, 0))
@@ -406,10 +406,10 @@ class TimeBar(QScrollBar):
         self.setSingleStep(max(length // 10, 1))
         self.setValue(round((shown_s[0] - whole_s[0]) * _STEPS_PER_S))
         self.setVisible(whole > length)
-        self._taking = False
+        self._updating = False
 
-    def _tell(self, value: int) -> None:
-        if not self._taking:
+    def _emit(self, value: int) -> None:
+        if not self._updating:
             length = self._shown_s[1] - self._shown_s[0]
             start = value / _STEPS_PER_S
             self.range_wanted.emit((start, start + length))
@@ -527,7 +527,7 @@ class TrackTable(QWidget):
         bar.valueChanged.connect(self.place_lanes)
         self._bar.valueChanged.connect(bar.setValue)
         self.lanes.scroll_wanted.connect(self._scroll)
-        self.time_bar.range_wanted.connect(self.lanes.seen.show_range)
+        self.time_bar.range_wanted.connect(self.lanes.time_zoom.show_range)
 
     def show_state(self, design: Design, view: View) -> None:
         """Show the lanes of a design; its heads are there already."""
@@ -590,19 +590,19 @@ def lanes_of(
 
     ``problems``: why inputs cannot be played, by their ids.
     """
-    audible = {track.id for track in audible_inputs(design.inputs)}
+    audible_ids = {track.id for track in audible_inputs(design.inputs)}
     lanes = []
     # A list that takes over other heads scrolls before the lanes know of them; they come next.
     for track, row in zip(design.inputs, rows, strict=False):
-        heard = track.id in audible
+        audible = track.id in audible_ids
         # What is muted meanwhile has no problem any more.
-        problem = problems.get(track.id, "") if heard else ""
+        problem = problems.get(track.id, "") if audible else ""
         lanes.append(
             Lane(
                 track=track,
                 top_px=float(top_px),
                 height_px=float(row.height()),
-                silent="cannot be played" if problem else _why_silent(track, heard=heard),
+                silent="cannot be played" if problem else _silence_reason(track, audible=audible),
                 problem=problem,
                 selected=track.id in view.selected_inputs,
             )
@@ -611,10 +611,10 @@ def lanes_of(
     return tuple(lanes)
 
 
-def _why_silent(track: Input, *, heard: bool) -> str:
+def _silence_reason(track: Input, *, audible: bool) -> str:
     if track.muted:
         return "muted"
-    if not heard:
+    if not audible:
         return "another track is solo"
     return "" if track.clips else "no clips: double click to add one"
 
@@ -634,7 +634,7 @@ class TimelinePanel(Panel):
         super().__init__(parent)
         self._clips, self._heads = TimelineEdits(self), Heads(self)
         # What each clip plays, and the clips as they were then, by their ids.
-        self._then: Mapping[int, Clip] = {}
+        self._computed_clips: Mapping[int, Clip] = {}
         self._waveforms: Mapping[int, Floats] = {}
         self._design, self._view = Design(limb=""), View()
         self._list = self._heads.list
@@ -697,28 +697,29 @@ class TimelinePanel(Panel):
         self._show_foot("")
         self._table.lanes.sample_rate_hz = results["sample_rate_hz"]
         clips = (clip for track in results["inputs"] for clip in track.clips)
-        self._then = {clip.id: clip for clip in clips}
+        self._computed_clips = {clip.id: clip for clip in clips}
         self._waveforms = waveforms_of(results)
         self.show_late(self.late)
 
     def show_unplayable(self, unplayable: tuple[UnplayableInput, ...]) -> None:
         self._table.show_problems({track.id: track.problem for track in unplayable})
 
-    def show_late(self, late: bool) -> None:
+    def show_late(self, stale: bool) -> None:
         # What a clip that plays something else now played would be drawn as long as that.
         shown, awaited = self._waveforms, frozenset[int]()
-        if late:
+        if stale:
             clips = [clip for track in self._design.inputs for clip in track.clips]
             awaited = frozenset(
                 clip.id
                 for clip in clips
-                if clip.id not in self._then or not _play_alike(clip, self._then[clip.id])
+                if clip.id not in self._computed_clips
+                or not _play_same(clip, self._computed_clips[clip.id])
             )
             shown = {clip: played for clip, played in shown.items() if clip not in awaited}
         self._table.lanes.show_waveforms(shown, awaited)
 
     def show_problem(self, reason: str) -> None:
-        self._then, self._waveforms = {}, {}
+        self._computed_clips, self._waveforms = {}, {}
         self.show_late(self.late)
         self._show_foot(reason)
 
@@ -737,9 +738,9 @@ class TimelinePanel(Panel):
         shown = (
             GesturePreview()
             if place is None
-            else GesturePreview(guide_s=place.onset_s, words="A clip here")
+            else GesturePreview(guide_s=place.onset_s, label="A clip here")
         )
-        lanes.over.show_over(shown, QPointF(lanes.mapFrom(self, at or QPoint())))
+        lanes.overlay.show_preview(shown, QPointF(lanes.mapFrom(self, at or QPoint())))
 
     def _connect(self) -> None:
         lanes, clips, toolbar = self._table.lanes, self._clips, self._table.toolbar
@@ -750,43 +751,43 @@ class TimelinePanel(Panel):
             part.playhead_wanted.connect(self.playhead_wanted)
             part.clip_wanted.connect(clips.add)
             part.marker_wanted.connect(clips.add_marker)
-            part.opened.connect(self._open)
-        lanes.mouse.elsewhere = self._elsewhere
+            part.opened.connect(self._open_clip_editor)
+        lanes.mouse.elsewhere = self._drop_place_elsewhere
         lanes.gain.edited.connect(self.edited)
-        lanes.looked.connect(self._look)
+        lanes.view_changed.connect(self._show_view)
         menu = LanesMenu(lambda: lanes.content, clips, lanes.gain, lanes)
         menu.edited.connect(self.edited)
-        menu.looked.connect(self._look)
-        menu.opened.connect(self._open)
+        menu.view_changed.connect(self._show_view)
+        menu.opened.connect(self._open_clip_editor)
         lanes.menu_wanted.connect(menu.open)
         lanes.keys.copied.connect(clips.copy)
         lanes.keys.cut.connect(clips.cut)
         lanes.keys.pasted.connect(clips.paste)
-        lanes.keys.zoomed.connect(lanes.seen.zoom)
-        lanes.keys.everything_wanted.connect(lanes.seen.show_everything)
+        lanes.keys.zoomed.connect(lanes.time_zoom.zoom)
+        lanes.keys.everything_wanted.connect(lanes.time_zoom.show_everything)
         toolbar.snaps_wanted.connect(lanes.set_snaps)
-        toolbar.zoom_wanted.connect(lanes.seen.zoom)
-        toolbar.everything_wanted.connect(lanes.seen.show_everything)
+        toolbar.zoom_wanted.connect(lanes.time_zoom.zoom)
+        toolbar.everything_wanted.connect(lanes.time_zoom.show_everything)
 
-    def _look(self, view: View) -> None:
+    def _show_view(self, view: View) -> None:
         if view != self._view:
             self.view_changed.emit(view)
 
-    def _elsewhere(self, at: QPointF | None) -> DropPlace | None:
+    def _drop_place_elsewhere(self, at: QPointF | None) -> DropPlace | None:
         lanes = self._table.lanes
         # What is held over the lanes themselves goes to one of them.
         if at is None or QRectF(lanes.rect()).contains(at):
             return self.held_over(None)
         return self.held_over(lanes.mapToGlobal(at).toPoint())
 
-    def _open(self, clip: int) -> None:
+    def _open_clip_editor(self, clip: int) -> None:
         self.action_wanted.emit("show_clip_editor")
 
-    def _show_foot(self, words: str) -> None:
-        self._foot.setText(words)
-        self._foot.setVisible(bool(words))
+    def _show_foot(self, text: str) -> None:
+        self._foot.setText(text)
+        self._foot.setVisible(bool(text))
 
 
-def _play_alike(clip: Clip, other: Clip) -> bool:
+def _play_same(clip: Clip, other: Clip) -> bool:
     """Whether two clips sound alike, apart from when and how loud."""
     return clip.waveform == other.waveform and clip.effects == other.effects

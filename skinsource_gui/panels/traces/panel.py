@@ -88,7 +88,7 @@ class TracesPanel(SignalPanel):
         self._view, self._settings = View(), TracesSettings()
         self._delay = self._plot.toolbar.add_switch(
             "remove-delay",
-            *_switch_words(facts_of("").pre_trigger_delay_s),
+            *_switch_text(facts_of("").pre_trigger_delay_s),
             self._remove_delay,
         )
         self._relative = self._plot.toolbar.add_switch(
@@ -175,7 +175,7 @@ class TracesPanel(SignalPanel):
         self._plot.show_curves(
             curves,
             synthetic=facts_of(results["limb"]).synthetic,
-            notes=_axis_notes(_heard(results.get("selected_without_main_axis", ()), results)),
+            notes=_axis_notes(_sounding(results.get("selected_without_main_axis", ()), results)),
         )
 
     def _show_delay(self, delay_s: float) -> None:
@@ -183,9 +183,9 @@ class TracesPanel(SignalPanel):
         if delay_s == self._delay_s:
             return
         self._delay_s = delay_s
-        words, hint = _switch_words(delay_s)
-        self._delay.setText(words)
-        self._delay.setToolTip(tooltip(words, hint))
+        text, hint = _switch_text(delay_s)
+        self._delay.setText(text)
+        self._delay.setToolTip(tooltip(text, hint))
         self._delay.setVisible(delay_s > 0.0)
 
     def _apply_view(self) -> None:
@@ -230,7 +230,7 @@ class TracesPanel(SignalPanel):
             self.view_changed.emit(changed)
 
 
-def _switch_words(delay_s: float) -> tuple[str, str]:
+def _switch_text(delay_s: float) -> tuple[str, str]:
     """What the switch of the delay says, and its hint."""
     delay = f"{delay_s * 1e3:.3g} ms"
     return (
@@ -240,7 +240,7 @@ def _switch_words(delay_s: float) -> tuple[str, str]:
     )
 
 
-def _said(delay_s: float, *, removed: bool) -> tuple[str, ...]:
+def _delay_notes(delay_s: float, *, removed: bool) -> tuple[str, ...]:
     """What is said of the delay after the unit, longest first."""
     delay = f"{delay_s * 1e3:.3g} ms"
     if delay_s == 0.0:
@@ -258,9 +258,9 @@ def _said(delay_s: float, *, removed: bool) -> tuple[str, ...]:
 @cache
 def _axis(unit: str, delay_s: float, *, removed: bool) -> XAxis:
     """The time axis in ms or s, which says what became of the delay."""
-    said = _said(delay_s, removed=removed)
+    notes = _delay_notes(delay_s, removed=removed)
     return XAxis(
-        titles=tuple(f"Time ({unit}){words}" for words in said),
+        titles=tuple(f"Time ({unit}){note}" for note in notes),
         unit=unit,
         column="time_s",
         factor=1e3 if unit == "ms" else 1.0,
@@ -270,13 +270,13 @@ def _axis(unit: str, delay_s: float, *, removed: bool) -> XAxis:
 
 def _without_beginning(axis: XAxis, early_s: float, extent: tuple[float, float]) -> XAxis:
     """The axis from 0 on, which says that there is something before."""
-    said = f" · not shown: {early_s:.2g} s before 0, where an equaliser of linear phase rings"
+    note = f" · not shown: {early_s:.2g} s before 0, where an equaliser of linear phase rings"
     short = f" · {early_s:.2g} s before 0 not shown"
-    titles = tuple(f"{axis.titles[-1]}{words}" for words in (said, short))
+    titles = tuple(f"{axis.titles[-1]}{text}" for text in (note, short))
     return replace(axis, extent=extent, titles=(*titles, axis.titles[-1]))
 
 
-def _heard(outputs: tuple[int, ...], results: Mapping[str, Any]) -> tuple[int, ...]:
+def _sounding(outputs: tuple[int, ...], results: Mapping[str, Any]) -> tuple[int, ...]:
     # Silence moves along no axis, and nobody misses one.
     if not outputs:
         return ()

@@ -37,7 +37,7 @@ class TransferContent:
     ``coherence`` says whether it is drawn in place of magnitudes.
     """
 
-    found: Transfer
+    transfer: Transfer
     outputs: tuple[int, ...]
     unit: str
     coherence: bool
@@ -60,7 +60,7 @@ class TransferPicture(Figure):
     def show_transfer(self, shown: TransferContent) -> None:
         """Take over what to show."""
         self.shown = shown
-        highest = float(decibels(shown.found.magnitude).max())
+        highest = float(decibels(shown.transfer.magnitude).max())
         self._top_db = self._held.follow(highest, highest, "level")[1]
         self.say("")
         self.read_again()
@@ -69,7 +69,7 @@ class TransferPicture(Figure):
         shown = self.shown
         if shown is None:
             return
-        frequency_hz = shown.found.frequency_hz
+        frequency_hz = shown.transfer.frequency_hz
         x = Axis(shown=(0.0, float(frequency_hz[-1])), title="Frequency (Hz)")
         if shown.coherence:
             y = Axis(shown=(0.0, 1.0), title="Coherence")
@@ -99,22 +99,22 @@ class TransferPicture(Figure):
         place = None if self.axes is None else self.axes.value_at(at)
         if place is None or self.shown is None:
             return ""
-        transfer = self.shown.found
+        transfer = self.shown.transfer
         k = int(np.argmin(np.abs(transfer.frequency_hz - place[0])))
-        said = [f"{transfer.frequency_hz[k]:.1f} Hz, dB and coherence"]
+        parts = [f"{transfer.frequency_hz[k]:.1f} Hz, dB and coherence"]
         for rank, output in enumerate(self.shown.outputs):
             level = float(decibels(transfer.magnitude[rank, k]))
-            said.append(f"{output}: {level:z.1f}, {transfer.coherence[rank, k]:.2f}")
-        return minus(" · ".join(said))
+            parts.append(f"{output}: {level:z.1f}, {transfer.coherence[rank, k]:.2f}")
+        return minus(" · ".join(parts))
 
     def keys_area(self) -> QRectF:
         return QRectF() if self.axes is None or self.message else self.axes.frame
 
     def _shade(self, painter: QPainter, axes: Axes) -> None:
         """What was not measured, where that is known."""
-        if self.shown is None or self.shown.found.band_hz is None:
+        if self.shown is None or self.shown.transfer.band_hz is None:
             return
-        band_hz = np.array(self.shown.found.band_hz)
+        band_hz = np.array(self.shown.transfer.band_hz)
         colour = QColor(current_theme().grid)
         colour.setAlpha(140)
         frame = axes.frame
@@ -124,7 +124,7 @@ class TransferPicture(Figure):
             painter.fillRect(QRectF(QPointF(high, frame.top()), frame.bottomRight()), colour)
 
     def _draw_curve(self, painter: QPainter, axes: Axes, shown: TransferContent, rank: int) -> None:
-        transfer = shown.found
+        transfer = shown.transfer
         values = transfer.coherence[rank] if shown.coherence else decibels(transfer.magnitude[rank])
         painter.setPen(current_theme().output_pen(rank, 1.4))
         painter.drawPolyline(axes.polygon(transfer.frequency_hz, values))
@@ -137,7 +137,7 @@ class TransferPicture(Figure):
 
     def _draw_bars(self, painter: QPainter, axes: Axes, shown: TransferContent) -> None:
         """Bands that can be used, as bars at the foot."""
-        bands = shown.found.usable_hz
+        bands = shown.transfer.usable_hz
         step, thick = bar_sizes(len(bands), axes.frame.height())
         foot = axes.frame.bottom() - UNIT_PX / 2
         for rank, (low, high) in enumerate(bands):
@@ -273,7 +273,7 @@ class TransferPanel(FigurePanel):
         unit = transfer_unit(results)
         self.picture.show_transfer(
             TransferContent(
-                found=transfer, outputs=outputs, unit=unit, coherence=self._settings.coherence
+                transfer=transfer, outputs=outputs, unit=unit, coherence=self._settings.coherence
             )
         )
         place, limb = results["transfer_place"], results["limb_data"]
@@ -285,22 +285,22 @@ class TransferPanel(FigurePanel):
             # Of a coherence nothing dotted is drawn.
             note = "" if self._settings.coherence else " · dotted: noise"
         self.place.say(f"From place {place}, {input_name(place, limb.name).name}{note}")
-        self.show_found(_usable_words(transfer, outputs))
+        self.show_found(_usable_text(transfer, outputs))
 
-    def _show_coherence(self, wanted: bool) -> None:
-        settings = replace(self._settings, coherence=wanted)
+    def _show_coherence(self, coherence: bool) -> None:
+        settings = replace(self._settings, coherence=coherence)
         self.view_changed.emit(with_settings(self._view, self.name, settings))
 
 
-def _usable_words(transfer: Transfer, outputs: tuple[int, ...]) -> str:
+def _usable_text(transfer: Transfer, outputs: tuple[int, ...]) -> str:
     """Where the response is more than noise; outputs with the same band together."""
-    alike: dict[str, list[int]] = {}
+    outputs_by_band: dict[str, list[int]] = {}
     for output, (low, high) in zip(outputs, transfer.usable_hz, strict=True):
         band = f"{low:.0f}–{high:.0f} Hz" if np.isfinite(low) else "nowhere"
-        alike.setdefault(band, []).append(output)
-    said = [f"{_numbers(those)}: {band}" for band, those in alike.items()]
+        outputs_by_band.setdefault(band, []).append(output)
+    parts = [f"{_numbers(those)}: {band}" for band, those in outputs_by_band.items()]
     low, high = transfer.band_hz or (0.0, float(transfer.frequency_hz[-1]))
-    return f"Coherence ≥ {LEAST_COHERENCE:g} from {low:g} to {high:g} Hz: {' · '.join(said)}"
+    return f"Coherence ≥ {LEAST_COHERENCE:g} from {low:g} to {high:g} Hz: {' · '.join(parts)}"
 
 
 def _numbers(outputs: list[int]) -> str:
@@ -309,5 +309,5 @@ def _numbers(outputs: list[int]) -> str:
         return ", ".join(map(str, outputs))
     ordered = np.unique(outputs)
     runs = np.split(ordered, np.flatnonzero(np.diff(ordered) > 1) + 1)
-    said = (f"{run[0]}–{run[-1]}" if len(run) > 1 else f"{run[0]}" for run in runs)
-    return f"{len(ordered)} outputs ({', '.join(said)})"
+    ranges = (f"{run[0]}–{run[-1]}" if len(run) > 1 else f"{run[0]}" for run in runs)
+    return f"{len(ordered)} outputs ({', '.join(ranges)})"

@@ -191,13 +191,13 @@ class WavePanel(FigurePanel):
         left_out = len(outputs) - len(line.outputs)
         note = f" · {left_out} not on the map" if left_out else ""
         synthetic = " · synthetic limb" if results["limb_data"].synthetic else ""
-        several = f" · {_OVERLAP}" if _several(results["voices"]) else ""
+        several = f" · {_OVERLAP}" if _has_several_places(results["voices"]) else ""
         self.show_found(f"{wave_text(line.wave)}{several}{note}{synthetic}")
 
     def show_in_sight(self, names: frozenset[str]) -> None:
-        said = self.figure.message == self._few()
+        was_empty = self.figure.message == self._few()
         super().show_in_sight(names)
-        if said:
+        if was_empty:
             self.figure.say(self._few())
 
     def table(self) -> str:
@@ -247,7 +247,7 @@ def wave_text(wave: TravellingWave) -> str:
     return f"{speed} · attenuation {loss} dB/cm, spreading included{unsure}".replace("-", "−")
 
 
-def _several(voices: Sequence[Voice]) -> bool:
+def _has_several_places(voices: Sequence[Voice]) -> bool:
     """Whether waves come from more than one place: then none of them is seen alone."""
     return len({voice.location for voice in voices if voice.heard and voice.amplitude != 0.0}) > 1
 

@@ -84,7 +84,7 @@ def test_curves_are_painted_again_only_when_they_look_different(tone, monkeypatc
     tone.canvas.grab()
     painted.clear()
     # The points follow the pointer before it is known what they make of the clip.
-    tone.panel._shaping.tool.move(tone.canvas.content, tone.at(0.1, 0.5), NONE)
+    tone.panel._envelope.tool.move(tone.canvas.content, tone.at(0.1, 0.5), NONE)
     before = tone.canvas.grab().toImage()
     assert painted == []
     other = 0.25 * tone.drawn

@@ -85,7 +85,7 @@ def test_bounding_leaves_what_lies_within_the_band(flat, qtbot):
     slow = np.sin(2 * np.pi * 10 * time_s) + np.sin(2 * np.pi * 100 * time_s)
     bench = Bench(qtbot, Drawn(Samples(values=slow / 2, sample_rate_hz=RATE_HZ)))
     assert bench.panel._spectrum.outside == pytest.approx(0.5, abs=0.01)
-    bench.panel._drawing.bound()
+    bench.panel._pen_edits.bound()
     # What is left outside comes from the hard ends.
     assert bench.panel._spectrum.outside < 1e-3
     np.testing.assert_allclose(bench.drawn, np.sin(2 * np.pi * 100 * time_s) / 2, atol=1e-9)

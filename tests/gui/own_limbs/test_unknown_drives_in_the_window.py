@@ -175,7 +175,7 @@ def test_strengths_of_snapshots_are_told_in_it(limbs, make_window, qtbot, limb, 
     window = make_window(design, replace(view, snapshots=snapshots, levels_matched=False))
     window.docks["linearity"].bring_forward()
     panel = window.panel("linearity")
-    qtbot.waitUntil(lambda: panel.found is not None and not window.engine.busy, **WAIT)
+    qtbot.waitUntil(lambda: panel.result is not None and not window.engine.busy, **WAIT)
     over, growth, _ = panel.picture.diagrams
     assert growth.x.title == f"Strength ({unit})"
     assert over.y.title == f"Divided (m/s² per {unit})"

@@ -22,7 +22,7 @@ def shown(panel, qtbot, n):
     def complete():
         cells = panel.maps.content.cells
         drawn = [cell for cell in cells if cell.small is not None]
-        return len(drawn) == n and not panel.maps.content.late
+        return len(drawn) == n and not panel.maps.content.stale
 
     qtbot.waitUntil(complete, timeout=60_000)
     return panel.maps.content.cells
