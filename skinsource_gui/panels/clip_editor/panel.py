@@ -70,9 +70,6 @@ class EditorBody(QWidget):
         self._layout.activate()
 
 
-# What there was before a drag, so that it can be given up.
-
-
 class DragStart:
     """Remembers the design and the view that the first edit of a drag was made of."""
 
@@ -88,9 +85,6 @@ class DragStart:
     def undo(self, gesture: int) -> Edit | None:
         """The edit that gives up a drag; None where it has changed nothing."""
         return self._before if gesture == self._gesture else None
-
-
-# What the pen does to the clip in the editor.
 
 
 class PenEdits(QWidget):
@@ -163,8 +157,6 @@ class PenEdits(QWidget):
     def _refuse(self, why: str) -> None:
         self.edited.emit(Refusal(sentence=sentence(why)), None)
 
-
-# Tools of the editor, and words about its clip.
 
 _PLACE = "clip_editor"
 _TOOLS = (
@@ -265,9 +257,6 @@ class EditorToolbar(QWidget):
         return button
 
 
-# A point that a key adds to a curve.
-
-
 def add_point(tool: EnvelopeTool, points: Points, end_s: float) -> None:
     """Add a point on the curve, halfway from the chosen one to the next, or to ``end_s``.
 
@@ -278,8 +267,6 @@ def add_point(tool: EnvelopeTool, points: Points, end_s: float) -> None:
     tool.chosen = (number,)
     tool.changed.emit(added, None)
 
-
-# What the glide tool does to the clip in the editor.
 
 _LEAP = 10
 _Key = Qt.Key
@@ -380,8 +367,6 @@ def _curve(points: Points) -> Curve:
     return tuple((x, y) for x, y, _ in points)
 
 
-# What the envelope tool does to the clip in the editor.
-
 #: One step of an arrow key; with Shift ten.
 STEP_S, STEP = 0.001, 0.01
 
@@ -453,8 +438,6 @@ class EnvelopeEdits(QObject):
         if back is not None:
             self.edited.emit(back, gesture)
 
-
-# The selected clip, large: looked at, drawn, shaped.
 
 _NO_GLIDE = Refusal(sentence="The clip does not play a glide; choose that waveform first.")
 _ZOOM = 1.5

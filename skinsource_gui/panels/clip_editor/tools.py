@@ -56,8 +56,6 @@ class CurveStyle:
     how: str = ""
 
 
-# The points of a curve, and what is written beside the chosen one.
-
 _POINT_PX, _HOVERED_PX = 3.5, 5.0
 # Room for a point and its line.
 _DOT_PX = 10
@@ -125,8 +123,6 @@ def _dot(line: str, ground: str, ratio: float) -> QPixmap:
     painter.end()
     return dot
 
-
-# The box around chosen points: its handles scale them.
 
 #: How near the pointer takes hold of a handle, px.
 CATCH_PX = 6.0
@@ -236,9 +232,6 @@ def _handles(
     return handles
 
 
-# A drag of breakpoints in the clip editor.
-
-
 @dataclass(slots=True)
 class Drag:
     """Points as they were when the button went down, and which of them move."""
@@ -254,9 +247,6 @@ class Drag:
     moved: bool = False
     # The points without the one that the press added.
     before: Points = ()
-
-
-# A pointer that reads values.
 
 
 class ViewTool(QObject):
@@ -324,8 +314,6 @@ class ViewTool(QObject):
         painter.setBrush(QColor(theme.accent))
         painter.drawEllipse(here, 3, 3)
 
-
-# A pen that draws samples.
 
 _FULL = 1.0
 
@@ -420,8 +408,6 @@ class Pen(QObject):
         full = max(_FULL, content.reach) if content.reach > REACH else _FULL
         return max(time_s, 0.0), min(max(value, -full), full)
 
-
-# Breakpoints over the waveform.
 
 #: How near the pointer takes hold of a point, or of the curve, px.
 ENVELOPE_CATCH_PX = 9.0
@@ -657,8 +643,6 @@ def _segment_at(content: EditorContent, points: Points, at: QPointF) -> int | No
         return None
     return sum(point[0] <= time_s for point in points) - 1
 
-
-# Frequency and amplitude of a glide, as two curves over its waveform.
 
 _GLIDE_HOW = (
     "Drag the points of frequency and amplitude; a click on a line, or a double click, adds one"

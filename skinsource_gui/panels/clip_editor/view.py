@@ -113,8 +113,6 @@ def reach_of(*signals: Floats | None) -> float:
     return float(np.ceil(peak * 1.02 / step) * step)
 
 
-# What every tool is.
-
 Modifier = Qt.KeyboardModifier
 Button = Qt.MouseButton
 
@@ -154,8 +152,6 @@ class Tool(Protocol):
     def paint(self, painter: QPainter, content: EditorContent, theme: Theme) -> None:
         """Paint what belongs to the tool over the curve."""
 
-
-# The curve of one clip, with its axes.
 
 _TICK_PX, _ROW_PX = 64.0, 28.0
 _PALE = 0.4
@@ -336,8 +332,6 @@ def _places(content: EditorContent, points: Points) -> tuple[Floats, Floats]:
     return x, area.center().y() - points.y[0] / content.reach * area.height() / 2
 
 
-# Which part of a clip the editor shows.
-
 # Behind the end there is room to draw on.
 _BEHIND = 0.06
 _LEAST_S = 0.01
@@ -445,8 +439,6 @@ class VisibleClip(QObject):
         self._shown_s = shown_s
         self.changed.emit()
 
-
-# The part of the editor in which a clip is drawn.
 
 _TEXT = 0.9
 _LEFT_PX, _RIGHT_PX, _TOP_PX, _BOTTOM_PX = 40.0, 10.0, 6.0, 20.0
@@ -585,8 +577,6 @@ class EditorView(Canvas):
         )
         self.item.show_content(self.content, self._tool, whole)
 
-
-# Spectrum of one clip, with the measured band.
 
 _STRIP_LEFT_PX, _STRIP_RIGHT_PX, _STRIP_BOTTOM_PX = 40, 10, 18
 _SPAN_DB = 60.0

@@ -130,8 +130,6 @@ def card_text(compared: Compared, *, present: bool) -> str:
     return ", ".join(part for part in parts if part)
 
 
-# A snapshot as a card: its map, its number, how loud it is.
-
 _PLACE = "snapshot"
 _RADIUS_PX, _FRAME_PX, _TALLEST_PX, _RINGS_PX = 4, 2, 200, 6
 
@@ -294,8 +292,6 @@ def fitted_level(painter: QPainter, text: str, width: float) -> str:
     wide = painter.fontMetrics().horizontalAdvance(text) > width
     return text.removesuffix(" dB") if wide else text
 
-
-# A map of how much louder one design is than another.
 
 _LEAST_MAP_PX = 70.0
 

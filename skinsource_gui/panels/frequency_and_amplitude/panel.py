@@ -63,8 +63,6 @@ class Heading(QLabel):
         return self.fontMetrics().boundingRect(room, _WRAPPED, text).height()
 
 
-# What is turned in front of an audience.
-
 ALL, FREQUENCY, AMPLITUDE, ONSET = "all", "frequency", "amplitude", "onset"
 CONTROL = ChoiceSpec(
     label="Turn",
@@ -93,8 +91,6 @@ class ControlSettings:
     def __post_init__(self) -> None:
         fields.check(self)
 
-
-# Frequency and amplitude of the selected input, large, for presenting.
 
 _FREQUENCY, _ONSET = "frequency_hz", "onset_s"
 

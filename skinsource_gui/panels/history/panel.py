@@ -97,8 +97,6 @@ def _clock(step: Step) -> str:
     return time.strftime("%H:%M:%S", time.localtime(step.at_s))
 
 
-# Draws a row of the history.
-
 # Label and time share a row as long as so much of it is left for the label.
 _BAR_PX, _LEAST_WORDS = 3, 0.5
 
@@ -150,8 +148,6 @@ def row_text(metrics: QFontMetrics, label: str, time: str, room_px: int) -> tupl
     left = max(room_px - width, 0)
     return metrics.elidedText(label, Qt.TextElideMode.ElideRight, left), time
 
-
-# Panel of what was done, in which one goes back and forth.
 
 _PLACE = "history"
 

@@ -51,9 +51,6 @@ class Diagram:
     curves: tuple[Curve, ...]
 
 
-# In which unit strengths of a stimulus are told, beside the amplitudes that they are set in.
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StrengthUnit:
     """Of strengths.
@@ -97,8 +94,6 @@ def of_velocities(m_per_s_each: float) -> StrengthUnit:
         si_factor=m_per_s_each,
     )
 
-
-# What the panel shows of a proportion, or of a superposition: diagrams, words, and numbers.
 
 # Of long responses this much is drawn, around the loudest instant, where no zoom says which part.
 _SHOWN_S = 0.03
@@ -341,8 +336,6 @@ def _around(values: Floats, title: str, short: str = "") -> Axis:
 def _top(values: Floats) -> float:
     return 1.1 * float(values.max()) or 1.0
 
-
-# What only the panel of linearity looks at.
 
 VELOCITY = SwitchSpec(
     label="In mm/s",

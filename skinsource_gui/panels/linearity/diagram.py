@@ -93,8 +93,6 @@ def _apart(at: list[float], step: float, top: float, bottom: float) -> list[floa
     return placed
 
 
-# Diagrams of lines and dots, as they are drawn.
-
 # Where a diagram is narrower than so many lines its letters are smaller, down to a part and to px.
 _LINES_WIDE, _DIAGRAM_LEAST_PART, _LEAST_PX = 10.0, 0.5, 11.0
 

@@ -97,8 +97,6 @@ def _compared_designs(compared: Sequence[Compared], text: str = "") -> ComparedD
     )
 
 
-# The numbers of the panel for a spreadsheet.
-
 _Lines = list[tuple[str, ...]]
 
 
@@ -161,8 +159,6 @@ def _by_band(result: Proportion, channels: list[str], unit: StrengthUnit) -> _Li
         lines.append((copied(frequency_hz), *map(copied, levels), *map(copied, r2)))
     return lines
 
-
-# What snapshots show of the linear model: strengths in proportion, inputs that add up.
 
 _NEEDS = frozenset(
     {

@@ -172,8 +172,6 @@ def _cell_size(room: QRectF, count: int, n_planes: int, line: float) -> tuple[fl
     return best
 
 
-# Along which direction each selected output moves most.
-
 _SINGLE = "A single axis has no main axis: choose two or three axes above"
 _ALONG_ONE = "A single axis has no main axis, and this limb was measured along one alone"
 _ABOUT = "Ellipses of one standard deviation; the line is the main axis"

@@ -187,8 +187,6 @@ class SideBySideContent:
         return f"{output_text(output, drawn[0].limb)}: {values}"
 
 
-# The maps of designs side by side: their levels, their differences, their mean and spread.
-
 #: What something is called, in ever fewer words.
 Names = tuple[str, ...]
 
@@ -420,8 +418,6 @@ def _synthetic(side: Compared) -> bool:
     return side.values is not None and bool(side.values["limb_data"].synthetic)
 
 
-# What only the panel of maps side by side looks at.
-
 OF = ChoiceSpec(
     label="Of",
     options=(("limbs", "Limbs"), ("snapshots", "Snapshots"), ("axes", "Axes")),
@@ -479,8 +475,6 @@ class SideBySideSettings:
             return related_limbs(limb)
         return tuple(dict.fromkeys(self.limbs.split()))[:MOST_BESIDE]
 
-
-# What can stand side by side: where it comes from, and what is said of it.
 
 #: What a map of levels takes.
 LEVELS = frozenset(
@@ -589,8 +583,6 @@ class Kind:
         return cells.of_spread(compared, names, reference, level_look(view))
 
 
-# The present design along each axis of the sensors.
-
 #: What is told axis by axis, and what a map calls it.
 _PER_AXIS = {
     "axis_levels_db": "output_levels_db",
@@ -630,8 +622,6 @@ class OfAxes(Kind):
         return " · ".join(part for part in (text, display_gain_text(design, view)) if part)
 
 
-# The present design on several limbs.
-
 ALONE = "There is no other limb with these outputs. Choose some under Limbs."
 
 
@@ -666,9 +656,6 @@ class OfLimbs(Kind):
         if len(compared) == 1:
             return compared[0].problem or ALONE
         return super().hindrance(compared, view)
-
-
-# Snapshots: of the present design, and designs of files.
 
 
 class OfSnapshots(Kind):
@@ -737,9 +724,6 @@ def _own_parts(titles: Sequence[str]) -> dict[str, str]:
     ):
         n_common += 1
     return {title: " · ".join(each[n_common:]) for title, each in zip(titles, parts, strict=True)}
-
-
-# The numbers of maps side by side, for a spreadsheet.
 
 
 def tab_separated(content: SideBySideContent) -> str:

@@ -44,9 +44,6 @@ from skinsource_gui.state.panel import Panel
 KINDS: dict[str, Kind] = {"limbs": OfLimbs(), "snapshots": OfSnapshots(), "axes": OfAxes()}
 
 
-# The button with which limbs are chosen to stand side by side.
-
-
 class LimbsButton(QToolButton):
     """Opens a list of all limbs, of which two to four are ticked.
 
@@ -103,8 +100,6 @@ class LimbsButton(QToolButton):
         without = tuple(limb for limb in self._chosen if limb != name)
         self.limbs_chosen.emit(without if name in self._chosen else (*self._chosen, name))
 
-
-# What is chosen above the maps: of what, what of it, and on which limbs.
 
 # A panel that shows fewer lines of text has no room for many rows: so many choices stand in each.
 _LINES_WITH_ROOM, _BESIDE = 14, 2
@@ -204,8 +199,6 @@ class ChoicesBar(QWidget):
         settings = replace(self.settings, **changes)
         self.view_changed.emit(with_settings(self._view, self._panel_name, settings))
 
-
-# Maps of limbs, of snapshots or of axes side by side: one scale, one pointer, one selection.
 
 # In letters of any size, px.
 _LEAST = QSize(240, 230)

@@ -155,8 +155,6 @@ def _cell(whole: QRectF, line: float, scale_height: float, heading: float) -> Ce
     )
 
 
-# What stands above the maps: on several lines where there is no room for it on one.
-
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 _MOST_LINES = 4
 # A number stays with what it numbers.
@@ -220,9 +218,6 @@ def _with_joined_numbers(text: str) -> str:
     return _BEFORE_NUMBER.sub("\N{NO-BREAK SPACE}", text)
 
 
-# Maps side by side as they lie in a widget: which is where, and where their outputs are.
-
-
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class VisibleMaps:
     """What is shown, and where that is."""
@@ -246,8 +241,6 @@ class VisibleMaps:
         cells = enumerate(self.places.cells)
         return next((k for k, place in cells if place.whole.contains(point)), before)
 
-
-# Draws maps side by side, what is selected and pointed at in all of them, and their scales.
 
 _PALE, _BAND_ALPHA = 0.5, 0.15
 
@@ -373,8 +366,6 @@ def fitting(painter: QPainter, wordings: Sequence[str], width: float) -> str:
     shortest = metrics.elidedText(wordings[-1], Qt.TextElideMode.ElideRight, int(width))
     return next(fits, shortest)
 
-
-# Maps side by side as a widget: what is pointed at in one of them is marked in all.
 
 # Those keys of the skin map that are about outputs.
 _KEYS = frozenset({"go", "select", "toggle", "select_all", "select_none"})

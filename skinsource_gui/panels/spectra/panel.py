@@ -79,8 +79,6 @@ class SpectraSettings:
         fields.check(self)
 
 
-# What the spectra show of results: which quantity, in which unit, and what is said of it.
-
 _HOLD, _LOUDEST = (f"{window_s * 1e3:.0f} ms" for window_s in (HOLD_WINDOW_S, LOUDEST_WINDOW_S))
 # What the height of a curve means, longest first.
 _SCALINGS = {
@@ -200,8 +198,6 @@ def _inside(frequency_hz: Floats, band_hz: Band | None) -> NDArray[np.bool_]:
     # A band between two frequencies holds none: then all count.
     return inside if inside.any() else ~inside
 
-
-# Amplitude spectra of the selected outputs.
 
 _LOWEST_HZ = 10.0
 # Settings that change the frequency axis alone: curves stay.

@@ -227,8 +227,6 @@ def _frequency_axis(shown: SpectrogramContent) -> Axis:
     return Axis(shown=shown.band_hz, title="Frequency (Hz)")
 
 
-# The spectrogram of one of the selected outputs.
-
 _NARROWEST_HZ, _MOST_NUMBER_PX = 5.0, 84
 
 

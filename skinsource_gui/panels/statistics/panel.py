@@ -126,8 +126,6 @@ def tab_separated(rows: tuple[StatisticsRow, ...]) -> str:
     return "\n".join(lines) + "\n"
 
 
-# Rows of figures, as Qt asks for them.
-
 _Index = QModelIndex | QPersistentModelIndex
 _Role = Qt.ItemDataRole
 
@@ -185,9 +183,6 @@ class TableModel(QAbstractTableModel):
         if role == _Role.TextAlignmentRole and section == 0:
             return int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         return None
-
-
-# Figures of the selected outputs, as a table that can be copied.
 
 
 class FigureTable(QTableView):

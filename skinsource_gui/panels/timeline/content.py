@@ -112,22 +112,6 @@ def boxes_of(
     return boxes
 
 
-def lane_at(lanes: Sequence[Lane], y_px: float) -> Lane | None:
-    """The lane at this height."""
-    return next((lane for lane in lanes if lane.top_px <= y_px < lane.bottom_px), None)
-
-
-def box_at(boxes: Sequence[Box], at: QPointF) -> Box | None:
-    """The uppermost clip at this place, or else one of which an end is within reach."""
-    for reach in (0.0, REACH_PX):
-        for box in reversed(boxes):
-            if box.rect.adjusted(-reach, 0, reach, 0).contains(at):
-                return box
-    return None
-
-
-# Where the gain curve of a track is on its lane.
-
 Curve = tuple[tuple[float, float], ...]
 
 #: How far away from a point, and from the line, the pointer catches it, px.
@@ -220,8 +204,6 @@ def gain_point_text(time_s: float, gain: float) -> str:
     return f"{value_text(time_s, 's', digits=5)} · × {gain:.4g} · {level}"
 
 
-# How long clips are, and all of them together.
-
 #: Behind the last clip, so much of the time can be seen; at least so much in all.
 AFTER_S, LEAST_S = 0.4, 0.5
 
@@ -240,8 +222,12 @@ class ClipLengths:
     ----------
     design
         Whose clips.
-    asked
-        How many clips were asked.
+    durations_s
+        Length of each clip, by its id.
+    whole_s
+        From 0 to a little behind the last clip.
+    n_computed
+        How many lengths were computed, not taken over.
     """
 
     def __init__(self, design: Design, before: "ClipLengths | None" = None) -> None:
@@ -250,19 +236,9 @@ class ClipLengths:
         self._known: Mapping[int, tuple[Clip, float]] = {
             clip.id: self._known_or_computed(clip, known) for clip in design.clips
         }
-        self._durations_s = {id: duration_s for id, (_, duration_s) in self._known.items()}
+        self.durations_s = {id: duration_s for id, (_, duration_s) in self._known.items()}
         ends = [clip.onset_s + duration_s for clip, duration_s in self._known.values()]
-        self._whole_s = (0.0, max(max(ends, default=0.0) + AFTER_S, LEAST_S))
-
-    @property
-    def durations_s(self) -> Mapping[int, float]:
-        """Length of each clip, by its id."""
-        return self._durations_s
-
-    @property
-    def whole_s(self) -> Range:
-        """From 0 to a little behind the last clip."""
-        return self._whole_s
+        self.whole_s: Range = (0.0, max(max(ends, default=0.0) + AFTER_S, LEAST_S))
 
     def of(self, design: Design) -> "ClipLengths":
         """Those of a design, most of whose clips are the same."""
@@ -277,8 +253,6 @@ class ClipLengths:
         self.n_computed += 1
         return clip, clip.duration_s
 
-
-# Where clips of a track lie over each other, and which of them are at a place.
 
 _MARK_PX = 4.0
 _ALPHA = 190
@@ -336,12 +310,6 @@ def paint_overlaps(
             painter.fillRect(QRectF(left, top, max(right - left, 2.0), _MARK_PX), colour)
 
 
-def boxes_at(boxes: Sequence[Box], at: QPointF) -> list[Box]:
-    """All clips at a place, in the order in which their track lists them."""
-    boxes_here = [box for box in boxes if box.rect.contains(at)]
-    return sorted(boxes_here, key=lambda box: box.lane.track.clips.index(box.clip))
-
-
 def next_id(ids: Sequence[int], current: int | None) -> int | None:
     """The next of several, the first after the last; None where there is no other."""
     if len(ids) < 2:
@@ -363,8 +331,6 @@ def clip_text(clip: Clip) -> str:
     """A clip in a list: ``"Tone · 120 ms"``."""
     return f"{clip.label or clip.waveform.title} · {value_text(clip.onset_s, 's', digits=5)}"
 
-
-# What the timeline shows.
 
 #: How high the ruler is where words have their usual size, px.
 RULER_PX = 26.0
@@ -509,16 +475,27 @@ class TimelineContent:
         return grid_step_s(self.scale.px_per_s)
 
     def box_at(self, at: QPointF) -> Box | None:
-        """The uppermost clip at a place; the ruler lies over all."""
-        return None if at.y() < self.ruler_px else box_at(self.boxes, at)
+        """Return the uppermost clip at a place, or else one of which an end is within reach."""
+        if at.y() < self.ruler_px:
+            return None
+        for reach in (0.0, REACH_PX):
+            for box in reversed(self.boxes):
+                if box.rect.adjusted(-reach, 0, reach, 0).contains(at):
+                    return box
+        return None
 
     def boxes_at(self, at: QPointF) -> list[Box]:
-        """All clips at a place, in the order of their track."""
-        return [] if at.y() < self.ruler_px else boxes_at(self.boxes, at)
+        """Return all clips at a place, in the order in which their track lists them."""
+        if at.y() < self.ruler_px:
+            return []
+        boxes = [box for box in self.boxes if box.rect.contains(at)]
+        return sorted(boxes, key=lambda box: box.lane.track.clips.index(box.clip))
 
     def lane_at(self, y_px: float) -> Lane | None:
-        """The lane at a height."""
-        return None if y_px < self.ruler_px else lane_at(self.lanes, y_px)
+        """Return the lane at a height."""
+        if y_px < self.ruler_px:
+            return None
+        return next((lane for lane in self.lanes if lane.top_px <= y_px < lane.bottom_px), None)
 
     def neighbours_s(self, without: frozenset[int] = frozenset()) -> list[float]:
         """Rising times that edges of the clips ``without`` may come to rest on."""
@@ -544,8 +521,6 @@ def ruler_px(line_px: float) -> float:
     """How high the ruler is where a line of text is so high, px."""
     return max(RULER_PX, line_px + 10.0)
 
-
-# What only the timeline looks at.
 
 #: Name of the panel, under which a view keeps its settings.
 TIMELINE = "timeline"
@@ -585,8 +560,6 @@ def toggle_gain_curves(design: Design, view: View, ids: Iterable[int]) -> Edit:
     after = shown - toggled if toggled <= shown else shown | toggled
     return Edit(label="Show gain curves", design=design, view=show_gain_curves(view, after))
 
-
-# Which part of a clip the pointer is on.
 
 _EDGE_PX, _CORNER_PX = 6.0, 11.0
 # A clip narrower than this is only moved by its inside; its ends are caught from beside it.
@@ -632,9 +605,6 @@ def part_at(rect: QRectF, at: QPointF, fades_px: tuple[float, float] = (0.0, 0.0
     if from_start < _EDGE_PX:
         return Part.START
     return Part.END if from_end < _EDGE_PX else Part.BODY
-
-
-# Which part of the time the lanes show.
 
 
 class TimeZoom(QObject):
@@ -694,8 +664,6 @@ class TimeZoom(QObject):
         if shown_s != view.time_range_s:
             self.view_changed.emit(replace(view, time_range_s=shown_s))
 
-
-# What is said of the part of a clip under the pointer.
 
 _NEXT = key_text("timeline", "below")
 _END = ("trim", "stretch")

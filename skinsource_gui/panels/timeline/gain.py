@@ -3,9 +3,8 @@
 from collections.abc import Callable
 from typing import Any
 
-import pyqtgraph
 from PySide6.QtCore import QLineF, QObject, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QKeyEvent, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QFontMetricsF, QKeyEvent, QPainter, QPen, QPolygonF
 
 from skinsource.design import edits
 from skinsource.design.effects.breakpoints import Points, moved, with_point
@@ -19,6 +18,7 @@ from skinsource_gui.panels.timeline.content import (
     toggle_gain_curves,
 )
 from skinsource_gui.panels.timeline.gestures import Gesture, GestureContext, Modifier, MoveGain
+from skinsource_gui.panels.timeline.painting import LaneLayer
 from skinsource_gui.qt.keys import meaning_of
 from skinsource_gui.qt.theme import current_theme
 
@@ -33,35 +33,22 @@ def has_hint(strip: GainStrip) -> bool:
     return strip.shown and strip.lane.selected and not strip.points
 
 
-class GainItem(pyqtgraph.GraphicsObject):
+class GainItem(LaneLayer):
     """Paints gain curves: those that are edited with points, others that do something as a hint."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setCacheMode(self.CacheMode.DeviceCoordinateCache)
         self.setZValue(0.5)
-        self._content: TimelineContent | None = None
-        self._font = QFont()
-        self._rect = QRectF(0, 0, 1, 1)
 
     def show_content(self, content: TimelineContent, rect: QRectF) -> None:
         """Paint something else, in this rectangle."""
-        if rect != self._rect:
-            self.prepareGeometryChange()
-            self._rect = rect
+        self._set_rect(rect)
         had = self._content is not None and bool(self._content.strips)
         self._content = content
         self.setVisible(bool(content.strips))
         if had or content.strips:
             self.update()
-
-    def show_font(self, font: QFont) -> None:
-        """Take over a font."""
-        self._font = font
-        self.update()
-
-    def boundingRect(self) -> QRectF:
-        return self._rect
 
     def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
         content = self._content
@@ -132,8 +119,6 @@ class GainItem(pyqtgraph.GraphicsObject):
         painter.setPen(QColor(theme.text))
         painter.drawText(label, Qt.AlignmentFlag.AlignCenter, text)
 
-
-# What mouse and keys do to the gain curves on the lanes.
 
 _PLACE = "timeline"
 _Key = Qt.Key

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from typing import Protocol
 
 from PySide6.QtCore import QPointF, QRectF, Qt
 
@@ -105,39 +104,37 @@ class GestureContext:
             self.applied = None
 
 
-class Gesture(Protocol):
-    """What happens between pressing a button and letting it go."""
+class Gesture:
+    """A drag, from pressing a button to letting it go."""
+
+    def __init__(self, context: GestureContext) -> None:
+        self._context = context
 
     def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
-        """The pointer is ``at``, with these keys held."""
+        """Follow the pointer to a place, with these keys held."""
+        raise NotImplementedError
 
     def finish(self) -> None:
-        """The button went up."""
+        """End when the button goes up: what has changed stays."""
 
     def cancel(self) -> None:
-        """Everything is as if it had not begun."""
+        """Put everything back as if the drag had not begun."""
+        self._context.undo()
 
-
-# Ends of a clip that are dragged: trimmed, stretched, faded.
 
 # No end comes nearer to the other one than this.
 _SHORTEST_S = 0.001
 
 
-class _EndDrag:
+class _EndDrag(Gesture):
     """An end that follows the pointer."""
 
     def __init__(self, context: GestureContext, box: Box, at: QPointF, part: Part) -> None:
-        self._context, self._clip, self._at, self._part = context, box.clip, at, part
+        super().__init__(context)
+        self._clip, self._at, self._part = box.clip, at, part
         self._start_s = box.clip.onset_s
         self._end_s = self._start_s + context.before.durations_s[box.clip.id]
         self._neighbours = context.before.neighbours_s(frozenset({box.clip.id}))
-
-    def finish(self) -> None:
-        """What is changed stays."""
-
-    def cancel(self) -> None:
-        self._context.undo()
 
     def _rest(self, at: QPointF, edge_s: float) -> Rest:
         content = self._context.content()
@@ -193,14 +190,11 @@ class FadeEnd(_EndDrag):
         return GesturePreview(label=value_text(changed, "s", digits=4))
 
 
-# A rectangle that selects.
-
-
-class Marquee:
+class Marquee(Gesture):
     """Selects the clips that a rectangle touches, over all lanes; with Ctrl held adds them."""
 
     def __init__(self, context: GestureContext, at: QPointF) -> None:
-        self._context = context
+        super().__init__(context)
         scale = context.before.scale
         # It stays at its time while the view pans.
         self._from = (scale.time(at.x()), at.y())
@@ -219,9 +213,6 @@ class Marquee:
         self._context.show_view(edits.select_clips(content.design, content.view, chosen).view)
         return GesturePreview(covered=covered)
 
-    def finish(self) -> None:
-        """What is selected stays."""
-
     def cancel(self) -> None:
         view = self._context.before.view
         self._context.show_view(
@@ -233,10 +224,7 @@ class Marquee:
         )
 
 
-# Clips that are moved, or copied.
-
-
-class MoveClips:
+class MoveClips(Gesture):
     """Drags the selected clips in time and from lane to lane.
 
     Shift: along time only.  Ctrl: copies.  Alt: without snapping.  A free drag goes by whole
@@ -247,7 +235,8 @@ class MoveClips:
     def __init__(
         self, context: GestureContext, box: Box, at: QPointF, sample_rate_hz: float
     ) -> None:
-        self._context, self._box, self._at = context, box, at
+        super().__init__(context)
+        self._box, self._at = box, at
         self._sample_s = 1.0 / sample_rate_hz
         # Where in another panel they would go, and whether as copies.
         self._place: DropPlace | None = None
@@ -320,14 +309,12 @@ class MoveClips:
         return target - here
 
 
-# Points of a gain curve that are dragged.
-
 _FINE = 0.1
 # From how far away a point comes to rest on a gain of 1, px.
 _REACH_PX = 2.5
 
 
-class MoveGain:
+class MoveGain(Gesture):
     """Drags points of a gain curve: one of them, or both ends of a line up and down.
 
     Shift: along time or gain only.  Ctrl: finely.  Alt: without snapping.
@@ -353,7 +340,8 @@ class MoveGain:
         vertical: bool = False,
         fine: bool = True,
     ) -> None:
-        self._context, self._strip, self._at = context, strip, at
+        super().__init__(context)
+        self._strip, self._at = strip, at
         self._points, self._chosen = points, chosen
         self.vertical, self._fine = vertical, fine
 
@@ -387,12 +375,6 @@ class MoveGain:
         track = self._strip.lane.track.id
         self._context.edit(edits.set_gain_curve(before.design, view, track, curve_of(points)))
 
-    def finish(self) -> None:
-        """They stay there."""
-
-    def cancel(self) -> None:
-        self._context.undo()
-
     def _rest(self, time_s: float, by_s: float) -> tuple[float, float | None]:
         content = self._context.content()
         if not content.snaps:
@@ -405,9 +387,6 @@ class MoveGain:
             reach_s=content.reach_s,
         )
         return rest.by_s, rest.guide_s
-
-
-# What is dragged on the ruler: playhead, loop, markers; and the ground, which pans.
 
 
 def snapped_time(
@@ -427,7 +406,7 @@ def snapped_time(
     return max(rest.by_s, 0.0), rest.guide_s
 
 
-class MovePlayhead:
+class MovePlayhead(Gesture):
     """Puts the playhead under the pointer."""
 
     def __init__(self, context: GestureContext) -> None:
@@ -438,18 +417,16 @@ class MovePlayhead:
         self._context.put_playhead(time_s)
         return GesturePreview(guide_s=guide_s, label=value_text(time_s, "s", digits=5))
 
-    def finish(self) -> None:
-        """It stays there."""
-
     def cancel(self) -> None:
         self._context.put_playhead(self._context.before.view.playhead_s)
 
 
-class MoveLoop:
+class MoveLoop(Gesture):
     """Draws the loop region, or moves one of its ends: ``fixed_s`` is the other one."""
 
     def __init__(self, context: GestureContext, fixed_s: float) -> None:
-        self._context, self._fixed_s = context, fixed_s
+        super().__init__(context)
+        self._fixed_s = fixed_s
 
     def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
         time_s, guide_s = snapped_time(self._context, at)
@@ -458,18 +435,13 @@ class MoveLoop:
         self._context.edit(edits.set_loop(design, view, ends if ends[0] < ends[1] else None))
         return GesturePreview(guide_s=guide_s, label=value_text(ends[1] - ends[0], "s", digits=4))
 
-    def finish(self) -> None:
-        """It stays there."""
 
-    def cancel(self) -> None:
-        self._context.undo()
-
-
-class MoveMarker:
+class MoveMarker(Gesture):
     """Drags a marker."""
 
     def __init__(self, context: GestureContext, marker: Marker) -> None:
-        self._context, self._marker = context, marker
+        super().__init__(context)
+        self._marker = marker
 
     def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
         time_s, guide_s = snapped_time(self._context, at, self._marker.time_s)
@@ -478,18 +450,13 @@ class MoveMarker:
         self._context.edit(edits.move_marker(design, view, index, time_s))
         return GesturePreview(guide_s=guide_s, label=value_text(time_s, "s", digits=5))
 
-    def finish(self) -> None:
-        """It stays there."""
 
-    def cancel(self) -> None:
-        self._context.undo()
-
-
-class Pan:
+class Pan(Gesture):
     """Moves the visible part of the time with the pointer."""
 
     def __init__(self, context: GestureContext, at: QPointF) -> None:
-        self._context, self._at = context, at
+        super().__init__(context)
+        self._at = at
 
     def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
         before = self._context.before
@@ -498,18 +465,12 @@ class Pan:
         self._context.show_view(replace(self._context.content().view, time_range_s=shown))
         return GesturePreview()
 
-    def finish(self) -> None:
-        """It stays there."""
-
     def cancel(self) -> None:
         view = self._context.content().view
         self._context.show_view(replace(view, time_range_s=self._context.before.view.time_range_s))
 
 
-# A gesture whose way says what it is.
-
-
-class EitherGesture:
+class EitherGesture(Gesture):
     """Goes up or down: one gesture; goes along: another one.
 
     A gain curve lies over the clips of its track: pulled up or down it is the curve that is meant,

@@ -108,9 +108,6 @@ def row_places(width: int, line_px: int = USUAL_LINE_PX, *, peak: bool = False) 
     )
 
 
-# What the head of a track shows.
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RowState:
     """What a row shows.
@@ -169,8 +166,6 @@ class RowState:
         return self.selected, self.last, self.list_focused
 
 
-# What the head of a track paints beside its controls.
-
 _MARK_PX = 3
 _TINT_ALPHA = 28
 _SMALLER = 0.8
@@ -227,9 +222,6 @@ def _write(painter: QPainter, place: QRect, text: str) -> None:
     painter.drawText(place, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, track)
 
 
-# What heads of tracks tell.
-
-
 class RowSignals(QObject):
     """What the controls of all rows tell; each signal begins with the id of an input."""
 
@@ -239,9 +231,6 @@ class RowSignals(QObject):
     mute_toggled = Signal(int)
     solo_toggled = Signal(int)
     removed = Signal(int)
-
-
-# Head of one track: where it plays, and what is changed most often.
 
 
 class InputRow(QWidget):

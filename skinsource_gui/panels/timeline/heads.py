@@ -97,8 +97,6 @@ class CachedRows:
         return InputRow(self._signals, self._column)
 
 
-# What keys mean on the heads of tracks.
-
 _PLACE = "inputs"
 _Key = Qt.Key
 _STEPS = {_Key.Key_Up: -1, _Key.Key_Down: 1}
@@ -159,8 +157,6 @@ def _target(key: Qt.Key, here: int | None, count: int) -> int:
         return count - 1 if key in (_Key.Key_End, _Key.Key_Up) else 0
     return min(max(here + _STEPS[key], 0), count - 1)
 
-
-# What the mouse means on the heads of tracks.
 
 _Held = Qt.KeyboardModifier
 
@@ -242,8 +238,6 @@ class ListMouse(QObject):
         return True
 
 
-# Where rows would go that are dragged.
-
 _HIGH_PX = 3
 
 
@@ -266,9 +260,6 @@ class RowGap(QFrame):
             bottom = above[-1].geometry().bottom() + 1 if above else 0
             self.setGeometry(0, max(bottom - _HIGH_PX // 2, 0), self._column.width(), _HIGH_PX)
             self.raise_()
-
-
-# Heads of tracks, in a list that scrolls.
 
 
 class InputRows(QWidget):
@@ -429,9 +420,6 @@ class InputList(QScrollArea):
         bar.setValue(min(max(bar.value(), lowest), top))
 
 
-# What the list does to inputs.
-
-
 class ListEdits(QObject):
     """Turns what rows, keys and mouse tell into edits of inputs.
 
@@ -500,9 +488,6 @@ class ListEdits(QObject):
         self.edited.emit(outcome, None)
 
 
-# Which inputs the list selects.
-
-
 class ListSelection(QObject):
     """Turns what rows, keys and mouse tell into other selections of inputs."""
 
@@ -552,9 +537,6 @@ class ListSelection(QObject):
 
     def _emit(self, outcome: edits.Edit | edits.Refusal) -> None:
         self.edited.emit(outcome, None)
-
-
-# The heads of the tracks: what they show, and what is done to them.
 
 
 class Heads(QObject):

@@ -225,8 +225,6 @@ class LaneKeys(QObject):
         self.edited.emit(outcome, self._burst.gesture())
 
 
-# What the mouse does on the lanes and on the ruler.
-
 # A movement shorter than this is a click.
 _DRAG_PX = 4.0
 _CATCH_PX = 6.0
@@ -471,8 +469,6 @@ def _loop_end_at(content: TimelineContent, at: QPointF) -> float | None:
             return other
     return None
 
-
-# The part of the timeline on which clips are moved.
 
 _SIDE_PX = 8.0
 _TEXT = 0.9

@@ -173,8 +173,6 @@ def _size(picture: QPixmap) -> int:
     return picture.width() * picture.height() * _BYTES_PER_PIXEL
 
 
-# How a clip looks.
-
 _ROUNDING_PX = 3.0
 _LABEL_FROM_PX = 40.0
 _BODY_ALPHA, _PALE_BODY_ALPHA, _SELECTED_ALPHA = 46, 18, 84
@@ -377,9 +375,6 @@ def _paint_handles(painter: QPainter, box: Box, colour: QColor) -> None:
         painter.drawRect(QRectF(x, middle - _HANDLE_PX, 2, 2 * _HANDLE_PX))
 
 
-# What the picture of the lanes depends on: where two contents look alike, nothing is painted.
-
-
 def frame_of(content: TimelineContent) -> Hashable:
     """What all lanes and the ruler depend on; not what is in the lanes."""
     design = content.design
@@ -429,8 +424,6 @@ def same_choice(before: TimelineContent, after: TimelineContent, lane: Lane) -> 
         for old, new in ((before.selected, after.selected), (before.chosen, after.chosen))
     )
 
-
-# The ruler over the lanes.
 
 _TICK_PX = 64.0
 _GAP_PX = 6.0
@@ -525,8 +518,6 @@ def _paint_marker(painter: QPainter, x: float, name: str, room: QRectF, theme: T
     return ground.adjusted(-10, 0, 2, 0)
 
 
-# The lanes as one item of pyqtgraph's scene: many clips, one paint.
-
 # Clips lie deeper in their lanes than this.  What is painted anew is one px larger than asked for:
 # so far inside it does not reach the next lane.
 # The last line of the grid stands there; words end before it.
@@ -536,7 +527,33 @@ _AROUND_PX = 3.0
 _INSIDE_PX = MARGIN_PX - 1.0
 
 
-class LanesItem(pyqtgraph.GraphicsObject):
+class LaneLayer(pyqtgraph.GraphicsObject):
+    """One layer of the lanes: an item of the scene with its content, rectangle and font."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._content: TimelineContent | None = None
+        self._font = QFont()
+        self._rect = QRectF(0, 0, 1, 1)
+
+    def show_font(self, font: QFont) -> None:
+        """Take over a font."""
+        self._font = font
+        self.update()
+
+    def boundingRect(self) -> QRectF:
+        return self._rect
+
+    def _set_rect(self, rect: QRectF) -> bool:
+        """Take over a rectangle; return whether it is another one."""
+        changed = rect != self._rect
+        if changed:
+            self.prepareGeometryChange()
+            self._rect = rect
+        return changed
+
+
+class LanesItem(LaneLayer):
     """Paints lanes, clips and ruler; knows nothing of the mouse.
 
     It is kept as a picture, over which the playhead moves and gestures show what they do.  Only
@@ -557,19 +574,12 @@ class LanesItem(pyqtgraph.GraphicsObject):
         self.setFlag(self.GraphicsItemFlag.ItemUsesExtendedStyleOption)
         self.pictures = ClipPictures()
         self.painted = self.painted_lanes = 0
-        self._content: TimelineContent | None = None
         self._hovered: int | None = None
-        self._font = QFont()
-        self._rect = QRectF(0, 0, 1, 1)
 
     def show_content(self, content: TimelineContent, rect: QRectF) -> None:
         """Paint something else, in this rectangle."""
         before, self._content = self._content, content
-        if rect != self._rect:
-            self.prepareGeometryChange()
-            self._rect = rect
-            self.update()
-        elif before is None or frame_of(before) != frame_of(content):
+        if self._set_rect(rect) or before is None or frame_of(before) != frame_of(content):
             self.update()
         else:
             self._update_lanes(before, content)
@@ -582,13 +592,8 @@ class LanesItem(pyqtgraph.GraphicsObject):
             self._hovered = clip
 
     def show_font(self, font: QFont) -> None:
-        """Take over a font."""
-        self._font = font
         self.pictures.forget()
-        self.update()
-
-    def boundingRect(self) -> QRectF:
-        return self._rect
+        super().show_font(font)
 
     def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
         content = self._content
@@ -706,51 +711,31 @@ class LanesItem(pyqtgraph.GraphicsObject):
             )
 
 
-# What a gesture shows over the lanes.
-
 _LABEL_GAP_PX = 8.0
 
 
-class OverlayItem(pyqtgraph.GraphicsObject):
+class OverlayItem(LaneLayer):
     """A guide, a marquee and words, an item of its own: the lanes below are not painted with it."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setZValue(2)
-        self._preview, self._pointer = GesturePreview(), QPointF()
-        self._content: TimelineContent | None = None
-        self._rect = QRectF(0, 0, 1, 1)
-        self._font = QFont()
-
-    @property
-    def preview(self) -> GesturePreview:
-        """What is shown."""
-        return self._preview
+        self.preview, self._pointer = GesturePreview(), QPointF()
 
     def show_content(self, content: TimelineContent, rect: QRectF) -> None:
         """Lie over these lanes, in this rectangle."""
-        if rect != self._rect:
-            self.prepareGeometryChange()
-            self._rect = rect
+        self._set_rect(rect)
         moved = self._content is not None and self._content.scale != content.scale
         self._content = content
-        if moved and self._preview.guide_s is not None:
+        if moved and self.preview.guide_s is not None:
             self.update()
 
     def show_preview(self, preview: GesturePreview, pointer: QPointF) -> None:
         """Show a preview, with its label beside the pointer."""
-        if (preview, pointer) != (self._preview, self._pointer):
+        if (preview, pointer) != (self.preview, self._pointer):
             self._update_places()
-            self._preview, self._pointer = preview, pointer
+            self.preview, self._pointer = preview, pointer
             self._update_places()
-
-    def show_font(self, font: QFont) -> None:
-        """Take over a font."""
-        self._font = font
-        self.update()
-
-    def boundingRect(self) -> QRectF:
-        return self._rect
 
     def paint(self, painter: QPainter, option: Any, widget: Any) -> None:
         painter.setFont(self._font)
@@ -758,46 +743,44 @@ class OverlayItem(pyqtgraph.GraphicsObject):
         if guide is not None:
             painter.setPen(QPen(QColor(current_theme().warning), 2))
             painter.drawLine(guide)
-        if self._preview.covered is not None:
+        if self.preview.covered is not None:
             tint = QColor(current_theme().accent)
             painter.setPen(QPen(tint, 1))
             tint.setAlpha(30)
             painter.setBrush(tint)
-            painter.drawRect(self._preview.covered)
-        if self._preview.label:
+            painter.drawRect(self.preview.covered)
+        if self.preview.label:
             room = self._label_room()
             painter.setPen(QPen(QColor(current_theme().border), 1))
             painter.setBrush(QColor(current_theme().raised))
             painter.drawRect(room)
             painter.setPen(QColor(current_theme().text))
-            painter.drawText(room, Qt.AlignmentFlag.AlignCenter, self._preview.label)
+            painter.drawText(room, Qt.AlignmentFlag.AlignCenter, self.preview.label)
 
     def _update_places(self) -> None:
         """Have painted anew where something is shown."""
         guide = self._guide()
         if guide is not None:
             self.update(QRectF(guide.p1(), guide.p2()).adjusted(-2, -2, 2, 2))
-        if self._preview.covered is not None:
-            self.update(self._preview.covered.adjusted(-2, -2, 2, 2))
-        if self._preview.label:
+        if self.preview.covered is not None:
+            self.update(self.preview.covered.adjusted(-2, -2, 2, 2))
+        if self.preview.label:
             self.update(self._label_room().adjusted(-2, -2, 2, 2))
 
     def _guide(self) -> QLineF | None:
-        if self._preview.guide_s is None or self._content is None:
+        if self.preview.guide_s is None or self._content is None:
             return None
-        x = self._content.scale.x(self._preview.guide_s)
+        x = self._content.scale.x(self.preview.guide_s)
         return QLineF(x, self._content.ruler_px, x, self._rect.bottom())
 
     def _label_room(self) -> QRectF:
         metrics = QFontMetricsF(self._font)
         ruler_px = 0.0 if self._content is None else self._content.ruler_px
-        width = metrics.horizontalAdvance(self._preview.label) + 8
+        width = metrics.horizontalAdvance(self.preview.label) + 8
         left = min(self._pointer.x() + _LABEL_GAP_PX, self._rect.right() - width - 2)
         top = max(self._pointer.y() - metrics.height() - _LABEL_GAP_PX, ruler_px + 2)
         return QRectF(left, top, width, metrics.height() + 2)
 
-
-# The playhead over the lanes.
 
 _HALF_PX, _PLAYHEAD_HANDLE_PX = 5.0, 8.0
 

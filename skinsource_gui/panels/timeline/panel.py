@@ -103,8 +103,6 @@ def pasted() -> Fragment | None:
     return edits.fragment_from(text) if _SIGN in text[:_BEGINNING] else None
 
 
-# What the timeline does to clips by menu, keys and clipboard.
-
 _NO_CLIPS = Refusal(sentence="No clip is selected; click one in the timeline.")
 _NOTHING_TO_PASTE = Refusal(
     sentence=f"The clipboard holds no clips; copy some first, with {key_text('timeline', 'copy')}."
@@ -175,8 +173,6 @@ class TimelineEdits(QObject):
         self.edited.emit(outcome, None)
 
 
-# What the right button offers on clips, on the ground and on the ruler.
-
 AnyEdit = Callable[..., Edit | Refusal]
 _PLACE = "timeline"
 
@@ -222,9 +218,7 @@ class LanesMenu(QObject):
             self._fill_curve(menu, strip, place)
         elif box is not None:
             if box.clip.id not in content.view.selected_clips:
-                self.view_changed.emit(
-                    edits.select_clips(content.design, content.view, (box.clip.id,)).view
-                )
+                self._select(box.clip.id)
             self._fill_clips_here(menu, content.boxes_at(place))
             self._fill_clip(menu, box.clip.id)
         else:
@@ -376,8 +370,6 @@ def _ends_of_chosen(content: TimelineContent) -> tuple[float, float] | None:
     return (min(clip.onset_s for clip in clips), max(clip.end_s for clip in clips))
 
 
-# A scroll bar over the time.
-
 _STEPS_PER_S = 10_000
 
 
@@ -415,8 +407,6 @@ class TimeBar(QScrollBar):
             self.range_wanted.emit((start, start + length))
 
 
-# Buttons beside the ruler.
-
 _ZOOM = 1.5
 
 
@@ -439,11 +429,11 @@ class TimelineToolbar(QWidget):
         self._snap.setCheckable(True)
         self._snap.clicked.connect(self.snaps_wanted)
         self._closer = self._button("+", _hint("zoom_in"))
-        self._closer.clicked.connect(self._zoom_in)
+        self._closer.clicked.connect(lambda: self.zoom_wanted.emit(_ZOOM))
         self._wider = self._button("\u2212", _hint("zoom_out"))
-        self._wider.clicked.connect(self._zoom_out)
+        self._wider.clicked.connect(lambda: self.zoom_wanted.emit(1 / _ZOOM))
         self._all = self._button("Fit", _hint("whole"))
-        self._all.clicked.connect(self._see_all)
+        self._all.clicked.connect(lambda: self.everything_wanted.emit())
         self._buttons = (self._snap, self._wider, self._closer, self._all)
         for button in self._buttons:
             row.addWidget(button)
@@ -472,22 +462,11 @@ class TimelineToolbar(QWidget):
         button.setAutoRaise(True)
         return button
 
-    def _zoom_in(self) -> None:
-        self.zoom_wanted.emit(_ZOOM)
-
-    def _zoom_out(self) -> None:
-        self.zoom_wanted.emit(1 / _ZOOM)
-
-    def _see_all(self) -> None:
-        self.everything_wanted.emit()
-
 
 def _hint(name: str) -> str:
     gesture = KEYS["timeline"].gestures[name]
     return f"{gesture.effect[:1].upper()}{gesture.effect[1:]} ({gesture.shown})"
 
-
-# Heads, lanes, ruler and scroll bars, which move together.
 
 _ROWS_PER_NOTCH = 3
 
@@ -618,8 +597,6 @@ def _silence_reason(track: Input, *, audible: bool) -> str:
         return "another track is solo"
     return "" if track.clips else "no clips: double click to add one"
 
-
-# Tracks and their clips over time.
 
 _LEAST_LANES_PX, _BARS_PX = 140, 12
 

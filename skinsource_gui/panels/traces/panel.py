@@ -66,8 +66,6 @@ class TracesSettings:
         fields.check(self)
 
 
-# Acceleration of the selected outputs over time.
-
 # Readings tell samples of 1300 Hz apart.
 _DECIMALS = {"ms": 2, "s": 5}
 # What the wave between samples follows from: that of a magnitude runs along the axes.

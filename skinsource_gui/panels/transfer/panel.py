@@ -154,8 +154,6 @@ def bar_sizes(n: int, height_px: float) -> tuple[float, float]:
     return step, step * _BAR_PX / (_BAR_PX + 1.0)
 
 
-# What only the transfer functions look at.
-
 COHERENCE = SwitchSpec(label="Coherence", hint="In place of the magnitude")
 
 
@@ -168,8 +166,6 @@ class TransferSettings:
     def __post_init__(self) -> None:
         fields.check(self)
 
-
-# In which unit a transfer function is: output over what is driven.
 
 #: What has to be known for it.
 OF_UNIT = frozenset({"actuation", "limb_data", "scaling"})
@@ -184,8 +180,6 @@ def transfer_unit(results: Mapping[str, Any]) -> str:
     known = results["scaling"] == "probe" and answers_probe
     return "1 (m/s²)/(m/s²)" if known else "1 m/s² per sample of 1"
 
-
-# From the selected input's place to the selected outputs, whatever plays.
 
 # More outputs than these are said as ranges.
 _MOST_NUMBERS = 12

@@ -137,8 +137,6 @@ def _around(values: Floats) -> tuple[float, float]:
     return low - air, high + air
 
 
-# How fast a wave travels along the selected outputs, and what it loses.
-
 _LINE = "The line goes through the selected outputs, in the order in which they were selected"
 _OVERLAP = "waves of several inputs overlap"
 _ABOUT = "Along {axis}; distances on the map, delays of the group"

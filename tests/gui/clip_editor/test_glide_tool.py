@@ -127,7 +127,7 @@ def test_only_a_glide_offers_the_tool_and_elsewhere_the_key_says_why_not(qtbot, 
     glide.design = glide.design.with_clip(1, waveform=Tone(100.0, 0.0, 0.2))
     glide.show()
     assert not button.isVisible()
-    assert glide.panel._canvas.tool is glide.panel._look
+    assert glide.panel._canvas.tool is glide.panel._view_tool
     glide.key(Qt.Key.Key_G)
     assert glide.refusals == ["The clip does not play a glide; choose that waveform first."]
-    assert glide.panel._canvas.tool is glide.panel._look
+    assert glide.panel._canvas.tool is glide.panel._view_tool

@@ -32,7 +32,7 @@ def test_the_spectrum_of_a_tone_peaks_at_its_frequency():
 def test_the_value_under_the_pointer_is_read(tone):
     tone.panel.use("look")
     QTest.mouseMove(tone.canvas.viewport(), whole(tone.at(0.1, 0.0)))
-    tone.canvas._tool.move(tone.canvas.content, QPointF(tone.at(0.1, 0.0)), NONE)
+    tone.canvas.tool.move(tone.canvas.content, QPointF(tone.at(0.1, 0.0)), NONE)
     assert not tone.panel.grab().isNull()
 
 
@@ -55,7 +55,7 @@ def test_only_the_tool_that_is_taken_shows_and_changes_points(tone, monkeypatch)
     tone.panel.use("envelope")
     tone.panel.use("pen")
     # While it was asked, no point could be seen.
-    assert seen == [(tone.panel._look, True)]
+    assert seen == [(tone.panel._view_tool, True)]
     assert tone.canvas.tool is tone.panel._pen
 
 

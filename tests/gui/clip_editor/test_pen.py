@@ -68,9 +68,9 @@ def test_a_tone_becomes_samples_after_one_question(tone, monkeypatch):
         QMessageBox, "question", lambda *args: asked.append(args[2]) or answers[len(asked) - 1]
     )
     tone.panel.use("pen")
-    assert tone.canvas._tool is tone.panel._tools["look"]
+    assert tone.canvas.tool is tone.panel._tools["look"]
     tone.panel.use("pen")
-    assert tone.canvas._tool is tone.panel._tools["pen"]
+    assert tone.canvas.tool is tone.panel._tools["pen"]
     tone.drag((0.05, 0.0), (0.06, 0.0))
     tone.panel.use("look")
     tone.panel.use("pen")
