@@ -87,7 +87,42 @@ class DragStart:
         return self._before if gesture == self._gesture else None
 
 
-class PenEdits(QWidget):
+class ToolEdits(QObject):
+    """Turns what a tool does into edits of the clip in the editor.
+
+    Parameters
+    ----------
+    tool
+        The tool, which tells by ``given_up`` that a drag is given up.
+    parent
+        The panel.
+    """
+
+    edited = Signal(object, object)
+
+    def __init__(self, tool: Pen | EnvelopeTool | GlideTool, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._design, self._view = Design(limb=""), View()
+        self._clip: Clip | None = None
+        self._rate_hz = facts_of("").sample_rate_hz
+        self._start = DragStart()
+        tool.given_up.connect(self._give_up)
+
+    def show_state(self, design: Design, view: View, clip: Clip | None, rate_hz: float) -> None:
+        """Take over the clip in the editor, and the sample rate of what it plays."""
+        self._design, self._view, self._clip, self._rate_hz = design, view, clip, rate_hz
+
+    def _is_other(self, clip: Clip | None) -> bool:
+        """Return whether this is another clip than the one in the editor."""
+        return clip is None or self._clip is None or clip.id != self._clip.id
+
+    def _give_up(self, gesture: int) -> None:
+        before = self._start.undo(gesture)
+        if before is not None:
+            self.edited.emit(before, gesture)
+
+
+class PenEdits(ToolEdits):
     """Turns strokes into edits; a clip that is not drawn asks once whether it may become samples.
 
     Attributes
@@ -96,25 +131,14 @@ class PenEdits(QWidget):
         The tool.
     """
 
-    edited = Signal(object, object)
-
     def __init__(self, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.hide()
-        self.pen = Pen(self)
-        self._design, self._view = Design(limb=""), View()
-        self._clip: Clip | None = None
-        self._rate_hz = 1.0
+        self.pen = Pen(parent)
+        super().__init__(self.pen, parent)
+        self._panel = parent
         # By identity: another design has clips of the same numbers.
         self._allowed: Waveform | None = None
-        self._start = DragStart()
         self.pen.drawn.connect(self._draw)
-        self.pen.given_up.connect(self._give_up)
         self.pen.refused.connect(self._refuse)
-
-    def show_state(self, design: Design, view: View, clip: Clip | None, rate_hz: float) -> None:
-        """Take over what there is to draw on."""
-        self._design, self._view, self._clip, self._rate_hz = design, view, clip, rate_hz
 
     def may_draw(self, clip: Clip) -> bool:
         """Whether nothing need be asked before a clip is drawn on."""
@@ -125,7 +149,7 @@ class PenEdits(QWidget):
         if self.may_draw(clip):
             return True
         answer = QMessageBox.question(
-            self.parentWidget(),
+            self._panel,
             "Draw over the waveform?",
             f"The clip plays {figure_text(clip.waveform)}. What you draw turns it into samples: "
             "its numbers can then no longer be changed. Undo brings them back.",
@@ -148,11 +172,6 @@ class PenEdits(QWidget):
         id = self._clip.id
         outcome = edits.draw_clip(self._design, self._view, id, samples, self._rate_hz)
         self.edited.emit(outcome, stroke)
-
-    def _give_up(self, stroke: int) -> None:
-        back = self._start.undo(stroke)
-        if back is not None:
-            self.edited.emit(back, stroke)
 
     def _refuse(self, why: str) -> None:
         self.edited.emit(Refusal(sentence=sentence(why)), None)
@@ -276,7 +295,7 @@ _VALUES = {_Key.Key_Up: 1.0, _Key.Key_Down: -1.0}
 STEPS: dict[Column, float] = {"frequency": 1.0, "amplitude": 0.01}
 
 
-class GlideEdits(QObject):
+class GlideEdits(ToolEdits):
     """Turns what the tool does to the curves into edits of the glide that a clip plays.
 
     Attributes
@@ -285,27 +304,19 @@ class GlideEdits(QObject):
         The tool.
     """
 
-    edited = Signal(object, object)
-
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
-        self._design, self._view = Design(limb=""), View()
-        self._clip: Clip | None = None
-        self._rate_hz = facts_of("").sample_rate_hz
+    def __init__(self, parent: QWidget) -> None:
+        self.tool = GlideTool(self._points, parent)
+        super().__init__(self.tool, parent)
         # What was drawn: points that bend nothing yet are not part of a glide.
         self._drawn: dict[Column, Points] = {}
         self._burst = Burst(self)
-        self.tool = GlideTool(self._points, self)
-        self._start = DragStart()
         self.tool.changed.connect(self._change)
-        self.tool.given_up.connect(self._give_up)
 
     def show_state(self, design: Design, view: View, clip: Clip | None, rate_hz: float) -> None:
-        """Take over what there is to shape."""
-        if clip is None or self._clip is None or clip.id != self._clip.id:
+        if self._is_other(clip):
             self.tool.forget()
             self._drawn = {}
-        self._design, self._view, self._clip, self._rate_hz = design, view, clip, rate_hz
+        super().show_state(design, view, clip, rate_hz)
 
     def can_edit(self, clip: Clip | None) -> bool:
         """Whether a clip plays a glide."""
@@ -357,10 +368,9 @@ class GlideEdits(QObject):
         self.edited.emit(outcome, gesture)
 
     def _give_up(self, gesture: int) -> None:
-        back = self._start.undo(gesture)
-        if back is not None:
+        if self._start.undo(gesture) is not None:
             self._drawn = {}
-            self.edited.emit(back, gesture)
+        super()._give_up(gesture)
 
 
 def _curve(points: Points) -> Curve:
@@ -379,7 +389,7 @@ _STEPS = {
 }
 
 
-class EnvelopeEdits(QObject):
+class EnvelopeEdits(ToolEdits):
     """Turns what the tool does to the points into edits of the clip's envelope.
 
     Attributes
@@ -388,23 +398,16 @@ class EnvelopeEdits(QObject):
         The tool.
     """
 
-    edited = Signal(object, object)
-
-    def __init__(self, parent: QObject) -> None:
-        super().__init__(parent)
-        self._design, self._view = Design(limb=""), View()
-        self._clip: Clip | None = None
+    def __init__(self, parent: QWidget) -> None:
+        self.tool = EnvelopeTool(self._points, parent)
+        super().__init__(self.tool, parent)
         self._burst = Burst(self)
-        self.tool = EnvelopeTool(self._points, self)
-        self._start = DragStart()
         self.tool.changed.connect(self._change)
-        self.tool.given_up.connect(self._give_up)
 
-    def show_state(self, design: Design, view: View, clip: Clip | None) -> None:
-        """Take over what there is to shape."""
-        if clip is None or self._clip is None or clip.id != self._clip.id:
+    def show_state(self, design: Design, view: View, clip: Clip | None, rate_hz: float) -> None:
+        if self._is_other(clip):
             self.tool.chosen = ()
-        self._design, self._view, self._clip = design, view, clip
+        super().show_state(design, view, clip, rate_hz)
 
     def press(self, command: str, event: QKeyEvent) -> bool:
         """Do what a key means to the points; whether it means anything."""
@@ -432,11 +435,6 @@ class EnvelopeEdits(QObject):
             self._start.note(gesture, self._design, self._view)
             outcome = edits.set_envelope(self._design, self._view, self._clip.id, points)
             self.edited.emit(outcome, gesture)
-
-    def _give_up(self, gesture: int) -> None:
-        back = self._start.undo(gesture)
-        if back is not None:
-            self.edited.emit(back, gesture)
 
 
 _NO_GLIDE = Refusal(sentence="The clip does not play a glide; choose that waveform first.")
@@ -550,15 +548,13 @@ class ClipEditorPanel(Panel):
         self._toolbar.everything_wanted.connect(self._canvas.visible_clip.show_everything)
         self._canvas.key_pressed.connect(self._press)
         self._style.pan_wanted.connect(self._canvas.visible_clip.pan)
-        self._pen_edits.edited.connect(self.edited)
-        self._envelope.edited.connect(self.edited)
-        self._glide.edited.connect(self.edited)
+        for tool_edits in (self._pen_edits, self._envelope, self._glide):
+            tool_edits.edited.connect(self.edited)
 
     def _show(self) -> None:
         clip = self.clip
-        self._pen_edits.show_state(self._design, self._view, clip, self._rate_hz)
-        self._envelope.show_state(self._design, self._view, clip)
-        self._glide.show_state(self._design, self._view, clip, self._rate_hz)
+        for tool_edits in (self._pen_edits, self._envelope, self._glide):
+            tool_edits.show_state(self._design, self._view, clip, self._rate_hz)
         self._stack.setCurrentIndex(0 if clip is None else 1)
         if clip is None:
             inputs = bool(self._design and self._design.inputs)

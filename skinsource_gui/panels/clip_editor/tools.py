@@ -22,7 +22,7 @@ from skinsource.specs.breakpoints import SEGMENTS, Breakpoint, Segment
 from skinsource_gui.fields.curve_field import fill_ground_menu, fill_point_menu
 from skinsource_gui.fields.editor import new_gesture
 from skinsource_gui.fields.units import value_text
-from skinsource_gui.panels.clip_editor.view import REACH, Button, EditorContent, Modifier
+from skinsource_gui.panels.clip_editor.view import REACH, Button, EditorContent, Modifier, Tool
 from skinsource_gui.plots.ranges import linear_ticks, number_text
 from skinsource_gui.qt.theme import Theme
 
@@ -249,26 +249,21 @@ class Drag:
     before: Points = ()
 
 
-class ViewTool(QObject):
+class ViewTool(Tool):
     """Shows time and value under the pointer; a drag moves what is seen."""
 
     #: What is seen is to move by so many seconds.
     pan_wanted = Signal(float)
-
-    cursor = Qt.CursorShape.ArrowCursor
-    hint = ""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._from: QPointF | None = None
         self._at: QPointF | None = None
 
-    def press(
-        self, content: EditorContent, at: QPointF, button: Button, modifiers: Modifier
-    ) -> None:
+    def press(self, content: EditorContent, at: QPointF, button: Button, held: Modifier) -> None:
         self._from = at
 
-    def move(self, content: EditorContent, at: QPointF, modifiers: Modifier) -> None:
+    def move(self, content: EditorContent, at: QPointF, held: Modifier) -> None:
         self._at = at
         if self._from is not None:
             self.pan_wanted.emit((self._from.x() - at.x()) / content.scale.px_per_s)
@@ -276,12 +271,6 @@ class ViewTool(QObject):
 
     def release(self, content: EditorContent) -> None:
         self._from = None
-
-    def double_click(self, content: EditorContent, at: QPointF) -> None:
-        """Nothing more than a click."""
-
-    def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
-        """Nothing to offer: it only reads."""
 
     def cancel(self) -> bool:
         had, self._from = self._from is not None, None
@@ -318,7 +307,7 @@ class ViewTool(QObject):
 _FULL = 1.0
 
 
-class Pen(QObject):
+class Pen(Tool):
     """Draws freehand; with Shift a straight line; with the right button back to zero.
 
     One stroke is one step of the history: all its edits share a number.
@@ -332,7 +321,6 @@ class Pen(QObject):
     refused = Signal(str)
 
     cursor = Qt.CursorShape.CrossCursor
-    hint = ""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -344,9 +332,7 @@ class Pen(QObject):
         self._number = 0
         self._changed = False
 
-    def press(
-        self, content: EditorContent, at: QPointF, button: Button, modifiers: Modifier
-    ) -> None:
+    def press(self, content: EditorContent, at: QPointF, button: Button, held: Modifier) -> None:
         if content.drawn is None or self._first is not None:
             return
         self._zeroes = button == Button.RightButton
@@ -355,9 +341,9 @@ class Pen(QObject):
         self._before, self._number, self._changed = content.drawn, new_gesture(), False
         self._first = self._place(content, at)
         self._last_s, self._stroke = self._first[0], Stroke()
-        self.move(content, at, modifiers)
+        self.move(content, at, held)
 
-    def move(self, content: EditorContent, at: QPointF, modifiers: Modifier) -> None:
+    def move(self, content: EditorContent, at: QPointF, held: Modifier) -> None:
         if self._first is None or self._before is None:
             return
         time_s, value = self._place(content, at)
@@ -366,7 +352,7 @@ class Pen(QObject):
             if self._zeroes:
                 samples = zeroed(self._before, self._first[0], time_s, rate_hz)
             else:
-                if modifiers & Modifier.ShiftModifier:
+                if held & Modifier.ShiftModifier:
                     self._stroke = Stroke.through((self._first, (time_s, value)))
                 else:
                     self._stroke = self._stroke.to(time_s, value, self._last_s)
@@ -379,12 +365,6 @@ class Pen(QObject):
 
     def release(self, content: EditorContent) -> None:
         self._first = None
-
-    def double_click(self, content: EditorContent, at: QPointF) -> None:
-        """Nothing more than a click."""
-
-    def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
-        """The right button draws."""
 
     def cancel(self) -> bool:
         if self._first is None:
@@ -417,7 +397,7 @@ _HOW = "Click the line, or double-click beside it: a new point. Drag points to s
 _ENVELOPE = CurveStyle(how=_HOW)
 
 
-class EnvelopeTool(QObject):
+class EnvelopeTool(Tool):
     """Click on the curve: a new point.  Drag: points, a segment up and down, a box around points.
 
     The handles of the box around several chosen points scale them.  Ctrl: finely.  Shift: up and
@@ -437,8 +417,6 @@ class EnvelopeTool(QObject):
     #: The drag of this number is given up: all is as it was before.
     given_up = Signal(int)
 
-    cursor = Qt.CursorShape.ArrowCursor
-
     def __init__(
         self, points: Callable[[], Points], parent: QObject, style: CurveStyle = _ENVELOPE
     ) -> None:
@@ -452,16 +430,14 @@ class EnvelopeTool(QObject):
     def hint(self) -> str:
         return self._style.how if len(self._points()) == 1 and not self.chosen else ""
 
-    def press(
-        self, content: EditorContent, at: QPointF, button: Button, modifiers: Modifier
-    ) -> None:
+    def press(self, content: EditorContent, at: QPointF, button: Button, held: Modifier) -> None:
         if button != Button.LeftButton or self._drag is not None:
             return
         points = self._points()
         index = _point_at(content, points, at)
         start, number = content.place(at), new_gesture()
         if index is not None:
-            if modifiers & Modifier.ShiftModifier:
+            if held & Modifier.ShiftModifier:
                 self.chosen = tuple(sorted(set(self.chosen) ^ {index}))
             elif index not in self.chosen:
                 self.chosen = (index,)
@@ -474,7 +450,7 @@ class EnvelopeTool(QObject):
         segment = _segment_at(content, points, at)
         if segment is None:
             self._drag = Drag(points, (), start, number, box=at)
-        elif modifiers & Modifier.AltModifier and self._style.bends:
+        elif held & Modifier.AltModifier and self._style.bends:
             here = SEGMENTS.index(points[segment][2])
             self._bend(segment, SEGMENTS[(here + 1) % len(SEGMENTS)])
         else:
@@ -487,7 +463,7 @@ class EnvelopeTool(QObject):
                 index = 0 if segment < 0 else len(added) - 1
                 self._drag = Drag(added, (index,), start, number, added=True, before=points)
 
-    def move(self, content: EditorContent, at: QPointF, modifiers: Modifier) -> None:
+    def move(self, content: EditorContent, at: QPointF, held: Modifier) -> None:
         self._pointer = at
         drag = self._drag
         if drag is None:
@@ -504,11 +480,11 @@ class EnvelopeTool(QObject):
                 k for k, point in enumerate(drag.points) if covered.contains(content.at(*point[:2]))
             )
             return
-        if modifiers & Modifier.ControlModifier:
+        if held & Modifier.ControlModifier:
             by_s, by_value = by_s * _FINE, by_value * _FINE
-        if drag.vertical or (modifiers & Modifier.ShiftModifier and abs(away.y()) > abs(away.x())):
+        if drag.vertical or (held & Modifier.ShiftModifier and abs(away.y()) > abs(away.x())):
             by_s = 0.0
-        elif modifiers & Modifier.ShiftModifier:
+        elif held & Modifier.ShiftModifier:
             by_value = 0.0
         if drag.handle is not None:
             scaled = scaled_by(drag.points, drag.chosen, drag.handle, by_s, by_value)
@@ -675,7 +651,7 @@ class FrequencyContent(EditorContent):
         return self.sample_rate_hz / 2.0
 
 
-class GlideTool(QObject):
+class GlideTool(Tool):
     """Edits both curves of a glide; the one that was touched last has the keys.
 
     Parameters
@@ -695,8 +671,6 @@ class GlideTool(QObject):
     changed = Signal(str, object, object)
     #: The drag of this number is given up: all is as it was before.
     given_up = Signal(int)
-
-    cursor = Qt.CursorShape.ArrowCursor
 
     def __init__(self, points: Callable[[Column], Points], parent: QObject) -> None:
         super().__init__(parent)
@@ -722,15 +696,13 @@ class GlideTool(QObject):
         self.cancel()
         self.active = self.other
 
-    def press(
-        self, content: EditorContent, at: QPointF, button: Button, modifiers: Modifier
-    ) -> None:
+    def press(self, content: EditorContent, at: QPointF, button: Button, held: Modifier) -> None:
         self._touch(content, at)
-        self.tools[self.active].press(of_column(content, self.active), at, button, modifiers)
+        self.tools[self.active].press(of_column(content, self.active), at, button, held)
 
-    def move(self, content: EditorContent, at: QPointF, modifiers: Modifier) -> None:
+    def move(self, content: EditorContent, at: QPointF, held: Modifier) -> None:
         for column, tool in self.tools.items():
-            tool.move(of_column(content, column), at, modifiers)
+            tool.move(of_column(content, column), at, held)
 
     def release(self, content: EditorContent) -> None:
         self.tools[self.active].release(of_column(content, self.active))

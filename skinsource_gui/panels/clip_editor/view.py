@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 import pyqtgraph
@@ -117,28 +117,33 @@ Modifier = Qt.KeyboardModifier
 Button = Qt.MouseButton
 
 
-class Tool(Protocol):
-    """Something that the pointer does."""
+class Tool(QObject):
+    """What the pointer does in the editor; by itself nothing.
 
-    cursor: Qt.CursorShape
+    Attributes
+    ----------
+    cursor
+        Shape of the pointer.
+    """
+
+    cursor = Qt.CursorShape.ArrowCursor
 
     @property
     def hint(self) -> str:
-        """How to begin, while nothing has begun; empty where that is clear."""
+        """Return how to begin, while nothing has begun; empty where that is clear."""
+        return ""
 
-    def press(
-        self, content: EditorContent, at: QPointF, button: Button, modifiers: Modifier
-    ) -> None:
-        """A button went down."""
+    def press(self, content: EditorContent, at: QPointF, button: Button, held: Modifier) -> None:
+        """Begin what a button does that goes down."""
 
-    def move(self, content: EditorContent, at: QPointF, modifiers: Modifier) -> None:
-        """The pointer moved, with a button down or without."""
+    def move(self, content: EditorContent, at: QPointF, held: Modifier) -> None:
+        """Follow the pointer, with a button down or without."""
 
     def release(self, content: EditorContent) -> None:
-        """The button went up."""
+        """End what the button did."""
 
     def double_click(self, content: EditorContent, at: QPointF) -> None:
-        """The left button was pressed twice."""
+        """Do what the left button does that is pressed twice."""
 
     def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
         """Fill the menu of the right button there, or that of what the keys are about.
@@ -147,7 +152,8 @@ class Tool(Protocol):
         """
 
     def cancel(self) -> bool:
-        """Give up what has begun; whether anything had."""
+        """Give up what has begun; return whether anything had."""
+        return False
 
     def paint(self, painter: QPainter, content: EditorContent, theme: Theme) -> None:
         """Paint what belongs to the tool over the curve."""
@@ -455,6 +461,8 @@ class EditorView(Canvas):
         The clip, and which part of it is shown.
     content
         What is shown, where there is a clip.
+    tool
+        The tool that is used.
     """
 
     key_place = "clip_editor"
@@ -470,7 +478,7 @@ class EditorView(Canvas):
         self.setMinimumSize(160, 80)
         self.item = EditorItem()
         self.addItem(self.item)
-        self._tool = tool
+        self.tool = tool
         self.content: EditorContent | None = None
         self.visible_clip = VisibleClip(lambda: self.content, self)
         self.visible_clip.changed.connect(self.lay_out)
@@ -485,15 +493,10 @@ class EditorView(Canvas):
 
     def use(self, tool: Tool) -> None:
         """Take another tool."""
-        self._tool.cancel()
-        self._tool = tool
+        self.tool.cancel()
+        self.tool = tool
         self.viewport().setCursor(tool.cursor)
         self.lay_out()
-
-    @property
-    def tool(self) -> Tool:
-        """The tool that is taken."""
-        return self._tool
 
     def take_look(self) -> None:
         super().take_look()
@@ -501,7 +504,7 @@ class EditorView(Canvas):
 
     def cancel(self) -> bool:
         """Give up what the tool has begun; whether anything had."""
-        given_up = self._tool.cancel()
+        given_up = self.tool.cancel()
         self.visible_clip.let_go()
         self.lay_out()
         return given_up
@@ -514,26 +517,26 @@ class EditorView(Canvas):
             return
         # Nothing moves under the pen, however long or loud the clip becomes.
         self.visible_clip.hold(content)
-        self._tool.press(content, event.position(), event.button(), event.modifiers())
+        self.tool.press(content, event.position(), event.button(), event.modifiers())
         self.lay_out()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         event.accept()
         if self.content is not None:
-            self._tool.move(self.content, event.position(), event.modifiers())
+            self.tool.move(self.content, event.position(), event.modifiers())
             self.item.update()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         event.accept()
         if self.content is not None:
-            self._tool.release(self.content)
+            self.tool.release(self.content)
         self.visible_clip.let_go()
         self.lay_out()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         event.accept()
         if self.content is not None and event.button() == Qt.MouseButton.LeftButton:
-            self._tool.double_click(self.content, event.position())
+            self.tool.double_click(self.content, event.position())
             self.lay_out()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
@@ -544,7 +547,7 @@ class EditorView(Canvas):
         menu = QMenu(self)
         menu.setObjectName("clip_editor_menu")
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self._tool.fill_menu(menu, self.content, None if by_key else QPointF(event.pos()))
+        self.tool.fill_menu(menu, self.content, None if by_key else QPointF(event.pos()))
         if menu.isEmpty():
             # The right button belongs to the tool.
             menu.deleteLater()
@@ -567,7 +570,7 @@ class EditorView(Canvas):
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
         if self.content is not None and not self.visible_clip.is_held:
-            self._tool.move(self.content, QPointF(-1, -1), Qt.KeyboardModifier.NoModifier)
+            self.tool.move(self.content, QPointF(-1, -1), Qt.KeyboardModifier.NoModifier)
             self.item.update()
 
     def lay_out(self) -> None:
@@ -575,7 +578,7 @@ class EditorView(Canvas):
         self.content = self.visible_clip.content_in(
             whole.adjusted(_LEFT_PX, _TOP_PX, -_RIGHT_PX, -_BOTTOM_PX)
         )
-        self.item.show_content(self.content, self._tool, whole)
+        self.item.show_content(self.content, self.tool, whole)
 
 
 _STRIP_LEFT_PX, _STRIP_RIGHT_PX, _STRIP_BOTTOM_PX = 40, 10, 18

@@ -141,8 +141,13 @@ class Card(QAbstractButton):
     ----------
     number
         Of the snapshot; 0: what is edited.
-    parent
-        As in Qt.
+
+    Attributes
+    ----------
+    compared
+        The snapshot that it shows; None: it is empty.
+    present
+        Whether that is in the window.
     """
 
     #: What is wanted of this number: ``"show"``, ``"store"`` or ``"forget"``.
@@ -153,10 +158,10 @@ class Card(QAbstractButton):
         self.number = number
         # The design that is edited is never stored, and without it its card is away.
         self._store_key = shortcut_text(f"store_snapshot_{number}") if number else ""
-        self._compared: Compared | None = None
+        self.compared: Compared | None = None
         self._map: SmallMap | None = None
         self._scale: Scale | None = None
-        self._present = False
+        self.present = False
         self.setObjectName(f"snapshot_card_{number}")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
@@ -165,16 +170,6 @@ class Card(QAbstractButton):
         self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Expanding)
         self.setMaximumHeight(_TALLEST_PX)
         self.show_snapshot(None, None, None, present=False)
-
-    @property
-    def compared(self) -> Compared | None:
-        """The snapshot that it shows; None: empty."""
-        return self._compared
-
-    @property
-    def present(self) -> bool:
-        """Whether it is in the window."""
-        return self._present
 
     def show_snapshot(
         self,
@@ -185,8 +180,8 @@ class Card(QAbstractButton):
         present: bool,
     ) -> None:
         """Take over what to show, in which colours; None: nothing is stored."""
-        self._compared, self._map, self._scale = compared, shown, scale
-        self._present = present
+        self.compared, self._map, self._scale = compared, shown, scale
+        self.present = present
         text = (
             f"Snapshot {self.number}: nothing stored; click, or press {self._store_key}, to store"
             if compared is None
@@ -209,7 +204,7 @@ class Card(QAbstractButton):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         means = meaning_of(_PLACE, event)
-        if means == "forget" and self._compared is not None:
+        if means == "forget" and self.compared is not None:
             self.wanted.emit(self.number, "forget")
         elif means == "act":
             self._act()
@@ -222,13 +217,13 @@ class Card(QAbstractButton):
         frame = QRectF(self.rect()).adjusted(1, 1, -1, -1)
         focused = self.hasFocus()
         line = QPen(QColor(theme.accent if focused else theme.border), _FRAME_PX if focused else 1)
-        if self._compared is None:
+        if self.compared is None:
             line.setStyle(Qt.PenStyle.DashLine)
         painter.setPen(line)
         painter.setBrush(QColor(theme.base))
         painter.drawRoundedRect(frame, _RADIUS_PX, _RADIUS_PX)
         inside = frame.adjusted(4, 4, -4, -3)
-        if self._present:
+        if self.present:
             head = QRectF(inside.left(), inside.top(), inside.width(), self.fontMetrics().height())
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(QColor(theme.accent))
@@ -237,13 +232,13 @@ class Card(QAbstractButton):
         painter.end()
 
     def _paint_inside(self, painter: QPainter, area: QRectF) -> None:
-        theme, compared = current_theme(), self._compared
+        theme, compared = current_theme(), self.compared
         line = self.fontMetrics().height()
         centre = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignVCenter
         heading = QFont(self.font())
         heading.setBold(True)
         painter.setFont(heading)
-        heading_colour = theme.on_accent if self._present else theme.text
+        heading_colour = theme.on_accent if self.present else theme.text
         painter.setPen(QColor(heading_colour if compared else theme.dim))
         name = compared.name if compared else str(self.number)
         painter.drawText(QRectF(area.left(), area.top(), area.width(), line), centre, name)
@@ -271,18 +266,18 @@ class Card(QAbstractButton):
             paint_small_map(painter, room, shown, design, theme, scale.range_db, table)
 
     def _act(self) -> None:
-        self.wanted.emit(self.number, "show" if self._compared else "store")
+        self.wanted.emit(self.number, "show" if self.compared else "store")
 
     def _open_menu(self, at: QPoint) -> None:
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        if self._compared is not None:
+        if self.compared is not None:
             menu.addAction("Show it", lambda: self.wanted.emit(self.number, "show"))
         if self.number:
             menu.addAction(
                 "Store the present design here", lambda: self.wanted.emit(self.number, "store")
             )
-        if self._compared is not None and not (self._present and not self.number):
+        if self.compared is not None and not (self.present and not self.number):
             menu.addAction("Forget it", lambda: self.wanted.emit(self.number, "forget"))
         menu.popup(self.mapToGlobal(at))
 
@@ -336,17 +331,12 @@ class DifferenceMap(QWidget):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self._difference = Difference()
+        self.difference = Difference()
         self.setObjectName("difference_map")
-
-    @property
-    def difference(self) -> Difference:
-        """What is shown."""
-        return self._difference
 
     def show_difference(self, difference: Difference) -> None:
         """Take over what to show."""
-        self._difference = difference
+        self.difference = difference
         text = f"{difference.heading}. {difference.text}".strip(". ")
         self.setAccessibleName(text)
         self.update()
@@ -367,7 +357,7 @@ class DifferenceMap(QWidget):
 
     def text_at(self, point: QPointF) -> str:
         """The difference at the output under the pointer; empty where there is none."""
-        shown = self._difference.shown
+        shown = self.difference.shown
         if shown is None or shown.levels_db is None:
             return ""
         places = small_frame(shown.limb_map, self._areas()[1]).to_screen(
@@ -377,10 +367,10 @@ class DifferenceMap(QWidget):
         if number is None:
             return ""
         difference = minus(f"{shown.levels_db[number - 1]:+z.1f} dB")
-        return f"{output_text(number, self._difference.limb)}: {difference}"
+        return f"{output_text(number, self.difference.limb)}: {difference}"
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter, theme, difference = QPainter(self), current_theme(), self._difference
+        painter, theme, difference = QPainter(self), current_theme(), self.difference
         painter.setFont(tabular(self.font()))
         top, area, bottom = self._areas()
         flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap

@@ -42,30 +42,25 @@ class StepsModel(QAbstractListModel):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._history = History()
-
-    @property
-    def history(self) -> History:
-        """What is listed."""
-        return self._history
+        self.history = History()
 
     def show_history(self, history: History) -> None:
         """Take over what was done."""
-        if history == self._history:
+        if history == self.history:
             return
-        if len(self._history.steps) != len(history.steps):
+        if len(self.history.steps) != len(history.steps):
             self.beginResetModel()
-            self._history = history
+            self.history = history
             self.endResetModel()
         else:
-            self._history = history
+            self.history = history
             self.dataChanged.emit(self.index(0), self.index(self.rowCount() - 1))
 
     def rowCount(self, parent: _Index | None = None) -> int:
-        return 0 if parent is not None and parent.isValid() else len(self._history.steps) + 1
+        return 0 if parent is not None and parent.isValid() else len(self.history.steps) + 1
 
     def data(self, index: _Index, role: int = _Role.DisplayRole) -> Any:
-        row, history = index.row(), self._history
+        row, history = index.row(), self.history
         if not 0 <= row <= len(history.steps):
             return None
         step = history.steps[row - 1] if row else None
@@ -83,13 +78,13 @@ class StepsModel(QAbstractListModel):
 
     def _right(self, row: int, step: Step | None) -> str:
         when = _clock(step) if step else ""
-        return f"saved {when}".strip() if row == self._history.saved else when
+        return f"saved {when}".strip() if row == self.history.saved else when
 
     def _sentence(self, row: int, step: Step | None) -> str:
-        label = step.label if step else self._history.start
+        label = step.label if step else self.history.start
         when = f", {_clock(step)}" if step else ""
-        where = ", present" if row == self._history.present else ""
-        back = ", taken back" if row > self._history.present else ""
+        where = ", present" if row == self.history.present else ""
+        back = ", taken back" if row > self.history.present else ""
         return f"{label}{when}{where}{back}"
 
 

@@ -120,10 +120,8 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
     drawn = magnitude if each_axis else magnitude[:, None]
     if settings.averaged:
         drawn = mean_of_bins(drawn, MEAN_OF_BINS)
-    first, span_shown = (
-        [f"spectrum: {_SCALINGS[span][-3]}{_averaged_text(settings, frequency_hz)}"],
-        None,
-    )
+    notes = [f"spectrum: {_SCALINGS[span][-3]}{_averaged_text(settings, frequency_hz)}"]
+    span_shown = None
     peaks: tuple[float, ...] = ()
     if settings.relative:
         within = _inside(frequency_hz, limb.band_hz)
@@ -133,7 +131,7 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
         drawn = drawn / np.where(largest > 0.0, largest, 1.0)[:, None, None]
         measured = _drawn(drawn[..., within], settings)
         span_shown = float(measured.min()), float(measured.max())
-        first.append("each output relative to its largest magnitude in the measured band")
+        notes.append("each output relative to its largest magnitude in the measured band")
     columns = settings.relative and settings.log_magnitude
     return Curves(
         x=frequency_hz,
@@ -145,7 +143,7 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
         level_words=_RELATIVE_LEVEL_WORDS if settings.relative else LEVEL_WORDS,
         scaling=_scaling(settings, span),
         columns=_columns(results["outputs"], axes) if columns else (),
-        about=lines_later(results, *first, each_axis=each_axis),
+        about=lines_later(results, *notes, each_axis=each_axis),
         heading=heading_of(results, each_axis=each_axis),
         peaks=peaks,
         matched=match_text(results["match_gain"]),
@@ -221,25 +219,27 @@ class SpectraPanel(SignalPanel):
             "log-frequency",
             "Log f",
             f"Logarithmic frequency axis from {_LOWEST_HZ:g} Hz",
-            self._choose_log_frequency,
+            lambda on: self._change(log_frequency=on),
         )
         self._log_frequency.setAccessibleName("Log frequency")
         self._log_magnitude = self._plot.toolbar.add_switch(
             "log-magnitude",
             "dB",
             "Logarithmic magnitude: dB re 1 m/s², the uppermost 80 dB",
-            self._choose_log_magnitude,
+            lambda on: self._change(log_magnitude=on),
         )
         self._log_magnitude.setAccessibleName("Log magnitude")
         self._relative = self._plot.toolbar.add_switch(
-            "relative", RELATIVE.label, RELATIVE.hint, self._choose_relative
+            "relative", RELATIVE.label, RELATIVE.hint, lambda on: self._change(relative=on)
         )
         # Few want it, and seven switches have room on wide screens alone.
         self._averaged = self._plot.add_switch_in_menu(
-            "averaged", AVERAGED.label, AVERAGED.hint, self._choose_averaged
+            "averaged", AVERAGED.label, AVERAGED.hint, lambda on: self._change(averaged=on)
         )
-        self._plot.toolbar.layout_chosen.connect(self._choose_layout)
-        self._plot.zoom_requested.connect(self._zoom)
+        self._plot.toolbar.layout_chosen.connect(lambda layout: self._change(layout=layout))
+        self._plot.zoom_requested.connect(
+            lambda shown_hz: self._change(frequency_range_hz=shown_hz)
+        )
 
     @property
     def needs(self) -> frozenset[str]:
@@ -302,24 +302,6 @@ class SpectraPanel(SignalPanel):
             synthetic=facts_of(results["limb"]).synthetic,
             notes=notes_of(results, settings),
         )
-
-    def _choose_layout(self, layout: str) -> None:
-        self._change(layout=layout)
-
-    def _choose_log_frequency(self, log: bool) -> None:
-        self._change(log_frequency=log)
-
-    def _choose_log_magnitude(self, log: bool) -> None:
-        self._change(log_magnitude=log)
-
-    def _choose_relative(self, relative: bool) -> None:
-        self._change(relative=relative)
-
-    def _choose_averaged(self, averaged: bool) -> None:
-        self._change(averaged=averaged)
-
-    def _zoom(self, shown: tuple[float, float] | None) -> None:
-        self._change(frequency_range_hz=shown)
 
     def _change(self, **changes: Any) -> None:
         settings = replace(self._settings, **changes)

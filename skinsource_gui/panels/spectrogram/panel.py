@@ -259,10 +259,10 @@ class SpectrogramPanel(FigurePanel):
             (self.floor, QLabel("–"), self.ceiling, None),
         )
         self.choices.addWidget(BesideOrBelow(what, band, spacing_px=UNIT_PX // 2))
-        self.output.chosen.connect(self._choose_output)
-        self.window_length.chosen.connect(self._choose_window)
-        self.floor.edited.connect(self._choose_floor)
-        self.ceiling.edited.connect(self._choose_ceiling)
+        self.output.chosen.connect(lambda number, _: self._change(output=float(number)))
+        self.window_length.chosen.connect(lambda window_ms, _: self._change(window_ms=window_ms))
+        self.floor.edited.connect(lambda value_hz, _: self._change(floor_hz=value_hz))
+        self.ceiling.edited.connect(lambda value_hz, _: self._change(ceiling_hz=value_hz))
         self.figure.say(self.no_outputs)
 
     @property
@@ -346,22 +346,6 @@ class SpectrogramPanel(FigurePanel):
         if limb.synthetic:
             parts.append("synthetic limb")
         self.show_found(" · ".join(parts))
-
-    def _choose_output(self, number: str, gesture: int | None) -> None:
-        del gesture
-        self._change(output=float(number))
-
-    def _choose_window(self, window_ms: str, gesture: int | None) -> None:
-        del gesture
-        self._change(window_ms=window_ms)
-
-    def _choose_floor(self, value_hz: float, gesture: int | None) -> None:
-        del gesture
-        self._change(floor_hz=value_hz)
-
-    def _choose_ceiling(self, value_hz: float, gesture: int | None) -> None:
-        del gesture
-        self._change(ceiling_hz=value_hz)
 
     def _change(self, **changes: Any) -> None:
         settings = replace(self._settings, **changes)

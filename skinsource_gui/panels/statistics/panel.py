@@ -38,8 +38,12 @@ from skinsource_gui.panels.figure_panel import COMPUTING
 from skinsource_gui.plots.figure import NoteLabel
 from skinsource_gui.qt.asking import CopyButton, copied
 from skinsource_gui.qt.keys import claims_shortcut
-from skinsource_gui.qt.labels import SHORT_NAME, dress_table, give_names_the_rest
-from skinsource_gui.qt.labels import how_to_select_output as how_to_select_output
+from skinsource_gui.qt.labels import (
+    SHORT_NAME,
+    dress_table,
+    give_names_the_rest,
+    how_to_select_output,
+)
 from skinsource_gui.qt.theme import UNIT_PX, current_theme, set_tone
 from skinsource_gui.state.panel import Panel
 
@@ -231,7 +235,15 @@ class StatisticsPanel(Panel):
         self.copy = CopyButton(self.name, lambda: tab_separated(self.model.rows))
         self.table.copy_wanted.connect(self.copy.click)
         self.computed = (self.table,)
-        self._lay_out()
+        bar = QHBoxLayout()
+        bar.setContentsMargins(UNIT_PX, 1, UNIT_PX // 2, 1)
+        bar.addWidget(self.about, 1)
+        bar.addWidget(self.copy)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addLayout(bar)
+        column.addWidget(self._stack, 1)
         self.setFocusProxy(self.table)
         self._say(self.no_outputs)
 
@@ -259,8 +271,8 @@ class StatisticsPanel(Panel):
         if not outputs:
             self._say(self.no_outputs)
             return
-        figures = results["output_statistics"], results["above_noise_db"]
-        rows = rows_of(outputs, *figures, limb=results["limb_data"].name)
+        figures, above_noise_db = results["output_statistics"], results["above_noise_db"]
+        rows = rows_of(outputs, figures, above_noise_db, results["limb_data"].name)
         self.model.show_rows(rows)
         parts = (
             signal_label(results["axes"], results["method"]),
@@ -280,17 +292,6 @@ class StatisticsPanel(Panel):
         super().show_in_sight(names)
         if was_empty:
             self._message.setText(self.no_outputs)
-
-    def _lay_out(self) -> None:
-        bar = QHBoxLayout()
-        bar.setContentsMargins(UNIT_PX, 1, UNIT_PX // 2, 1)
-        bar.addWidget(self.about, 1)
-        bar.addWidget(self.copy)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addLayout(bar)
-        column.addWidget(self._stack, 1)
 
     def _say(self, message: str) -> None:
         self.model.show_rows(())

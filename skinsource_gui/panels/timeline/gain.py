@@ -164,7 +164,7 @@ class GainPoints(QObject):
                 return strip
         return None
 
-    def press(self, context: GestureContext, at: QPointF, modifiers: Modifier) -> Gesture | None:
+    def press(self, context: GestureContext, at: QPointF, held: Modifier) -> Gesture | None:
         """The left button went down; None where no curve is caught."""
         strip = self.strip_at(at)
         if strip is None:
@@ -176,7 +176,7 @@ class GainPoints(QObject):
             self.choose((track, near))
             return MoveGain(context, strip, at, strip.points, (near,))
         time_s = max(strip.scale.time(at.x()), 0.0)
-        if modifiers & Modifier.ControlModifier:
+        if held & Modifier.ControlModifier:
             points, number = _added(strip, time_s)
             gesture = MoveGain(context, strip, at, points, (number,), fine=False)
             gesture.put(points)
@@ -235,7 +235,7 @@ class GainPoints(QObject):
             return ""
         return f"Point {number + 1} of the gain curve: {gain_point_text(*strip.points[number][:2])}"
 
-    def _key_of_point(self, command: str, key: Qt.Key, modifiers: Modifier) -> bool:
+    def _key_of_point(self, command: str, key: Qt.Key, held: Modifier) -> bool:
         strip, number = self._chosen_strip()
         if strip is None:
             # Held as for a point, where there is none it is for the clips.
@@ -245,7 +245,7 @@ class GainPoints(QObject):
         elif command == "remove":
             self.remove(strip.lane.track.id, (number,))
         elif command in ("nudge", "change_track", "gain_far"):
-            far = _LEAP if modifiers & Modifier.ShiftModifier else 1
+            far = _LEAP if held & Modifier.ShiftModifier else 1
             by_s, by_gain = (
                 far * STEP_S * _TIME_STEPS.get(key, 0),
                 far * STEP_GAIN * _GAIN_STEPS.get(key, 0),

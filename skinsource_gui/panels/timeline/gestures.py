@@ -110,7 +110,7 @@ class Gesture:
     def __init__(self, context: GestureContext) -> None:
         self._context = context
 
-    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         """Follow the pointer to a place, with these keys held."""
         raise NotImplementedError
 
@@ -156,7 +156,7 @@ class MoveEnd(_EndDrag):
     Some desktops take Alt and a drag for themselves.
     """
 
-    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         start_s, end_s = self._start_s, self._end_s
         if self._part is Part.START:
             rest = self._rest(at, start_s)
@@ -164,7 +164,7 @@ class MoveEnd(_EndDrag):
         else:
             rest = self._rest(at, end_s)
             end_s = max(end_s + rest.by_s, start_s + _SHORTEST_S)
-        stretches = modifiers & (Modifier.AltModifier | Modifier.ShiftModifier)
+        stretches = held & (Modifier.AltModifier | Modifier.ShiftModifier)
         act = edits.stretch_clip if stretches else edits.trim_clip
         design, view = self._context.before.design, self._context.content().view
         self._context.edit(act(design, view, self._clip.id, start_s, end_s))
@@ -176,7 +176,7 @@ class MoveEnd(_EndDrag):
 class FadeEnd(_EndDrag):
     """Drags an upper corner of a clip: how long it takes to fade in, or out."""
 
-    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         content = self._context.content()
         by_s = (at.x() - self._at.x()) / content.scale.px_per_s
         in_s, out_s = fades_of(self._clip)
@@ -199,7 +199,7 @@ class Marquee(Gesture):
         # It stays at its time while the view pans.
         self._from = (scale.time(at.x()), at.y())
 
-    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         content = self._context.content()
         down = QPointF(content.scale.x(self._from[0]), self._from[1])
         covered = QRectF(down, at).normalized()
@@ -207,7 +207,7 @@ class Marquee(Gesture):
         touching = covered.adjusted(-0.5, -0.5, 0.5, 0.5)
         touched = [box.clip.id for box in content.boxes if box.rect.intersects(touching)]
         added_to = (
-            self._context.before.view.selected_clips if modifiers & Modifier.ControlModifier else ()
+            self._context.before.view.selected_clips if held & Modifier.ControlModifier else ()
         )
         chosen = (*(clip_id for clip_id in added_to if clip_id not in touched), *touched)
         self._context.show_view(edits.select_clips(content.design, content.view, chosen).view)
@@ -253,8 +253,8 @@ class MoveClips(Gesture):
             copies: content.neighbours_s(frozenset() if copies else ids) for copies in (False, True)
         }
 
-    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
-        copies = self._copies = bool(modifiers & Modifier.ControlModifier)
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
+        copies = self._copies = bool(held & Modifier.ControlModifier)
         place = self._context.elsewhere(at)
         if place is not None and place.location is not None:
             if self._place is None:
@@ -262,8 +262,8 @@ class MoveClips(Gesture):
             self._place = place
             return GesturePreview()
         self._place = None
-        rest = self._rest(at, copies=copies, free=bool(modifiers & Modifier.AltModifier))
-        by_tracks = 0 if modifiers & Modifier.ShiftModifier else self._lanes_to(at)
+        rest = self._rest(at, copies=copies, free=bool(held & Modifier.AltModifier))
+        by_tracks = 0 if held & Modifier.ShiftModifier else self._lanes_to(at)
         before, view = self._context.before, self._context.content().view
         act = edits.copy_clips if copies else edits.move_clips
         self._context.edit(act(before.design, view, self._ids, rest.by_s, by_tracks))
@@ -345,20 +345,20 @@ class MoveGain(Gesture):
         self._points, self._chosen = points, chosen
         self.vertical, self._fine = vertical, fine
 
-    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         strip, scale = self._strip, self._context.content().scale
         moved_px = at - self._at
         by_s, by_gain = moved_px.x() / scale.px_per_s, -moved_px.y() * strip.top / strip.height_px
-        if self._fine and modifiers & Modifier.ControlModifier:
+        if self._fine and held & Modifier.ControlModifier:
             by_s, by_gain = by_s * _FINE, by_gain * _FINE
         vertical = self.vertical
-        if modifiers & Modifier.ShiftModifier:
+        if held & Modifier.ShiftModifier:
             vertical = vertical or abs(moved_px.y()) > abs(moved_px.x())
             by_gain = by_gain if vertical else 0.0
         if vertical:
             by_s = 0.0
         time_s, gain, _ = self._points[self._chosen[0]]
-        free = bool(modifiers & Modifier.AltModifier)
+        free = bool(held & Modifier.AltModifier)
         guide_s = None
         if by_s and not free:
             by_s, guide_s = self._rest(time_s, by_s)
@@ -412,7 +412,7 @@ class MovePlayhead(Gesture):
     def __init__(self, context: GestureContext) -> None:
         self._context = context
 
-    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         time_s, guide_s = snapped_time(self._context, at, self._context.before.view.playhead_s)
         self._context.put_playhead(time_s)
         return GesturePreview(guide_s=guide_s, label=value_text(time_s, "s", digits=5))
@@ -428,7 +428,7 @@ class MoveLoop(Gesture):
         super().__init__(context)
         self._fixed_s = fixed_s
 
-    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         time_s, guide_s = snapped_time(self._context, at)
         ends = (min(time_s, self._fixed_s), max(time_s, self._fixed_s))
         design, view = self._context.before.design, self._context.content().view
@@ -443,7 +443,7 @@ class MoveMarker(Gesture):
         super().__init__(context)
         self._marker = marker
 
-    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         time_s, guide_s = snapped_time(self._context, at, self._marker.time_s)
         design, view = self._context.before.design, self._context.content().view
         index = self._context.before.design.markers.index(self._marker)
@@ -458,7 +458,7 @@ class Pan(Gesture):
         super().__init__(context)
         self._at = at
 
-    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         before = self._context.before
         by_s = (self._at.x() - at.x()) / before.scale.px_per_s
         shown = panned(before.scale.shown_s, by_s, before.whole_s)
@@ -490,13 +490,13 @@ class EitherGesture(Gesture):
         self._at, self._upright, self._along = at, vertical, along
         self._gesture: Gesture | None = None
 
-    def move(self, at: QPointF, modifiers: Modifier) -> GesturePreview:
+    def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         if self._gesture is None:
             moved_px = at - self._at
             self._gesture = (
                 self._along() if abs(moved_px.x()) > abs(moved_px.y()) else self._upright()
             )
-        return self._gesture.move(at, modifiers)
+        return self._gesture.move(at, held)
 
     def finish(self) -> None:
         """What has become of it stays."""

@@ -274,9 +274,7 @@ class LaneMouse(QObject):
         """Whether a button is down that means something."""
         return self._gesture is not None
 
-    def press(
-        self, at: QPointF, button: Qt.MouseButton, modifiers: Modifier, rate_hz: float
-    ) -> None:
+    def press(self, at: QPointF, button: Qt.MouseButton, held: Modifier, rate_hz: float) -> None:
         """A button went down."""
         if self.busy:
             return
@@ -289,19 +287,19 @@ class LaneMouse(QObject):
         elif button != Qt.MouseButton.LeftButton:
             return
         elif at.y() < content.ruler_px:
-            self._gesture = self._on_ruler(context, at, modifiers)
-        elif (curve := self._gain.press(context, at, modifiers)) is not None:
+            self._gesture = self._on_ruler(context, at, held)
+        elif (curve := self._gain.press(context, at, held)) is not None:
             on_line = isinstance(curve, MoveGain) and curve.vertical
             if on_line and box is not None:
-                curve = self._on_line(curve, box, at, modifiers, rate_hz)
+                curve = self._on_line(curve, box, at, held, rate_hz)
             self._gesture = curve
         elif box is not None:
-            self._gesture = self._on_clip(box, at, modifiers, rate_hz)
+            self._gesture = self._on_clip(box, at, held, rate_hz)
         else:
             self._gesture = Marquee(context, at)
             self._click = self._on_ground(context, at)
 
-    def move(self, at: QPointF, modifiers: Modifier) -> None:
+    def move(self, at: QPointF, held: Modifier) -> None:
         """The pointer moved."""
         if self._gesture is None:
             return
@@ -309,7 +307,7 @@ class LaneMouse(QObject):
         self._moving = self._moving or max(abs(away.x()), abs(away.y())) >= _DRAG_PX
         if self._moving:
             self._click = None
-            self.shown.emit(self._gesture.move(at, modifiers))
+            self.shown.emit(self._gesture.move(at, held))
 
     def release(self) -> None:
         """The button went up."""
@@ -379,11 +377,11 @@ class LaneMouse(QObject):
             before=self._content(),
         )
 
-    def _on_clip(self, box: Box, at: QPointF, modifiers: Modifier, rate_hz: float) -> Gesture:
+    def _on_clip(self, box: Box, at: QPointF, held: Modifier, rate_hz: float) -> Gesture:
         content, clip = self._content(), box.clip
         self._pressed = clip.id
         chosen = clip.id in content.view.selected_clips
-        if modifiers & Modifier.ControlModifier:
+        if held & Modifier.ControlModifier:
             # Ctrl copies if it moves, and otherwise adds to the selection or takes away.
             toggled = edits.toggle_clip(content.design, content.view, clip.id).view
             self._click = lambda: self.view_changed.emit(toggled)
@@ -399,18 +397,18 @@ class LaneMouse(QObject):
             self._click = partial(self._select, clip.id)
         context = self._context()
         part = part_at(box.rect, at, box.fades_px)
-        if part is Part.BODY or modifiers & Modifier.ControlModifier:
+        if part is Part.BODY or held & Modifier.ControlModifier:
             return MoveClips(context, box, at, rate_hz)
         ends = (Part.START, Part.END)
         return MoveEnd(context, box, at, part) if part in ends else FadeEnd(context, box, at, part)
 
     def _on_line(
-        self, curve: Gesture, box: Box, at: QPointF, modifiers: Modifier, rate_hz: float
+        self, curve: Gesture, box: Box, at: QPointF, held: Modifier, rate_hz: float
     ) -> Gesture:
         """The curve of a track where it passes over a clip."""
 
         def clip() -> Gesture:
-            gesture = self._on_clip(box, at, modifiers, rate_hz)
+            gesture = self._on_clip(box, at, held, rate_hz)
             self._click = None
             return gesture
 
@@ -422,17 +420,17 @@ class LaneMouse(QObject):
         content = self._content()
         self.view_changed.emit(edits.select_clips(content.design, content.view, (clip,)).view)
 
-    def _on_ruler(self, context: GestureContext, at: QPointF, modifiers: Modifier) -> Gesture:
+    def _on_ruler(self, context: GestureContext, at: QPointF, held: Modifier) -> Gesture:
         content = context.before
         marker, fixed_s = marker_at(content, at), _loop_end_at(content, at)
-        if modifiers & Modifier.ShiftModifier:
+        if held & Modifier.ShiftModifier:
             return MoveLoop(context, snapped_time(context, at)[0])
         if marker is not None:
             return MoveMarker(context, marker)
         if fixed_s is not None:
             return MoveLoop(context, fixed_s)
         gesture = MovePlayhead(context)
-        gesture.move(at, modifiers)
+        gesture.move(at, held)
         return gesture
 
     def _on_ground(self, context: GestureContext, at: QPointF) -> Callable[[], None]:
@@ -605,8 +603,8 @@ class LanesView(Canvas):
         self.menu_wanted.emit(self.mapToGlobal(place).toPoint(), place)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        turns, modifiers = event.angleDelta(), event.modifiers()
-        if turns.x() or modifiers & (_CTRL | Qt.KeyboardModifier.ShiftModifier):
+        turns, held = event.angleDelta(), event.modifiers()
+        if turns.x() or held & (_CTRL | Qt.KeyboardModifier.ShiftModifier):
             self.time_zoom.follow_wheel(event)
         else:
             self.scroll_wanted.emit(turns.y() / NOTCH)

@@ -90,13 +90,13 @@ class TracesPanel(SignalPanel):
             self._remove_delay,
         )
         self._relative = self._plot.toolbar.add_switch(
-            "relative", RELATIVE.label, RELATIVE.hint, self._choose_relative
+            "relative", RELATIVE.label, RELATIVE.hint, lambda on: self._change(relative=on)
         )
         self._fitted = self._plot.add_switch_in_menu(
-            "fitted", FITTED.label, FITTED.hint, self._choose_fitted
+            "fitted", FITTED.label, FITTED.hint, lambda on: self._change(fitted=on)
         )
         self._results: Mapping[str, Any] | None = None
-        self._plot.toolbar.layout_chosen.connect(self._choose_layout)
+        self._plot.toolbar.layout_chosen.connect(lambda layout: self._change(layout=layout))
         self._plot.zoom_requested.connect(self._zoom)
         self._plot.plot.playhead.wanted.connect(self.playhead_wanted)
         self._plot.plot.playhead_key.connect(self._press)
@@ -196,16 +196,7 @@ class TracesPanel(SignalPanel):
         stacked, fitted = self._settings.layout == "stacked", self._settings.fitted
         self._plot.set_view(axis, view.time_range_s, stacked=stacked, fitted=fitted)
 
-    def _choose_layout(self, layout: str) -> None:
-        self._choose(layout=layout)
-
-    def _choose_relative(self, relative: bool) -> None:
-        self._choose(relative=relative)
-
-    def _choose_fitted(self, fitted: bool) -> None:
-        self._choose(fitted=fitted)
-
-    def _choose(self, **changes: Any) -> None:
+    def _change(self, **changes: Any) -> None:
         settings = replace(self._settings, **changes)
         if settings != self._settings:
             self.view_changed.emit(with_settings(self._view, self.name, settings))

@@ -54,7 +54,7 @@ def test_the_worst_of_all_outputs_is_drawn_below_their_median():
     every = np.stack([np.full(n_bins, one) for one in (1.0, 0.98, 0.5)])
     every[:, 0] = np.nan
     *_, straight = diagrams_of_proportion(
-        found, ROWS, TIME_S, None, of_amplitudes("V"), every=every
+        found, ROWS, TIME_S, None, of_amplitudes("V"), all_outputs=every
     )
     median, worst = straight.curves
     assert median.y == pytest.approx(0.98)
@@ -63,7 +63,7 @@ def test_the_worst_of_all_outputs_is_drawn_below_their_median():
     assert worst.x == pytest.approx(found.frequency_hz[1:])
     silent = np.full((3, n_bins), np.nan)
     *_, straight = diagrams_of_proportion(
-        found, ROWS, TIME_S, None, of_amplitudes("V"), every=silent
+        found, ROWS, TIME_S, None, of_amplitudes("V"), all_outputs=silent
     )
     assert straight.curves == ()
 
