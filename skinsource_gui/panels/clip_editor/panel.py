@@ -1,4 +1,4 @@
-"""The curve of a clip and its spectrum, below each other or side by side."""
+"""The panel of the selected clip, large, with its tools and its spectrum."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -52,7 +52,7 @@ _WIDE = 3
 
 
 class EditorBody(QWidget):
-    """Canvas and spectrum: where a panel is low and wide, the spectrum stands at the right."""
+    """Canvas and spectrum: where the panel is low and wide, the spectrum is at the right."""
 
     def __init__(self, canvas: QWidget, spectrum: QWidget, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -71,19 +71,19 @@ class EditorBody(QWidget):
 
 
 class DragStart:
-    """Remembers the design and the view that the first edit of a drag was made of."""
+    """Remembers the design and the view before a drag, so that it can be given up."""
 
     def __init__(self) -> None:
         self._gesture: int | None = None
         self._before: Edit | None = None
 
     def note(self, gesture: int | None, design: Design, view: View) -> None:
-        """An edit of these is made; ``gesture`` is the number of its drag, None without one."""
+        """Remember these, if they are edited first by the drag with this number; None: no drag."""
         if gesture is not None and gesture != self._gesture:
             self._gesture, self._before = gesture, Edit(label="", design=design, view=view)
 
     def undo(self, gesture: int) -> Edit | None:
-        """The edit that gives up a drag; None where it has changed nothing."""
+        """Return the edit that gives up a drag; None where it has changed nothing."""
         return self._before if gesture == self._gesture else None
 
 
@@ -123,7 +123,7 @@ class ToolEdits(QObject):
 
 
 class PenEdits(ToolEdits):
-    """Turns strokes into edits; a clip that is not drawn asks once whether it may become samples.
+    """Turns strokes into edits; asks once before a clip of another kind becomes samples.
 
     Attributes
     ----------
@@ -141,11 +141,11 @@ class PenEdits(ToolEdits):
         self.pen.refused.connect(self._refuse)
 
     def may_draw(self, clip: Clip) -> bool:
-        """Whether nothing need be asked before a clip is drawn on."""
+        """Return whether a clip can be drawn on without a question."""
         return isinstance(clip.waveform, Drawn) or self._allowed is clip.waveform
 
     def is_allowed(self, clip: Clip) -> bool:
-        """Whether a clip may become samples; asks, unless it is drawn or was asked before."""
+        """Return whether a clip may become samples; ask, unless it is drawn or was asked before."""
         if self.may_draw(clip):
             return True
         answer = QMessageBox.question(
@@ -199,7 +199,7 @@ _TOOLS = (
 
 
 class EditorToolbar(QWidget):
-    """Look, draw, envelope; bound to the band; see everything."""
+    """Buttons of the tools, of the band and of the zoom, and a text about the clip."""
 
     tool_wanted = Signal(str)
     bound_wanted = Signal()
@@ -236,11 +236,11 @@ class EditorToolbar(QWidget):
         row.addWidget(self._description, 1)
 
     def show_tool(self, name: str) -> None:
-        """Which tool is taken."""
+        """Show which tool is used."""
         self._tools[name].setChecked(True)
 
     def show_text(self, text: str, *, enabled: bool, hint: str = "") -> None:
-        """Words about the clip, and how to begin; whether there is one to edit."""
+        """Show a text about the clip, and how to begin; ``enabled``: there is a clip to edit."""
         whole = f"{text} · {hint}" if hint else text
         self._description.show_phrases((whole, hint or text, text))
         show_tooltip(self._description, whole)
@@ -249,7 +249,7 @@ class EditorToolbar(QWidget):
         self._bound.setEnabled(enabled and self._band_known)
 
     def show_band(self, band_hz: tuple[float, float] | None) -> None:
-        """In which band the limb was measured; None: not known, and nothing can be bound to it.
+        """Take over the band in which the limb was measured; None: it is not known.
 
         It counts from the next words on.
         """
@@ -263,7 +263,7 @@ class EditorToolbar(QWidget):
         self._band_known = band_hz is not None
 
     def offer_glide(self, offered: bool) -> None:
-        """Whether the clip plays a glide, whose curves can be shaped."""
+        """Show the tool for glides only where the clip plays one."""
         self._tools["glide"].setVisible(offered)
 
     def _button(self, text: str, hint: str) -> QToolButton:
@@ -296,7 +296,7 @@ STEPS: dict[Column, float] = {"frequency": 1.0, "amplitude": 0.01}
 
 
 class GlideEdits(ToolEdits):
-    """Turns what the tool does to the curves into edits of the glide that a clip plays.
+    """Turns changes of the two curves into edits of the glide that a clip plays.
 
     Attributes
     ----------
@@ -319,7 +319,7 @@ class GlideEdits(ToolEdits):
         super().show_state(design, view, clip, rate_hz)
 
     def can_edit(self, clip: Clip | None) -> bool:
-        """Whether a clip plays a glide."""
+        """Return whether a clip plays a glide."""
         return clip is not None and isinstance(clip.waveform, Glide)
 
     def press(self, command: str, event: QKeyEvent) -> bool:
@@ -390,7 +390,7 @@ _STEPS = {
 
 
 class EnvelopeEdits(ToolEdits):
-    """Turns what the tool does to the points into edits of the clip's envelope.
+    """Turns changes of the points into edits of the clip's envelope.
 
     Attributes
     ----------
@@ -456,15 +456,15 @@ class ClipEditorPanel(Panel):
         self._described: tuple[Clip | None, Design | None, str] = (None, None, "")
         self._unplayable: frozenset[int] = frozenset()
         self._pen_edits, self._envelope = PenEdits(self), EnvelopeEdits(self)
-        self._style, self._pen = ViewTool(self), self._pen_edits.pen
+        self._view_tool, self._pen = ViewTool(self), self._pen_edits.pen
         self._glide = GlideEdits(self)
         self._tools: dict[str, Tool] = {
-            "look": self._style,
+            "look": self._view_tool,
             "pen": self._pen,
             "envelope": self._envelope.tool,
             "glide": self._glide.tool,
         }
-        self._canvas = EditorView(self._style)
+        self._canvas = EditorView(self._view_tool)
         self._toolbar, self._spectrum = EditorToolbar(), SpectrumStrip()
         self._empty = QLabel()
         set_tone(self._empty, "dim")
@@ -547,7 +547,7 @@ class ClipEditorPanel(Panel):
         self._toolbar.bound_wanted.connect(self._pen_edits.bound)
         self._toolbar.everything_wanted.connect(self._canvas.visible_clip.show_everything)
         self._canvas.key_pressed.connect(self._press)
-        self._style.pan_wanted.connect(self._canvas.visible_clip.pan)
+        self._view_tool.pan_wanted.connect(self._canvas.visible_clip.pan)
         for tool_edits in (self._pen_edits, self._envelope, self._glide):
             tool_edits.edited.connect(self.edited)
 
@@ -586,7 +586,7 @@ class ClipEditorPanel(Panel):
         self._toolbar.show_text(text, enabled=True, hint=self._canvas.tool.hint)
 
     def _sampled(self, clip: Clip) -> Floats | None:
-        """What the clip plays before its effects; it is drawn once for each waveform."""
+        """Return what the clip plays before its effects; it is sampled once for each waveform."""
         waveform, rate_hz, samples = self._raw
         if waveform is not clip.waveform or rate_hz != self._rate_hz:
             try:
@@ -616,7 +616,7 @@ class ClipEditorPanel(Panel):
 
 
 def _description(clip: Clip, design: Design) -> str:
-    """Where a clip plays, and what."""
+    """Return where a clip plays, and what."""
     place = input_name(design.track_of(clip.id).location, design.limb)
     label = f"{clip.label} · " if clip.label else ""
     figure = f"{clip_text(clip)} · {duration_text(clip.duration_s)}"

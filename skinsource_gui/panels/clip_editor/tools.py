@@ -1,4 +1,4 @@
-"""How a curve of breakpoints looks in the clip editor."""
+"""The tools of the clip editor: a pointer that reads values, a pen, and curves of breakpoints."""
 
 from collections.abc import Callable, Collection
 from dataclasses import dataclass, fields
@@ -111,7 +111,7 @@ def write_point(
 
 @lru_cache(maxsize=8)
 def _dot(line: str, ground: str, ratio: float) -> QPixmap:
-    """Picture of a point, painted once."""
+    """Return the picture of a point, which is painted once."""
     dot = QPixmap(round(_DOT_PX * ratio), round(_DOT_PX * ratio))
     dot.setDevicePixelRatio(ratio)
     dot.fill(Qt.GlobalColor.transparent)
@@ -143,7 +143,7 @@ class Handle:
 def handle_at(
     content: EditorContent, points: Points, chosen: tuple[int, ...], at: QPointF
 ) -> Handle | None:
-    """The handle that is within reach."""
+    """Return the handle within reach."""
     for handle, place in _handles(content, points, chosen):
         if hypot(place.x() - at.x(), place.y() - at.y()) <= CATCH_PX:
             return handle
@@ -153,7 +153,7 @@ def handle_at(
 def scaled_by(
     points: Points, chosen: tuple[int, ...], handle: Handle, by_s: float, by_value: float
 ) -> Points:
-    """The points when a handle went so far: what is opposite to it stays where it is.
+    """Return the points after a handle was dragged; what is opposite to it stays.
 
     Where all have the same value they are scaled about 0.
     """
@@ -187,7 +187,7 @@ def paint_box(
 
 
 def _about(low: float, high: float, side: int, by: float) -> tuple[float, float]:
-    """What stays, and the factor, when one side of a range goes so far."""
+    """Return what stays, and the factor, when one side of a range is dragged."""
     if side == 0 or low == high:
         return low, 1.0
     stays = low if side > 0 else high
@@ -195,7 +195,7 @@ def _about(low: float, high: float, side: int, by: float) -> tuple[float, float]
 
 
 def _places(points: Points, chosen: tuple[int, ...]) -> tuple[list[float], list[float]]:
-    """Times and values of the chosen points."""
+    """Return times and values of the chosen points."""
     places = [points[k] for k in chosen if k < len(points)]
     return [point[0] for point in places], [point[1] for point in places]
 
@@ -234,7 +234,7 @@ def _handles(
 
 @dataclass(slots=True)
 class Drag:
-    """Points as they were when the button went down, and which of them move."""
+    """A drag: the points when the button went down, and which of them move."""
 
     points: Points
     chosen: tuple[int, ...]
@@ -398,7 +398,7 @@ _ENVELOPE = CurveStyle(how=_HOW)
 
 
 class EnvelopeTool(Tool):
-    """Click on the curve: a new point.  Drag: points, a segment up and down, a box around points.
+    """Click on the curve: a new point. Drag: points, a segment up and down, a box around points.
 
     The handles of the box around several chosen points scale them.  Ctrl: finely.  Shift: up and
     down or along alone.  Alt and click on a segment: its next kind.
@@ -545,7 +545,7 @@ class EnvelopeTool(Tool):
         self.chosen = (min(max(number, 0), last),)
 
     def is_near(self, content: EditorContent, at: QPointF) -> bool:
-        """Whether a point, or the curve, is within reach."""
+        """Return whether a point, or the curve, is within reach."""
         points = self._points()
         near = _point_at(content, points, at) is not None
         return near or _segment_at(content, points, at) is not None
@@ -597,7 +597,7 @@ class EnvelopeTool(Tool):
 
 
 def _envelope_places(content: EditorContent, points: Points) -> tuple[Floats, Floats]:
-    """Where points lie, (n,) each, px."""
+    """Return the places of points, (n,) each, px."""
     times_s, values = np.array([point[:2] for point in points]).reshape(-1, 2).T
     return content.curve(times_s, values)
 
@@ -612,7 +612,7 @@ def _point_at(content: EditorContent, points: Points, at: QPointF) -> int | None
 
 
 def _segment_at(content: EditorContent, points: Points, at: QPointF) -> int | None:
-    """The point after which the curve passes here; -1 before the first."""
+    """Return the point after which the curve passes here; -1 before the first."""
     time_s, _ = content.place(at)
     value = float(algebra.curve_at(points, np.array([time_s]))[0])
     if abs(content.y(value) - at.y()) > ENVELOPE_CATCH_PX:
@@ -633,7 +633,7 @@ _ROW_PX = 34.0
 
 
 class FrequencyContent(EditorContent):
-    """The same clip, with frequencies upright: 0 at the foot, half the sample rate at the top."""
+    """A clip with frequency as vertical axis: 0 at the foot, half the sample rate at the top."""
 
     def y(self, value: float) -> float:
         return self.area.bottom() - value / self.top_hz * self.area.height()
@@ -652,7 +652,7 @@ class FrequencyContent(EditorContent):
 
 
 class GlideTool(Tool):
-    """Edits both curves of a glide; the one that was touched last has the keys.
+    """Edits both curves of a glide; keys go to the one that was touched last.
 
     Parameters
     ----------
@@ -759,7 +759,7 @@ class GlideTool(Tool):
 
 
 def of_column(content: EditorContent, column: Column) -> EditorContent:
-    """The content with the values of a curve upright."""
+    """Return the content whose vertical axis is that of a curve."""
     if column == "amplitude":
         return content
     return FrequencyContent(

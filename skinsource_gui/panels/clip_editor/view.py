@@ -1,4 +1,4 @@
-"""What the editor shows."""
+"""The canvas of the clip editor: one clip with its axes, and the spectrum below it."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -79,30 +79,30 @@ class EditorContent:
     reach: float = REACH
 
     def y(self, value: float) -> float:
-        """Where a value lies, px."""
+        """Return the height of a value, px."""
         return self.area.center().y() - value / self.reach * self.area.height() / 2
 
     def value(self, y_px: float) -> float:
-        """Value at a height."""
+        """Return the value at a height."""
         return (self.area.center().y() - y_px) * 2 / self.area.height() * self.reach
 
     def at(self, time_s: float, value: float) -> QPointF:
-        """Where a value at a time lies, px."""
+        """Return the place of a value at a time, px."""
         return QPointF(self.scale.x(time_s), self.y(value))
 
     def curve(self, times_s: Floats, values: Floats) -> tuple[Floats, Floats]:
-        """Where values at times lie, (n,) each, px."""
+        """Return the places of values at times, (n,) each, px."""
         scale, area = self.scale, self.area
         x = scale.left_px + (times_s - scale.shown_s[0]) * scale.px_per_s
         return x, area.center().y() - values / self.reach * (area.height() / 2)
 
     def place(self, at: QPointF) -> tuple[float, float]:
-        """Time and value at a place."""
+        """Return time and value at a place."""
         return self.scale.time(at.x()), self.value(at.y())
 
 
 def reach_of(*signals: Floats | None) -> float:
-    """The largest value that is to be seen: round, and never less than a peak of 1 needs."""
+    """Return the largest value to show: round, and never less than a peak of 1 needs."""
     peaks = [
         float(np.abs(signal).max()) for signal in signals if signal is not None and signal.size
     ]
@@ -118,7 +118,7 @@ Button = Qt.MouseButton
 
 
 class Tool(QObject):
-    """What the pointer does in the editor; by itself nothing.
+    """What the pointer does in the editor; this one does nothing.
 
     Attributes
     ----------
@@ -167,7 +167,7 @@ _DOTS_PX = 6.0
 
 
 class EditorItem(pyqtgraph.GraphicsObject):
-    """Paints a clip and what its tool shows; knows nothing of the mouse."""
+    """Paints a clip and what its tool shows."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -193,7 +193,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
         self.update()
 
     def show_late(self, stale: bool) -> None:
-        """Whether the curve belongs to an older design."""
+        """Show whether the curve belongs to an older design."""
         if stale != self._stale:
             self._stale = stale
             self.update()
@@ -332,7 +332,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
 
 
 def _places(content: EditorContent, points: Points) -> tuple[Floats, Floats]:
-    """Where points of the curve are, px."""
+    """Return the places of points of the curve, px."""
     scale, area = content.scale, content.area
     x = scale.left_px + (points.x - scale.shown_s[0]) * scale.px_per_s
     return x, area.center().y() - points.y[0] / content.reach * area.height() / 2
@@ -344,7 +344,7 @@ _LEAST_S = 0.01
 
 
 class VisibleClip(QObject):
-    """A clip, and how much of its time and of its values is seen.
+    """A clip, and which part of its time and of its values is visible.
 
     Parameters
     ----------
@@ -379,11 +379,11 @@ class VisibleClip(QObject):
         return self._held is not None
 
     def hold(self, content: EditorContent) -> None:
-        """Something is drawn: what is seen stays, however long or loud the clip becomes."""
+        """Keep the visible part during a drag, however long or loud the clip becomes."""
         self._held = (content.scale.shown_s, content.reach)
 
     def let_go(self) -> None:
-        """What was drawn is done."""
+        """End what `hold` began."""
         self._held = None
 
     def pan(self, by_s: float) -> None:
@@ -414,7 +414,7 @@ class VisibleClip(QObject):
         self._see(None)
 
     def content_in(self, area: QRectF) -> EditorContent | None:
-        """What the editor shows, with the curve in that area; None: there is no clip."""
+        """Return what the editor shows, with the curve in that area; None: there is no clip."""
         if self._clip is None:
             return None
         shown_s = self._whole_s
@@ -589,7 +589,7 @@ _NOTEWORTHY = 0.01
 
 
 def spectrum_db(samples: Floats, sample_rate_hz: float) -> tuple[Floats, Floats]:
-    """Frequencies in Hz, and magnitude in dB below the largest, (n_frequencies,) each."""
+    """Return frequencies in Hz, and magnitude in dB below the largest, (n_frequencies,) each."""
     # Of numpy, which is imported before the window is painted.
     n = 1 << (max(2 * samples.size, 512) - 1).bit_length()
     peak = float(np.abs(samples).max(initial=0.0))
@@ -650,7 +650,7 @@ class SpectrumStrip(QWidget):
 
     @property
     def text(self) -> str:
-        """How much of the energy lies outside the band."""
+        """Text on how much of the energy lies outside the band."""
         if self._band_hz is None:
             return "In which band this limb was measured is not known"
         low, high = self._band_hz

@@ -1,4 +1,4 @@
-"""What is said of snapshots."""
+"""A snapshot as a card, the map of a difference, and the texts of both."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -54,7 +54,7 @@ _UNIT = "dB re 1 m/s²"
 
 
 def played_db(compared: Compared) -> float | None:
-    """Level of the loudest output of a snapshot as it is shown, dB; None: not known."""
+    """Return the level of the loudest output of a snapshot as it is shown, dB; None: not known."""
     if compared.values is None:
         return None
     stored = loudest_db(compared.values["output_levels_db"])
@@ -62,7 +62,7 @@ def played_db(compared: Compared) -> float | None:
 
 
 def card_level_text(compared: Compared) -> str:
-    """Level of the loudest output, "−12.3 dB"; "…" while it is not known."""
+    """Return the level of the loudest output, "−12.3 dB"; "…" while it is not known."""
     level = played_db(compared)
     if level is None:
         return "–" if compared.problem else "…"
@@ -70,13 +70,13 @@ def card_level_text(compared: Compared) -> str:
 
 
 def title(compared: Compared) -> str:
-    """What a sentence calls it."""
+    """Return the name of a snapshot in a sentence."""
     number = compared.snapshot.number
     return "edited" if number == EDITED else f"snapshot {number}"
 
 
 def matching_text(compared: Sequence[Compared], *, matched: bool) -> str:
-    """By what quantity the designs are alike, and how much of it they have."""
+    """Return the text on which quantity all designs share, and its level."""
     known = [side for side in compared if played_db(side) is not None]
     if len(known) < 2:
         return ""
@@ -90,7 +90,7 @@ def matching_text(compared: Sequence[Compared], *, matched: bool) -> str:
 
 
 def difference_captions(present: Compared, other: Compared, *, matched: bool) -> tuple[str, str]:
-    """What stands above and below a map of their difference."""
+    """Return the texts above and below a map of their difference."""
     name = title(present)
     heading = f"{name[:1].upper()}{name[1:]} minus {title(other)}"
     caption = "dB, as stored"
@@ -103,7 +103,7 @@ def difference_captions(present: Compared, other: Compared, *, matched: bool) ->
 
 
 def equal_captions(present: Compared, other: Compared) -> tuple[str, str]:
-    """What stands above and below the map of two that make no difference: in what they agree."""
+    """Return the texts above and below the map of two designs with the same levels."""
     name = title(present)
     heading = f"{name[:1].upper()}{name[1:]} and {title(other)} are equal"
     mine, theirs = present.snapshot, other.snapshot
@@ -115,7 +115,7 @@ def equal_captions(present: Compared, other: Compared) -> tuple[str, str]:
 
 
 def card_text(compared: Compared, *, present: bool) -> str:
-    """All that a card shows, to be read aloud."""
+    """Return all that a card shows, as it is read aloud."""
     name = title(compared)
     gain = gain_text(compared.gain)
     parts = [
@@ -135,7 +135,7 @@ _RADIUS_PX, _FRAME_PX, _TALLEST_PX, _RINGS_PX = 4, 2, 200, 6
 
 
 class Card(QAbstractButton):
-    """Shows a snapshot, and is clicked to have it in the window; an empty one stores.
+    """A snapshot as a card: a click shows it in the window, an empty card stores.
 
     Parameters
     ----------
@@ -283,7 +283,7 @@ class Card(QAbstractButton):
 
 
 def fitted_level(painter: QPainter, text: str, width: float) -> str:
-    """A level without its unit where there is no room for it; the tooltip has both."""
+    """Return a level without its unit where there is no room for it; the tooltip has both."""
     wide = painter.fontMetrics().horizontalAdvance(text) > width
     return text.removesuffix(" dB") if wide else text
 
@@ -293,7 +293,7 @@ _LEAST_MAP_PX = 70.0
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Difference:
-    """What the map shows.
+    """What the map of a difference shows.
 
     Attributes
     ----------
@@ -315,7 +315,7 @@ class Difference:
 
     @property
     def end_db(self) -> float:
-        """Largest difference that the colours tell, dB."""
+        """Largest difference that has its own colour, dB."""
         levels = None if self.shown is None else self.shown.levels_db
         return end_db() if levels is None else end_db(levels)
 
@@ -327,7 +327,7 @@ class Difference:
 
 
 class DifferenceMap(QWidget):
-    """The map, and below it a scale with zero in its middle."""
+    """The map of a difference, and below it a scale with zero in its middle."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -356,7 +356,7 @@ class DifferenceMap(QWidget):
         return super().event(event)
 
     def text_at(self, point: QPointF) -> str:
-        """The difference at the output under the pointer; empty where there is none."""
+        """Return the difference at the output under the pointer; empty where there is none."""
         shown = self.difference.shown
         if shown is None or shown.levels_db is None:
             return ""
@@ -398,7 +398,7 @@ class DifferenceMap(QWidget):
         painter.end()
 
     def _areas(self) -> tuple[QRectF, QRectF, QRectF]:
-        """Room for the heading, the map and the scale."""
+        """Return the areas of the heading, the map and the scale."""
         line = self.fontMetrics().height()
         room = QRectF(self.rect())
         top = QRectF(room.left(), room.top(), room.width(), line)

@@ -1,4 +1,4 @@
-"""Panel of snapshots side by side, and of what makes them differ."""
+"""The panel of snapshots as cards, and of how two of them differ."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -162,7 +162,7 @@ class ComparePanel(Panel):
         self._halves.addWidget(self.map, 1)
 
     def _present(self, compared: Sequence[Compared]) -> Compared | None:
-        """What is in the window."""
+        """Return the snapshot that is in the window."""
         if self._design is None:
             return None
         held = shown(self._view.snapshots, self._design)
@@ -172,7 +172,7 @@ class ComparePanel(Panel):
     def _map_of(
         self, side: Compared | None, loudest_db: float
     ) -> tuple[SmallMap | None, Scale | None]:
-        """The map of a card, in colours that mean the same on all of them."""
+        """Return the map of a card, in colours that mean the same on all cards."""
         if side is None or side.values is None:
             return None, None
         scale, gain = scale_of_levels(np.array(loudest_db), level_look(self._view)), gain_db(side)

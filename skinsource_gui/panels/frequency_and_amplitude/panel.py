@@ -1,4 +1,4 @@
-"""What is turned, in words that are no higher than two lines."""
+"""The panel of frequency and amplitude of the selected track, large, for presenting."""
 
 from dataclasses import dataclass
 
@@ -32,7 +32,7 @@ _WRAPPED = Qt.TextFlag.TextWordWrap
 
 
 class Heading(QLabel):
-    """Shows the first of some phrasings that fits into two lines; else the last, in more of them.
+    """Shows the first of some phrases that fits into two lines; else the last, in more lines.
 
     It is as high as two lines whatever it says: what stands below keeps its place from scene to
     scene, and a long title does not push it out of the window.
@@ -78,7 +78,7 @@ CONTROL = ChoiceSpec(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ControlSettings:
-    """What is turned.
+    """Which number is changed in front of an audience.
 
     Attributes
     ----------
@@ -114,7 +114,7 @@ class _LabelledField(QWidget):
 
 
 class FrequencyAndAmplitudePanel(Panel):
-    """The two numbers that are turned while presenting, in front of an audience.
+    """The two numbers that are changed while presenting, large.
 
     They are the amplitude and, where the waveform has one, the frequency.
     """
@@ -226,7 +226,7 @@ class FrequencyAndAmplitudePanel(Panel):
 
 
 def _controlled_input(design: Design, view: View) -> Input | None:
-    """The selected input; where there is only one, nobody has to select it."""
+    """Return the selected track, or the only one, which nobody has to select."""
     if len(design.inputs) == 1:
         return design.inputs[0]
     return next((track for track in design.inputs if track.id == view.selected_input), None)

@@ -1,4 +1,4 @@
-"""The history as rows."""
+"""The panel of all steps of the history, in which a click goes back or forth."""
 
 import time
 from functools import partial
@@ -97,7 +97,7 @@ _BAR_PX, _LEAST_WORDS = 3, 0.5
 
 
 class StepDelegate(QStyledItemDelegate):
-    """Label at the left, time at the right; pale what was taken back; a bar at the present."""
+    """Paints label and time of a step; undone steps are pale, the present one has a bar."""
 
     def sizeHint(
         self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
@@ -135,7 +135,7 @@ class StepDelegate(QStyledItemDelegate):
 
 
 def row_text(metrics: QFontMetrics, label: str, time: str, room_px: int) -> tuple[str, str]:
-    """Label and time as they share a row; a label that is too long is cut short."""
+    """Return label and time as they share a row; a label that is too long is cut short."""
     width = metrics.horizontalAdvance(time) + UNIT_PX if time else 0
     if room_px - width < _LEAST_WORDS * room_px:
         # What was done says more than when; the tooltip has both.

@@ -1,4 +1,4 @@
-"""What is drawn in a diagram."""
+"""The diagrams and sentences of a proportion or of a superposition, and the panel's settings."""
 
 from dataclasses import dataclass
 
@@ -53,7 +53,7 @@ class Diagram:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StrengthUnit:
-    """Of strengths.
+    """Unit of the strengths of a stimulus.
 
     Attributes
     ----------
@@ -80,12 +80,12 @@ class StrengthUnit:
 
 
 def of_amplitudes(unit: str) -> StrengthUnit:
-    """Amplitudes in ``unit``; ``"×"`` is that of a plain factor."""
+    """Return the unit of amplitudes in ``unit``; ``"×"`` is that of a plain factor."""
     return StrengthUnit(title=f"Strength ({unit})", symbol="" if unit == "×" else unit)
 
 
 def of_velocities(m_per_s_each: float) -> StrengthUnit:
-    """Velocities of a probe, of which an amplitude of 1 has so many m/s."""
+    """Return the unit of velocities of a probe, of which an amplitude of 1 has so many m/s."""
     return StrengthUnit(
         title="Probe velocity (mm/s)",
         symbol="mm/s",
@@ -109,7 +109,7 @@ _EDGE = 1.4
 
 
 def part_of(time_s: Floats, curves: Floats, zoom: tuple[float, float] | None) -> tuple[int, int]:
-    """From which to before which sample curves, (..., n_times), are drawn."""
+    """Return the first sample and the one after the last that are drawn of (..., n_times)."""
     if zoom is None:
         loudest = float(time_s[np.argmax(np.abs(curves).max(axis=tuple(range(curves.ndim - 1))))])
         zoom = loudest - _SHOWN_S / 2, loudest + _SHOWN_S / 2
@@ -129,7 +129,7 @@ def diagrams_of_proportion(
     bands: bool = False,
     all_outputs: Floats | None = None,
 ) -> tuple[Diagram, ...]:
-    """Divided responses over each other, output over input, and how straight that is.
+    """Return divided responses over each other, output over input, and how straight that is.
 
     ``rows`` are the channels that are drawn over time, one for each output; ``unit`` is that of
     the strengths; ``bands``: outputs are those in some bands; ``every``: adjusted R² of all
@@ -159,7 +159,7 @@ def _straight(result: Proportion, rows: tuple[int, ...]) -> tuple[Curve, ...]:
 
 
 def _worst_and_median(result: Proportion, all_outputs: Floats) -> tuple[Curve, ...]:
-    """Dots and a line through bands in which some output is heard."""
+    """Return dots and a line through the bands in which some output is not silent."""
     known_bands = np.isfinite(all_outputs).any(axis=0)
     if not known_bands.any():
         return ()
@@ -172,7 +172,7 @@ def _worst_and_median(result: Proportion, all_outputs: Floats) -> tuple[Curve, .
 
 
 def bands_shown(result: Proportion) -> list[int]:
-    """Which of the bands are drawn one by one: those at the frequencies of the figure."""
+    """Return the bands that are drawn one by one: those at the frequencies of the figure."""
     apart_hz = np.abs(result.frequency_hz - np.array(_SHOWN_HZ)[:, None])
     return [
         int(distances_hz.argmin())
@@ -216,7 +216,7 @@ def _growth(result: Proportion, rows: tuple[int, ...], unit: StrengthUnit) -> Di
 
 
 def _growth_in_bands(result: Proportion, rows: tuple[int, ...], unit: StrengthUnit) -> Diagram:
-    """The same in bands, whose outputs differ by powers of ten: over logarithmic axes."""
+    """Return output over input in bands, which differ by powers of ten: over logarithmic axes."""
     at = result.strengths * unit.factor
     lines: list[Curve] = []
     ends: list[float] = []
@@ -249,7 +249,7 @@ def diagrams_of_superposition(
     time_s: Floats,
     zoom: tuple[float, float] | None,
 ) -> tuple[Diagram, ...]:
-    """The sum below the joint response, and the one over the other."""
+    """Return the sum below the joint response, and the one over the other."""
     both = np.stack((result.separate, result.joint))[:, rows]
     part = part_of(time_s, both, zoom)
     x, (separate, joint) = finer(time_s, both, *part)
@@ -277,7 +277,7 @@ def diagrams_of_superposition(
 def part_text(
     shown_s: tuple[float, float], time_s: Floats, zoom: tuple[float, float] | None = None
 ) -> str:
-    """Which part is drawn over time where that is not all there is, or not all of the zoom."""
+    """Return which part is drawn over time, where that is less than all, or than the zoom."""
     first, last = (f"{1e3 * edge_s:.0f}" for edge_s in shown_s)
     if zoom is not None:
         step_s = float(time_s[-1] - time_s[0]) / max(time_s.size - 1, 1)
@@ -290,7 +290,7 @@ def part_text(
 
 
 def proportion_text(result: Proportion, all_outputs: Straightness | None = None) -> str:
-    """What was found, in a sentence."""
+    """Return the result in a sentence."""
     text = f"{len(result.strengths)} strengths, divided by them: {_difference_text(result.apart)}"
     r2 = (result if all_outputs is None else all_outputs).adjusted_r2
     known, whose = r2[np.isfinite(r2)], "" if all_outputs is None else f" of all {len(r2)} outputs"
@@ -300,7 +300,7 @@ def proportion_text(result: Proportion, all_outputs: Straightness | None = None)
 
 
 def superposition_text(result: Superposition) -> str:
-    """What was found, in a sentence."""
+    """Return the result in a sentence."""
     known = result.correlation[np.isfinite(result.correlation)]
     correlation = f" · r {known.min():.6f} at least" if known.size else ""
     return (
@@ -313,7 +313,7 @@ def _difference_text(difference: float) -> str:
 
 
 def _pale(k: int, n: int) -> float:
-    """The widest is palest: each is seen below the next."""
+    """Return how pale line ``k`` of ``n`` is: the widest one is palest, so that all are visible."""
     return 0.75 * (1.0 - k / (n - 1))
 
 
@@ -324,7 +324,7 @@ def _time(x: Floats) -> Axis:
 
 
 def _over_time(x: Floats, width_px: float) -> float:
-    """Width of a line; through one sample there is none, it is a dot."""
+    """Return the width of a line; one sample is a dot, which has none."""
     return width_px if x.size > 1 else 0.0
 
 
@@ -356,7 +356,7 @@ EVERY_OUTPUT = SwitchSpec(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LinearitySettings:
-    """How outputs are held against the strengths of inputs.
+    """How outputs are compared with the strengths of inputs.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Labels beside the ends of curves: whole, in the frame, and none over another one."""
+"""Diagrams of lines and dots, with labels beside the ends of curves."""
 
 from dataclasses import replace
 
@@ -19,7 +19,7 @@ _LEAST_OF_CURVES = 0.3
 
 
 def x_with_room_for_labels(axes: Axes, curves: tuple[Curve, ...], metrics: QFontMetricsF) -> Axis:
-    """The x axis, on until the longest label fits between the ends of curves and the frame."""
+    """Return the x axis, longer, so that the longest label fits behind the ends of the curves."""
     labelled = [curve for curve in curves if curve.label]
     if not labelled:
         return axes.x
@@ -33,7 +33,7 @@ def x_with_room_for_labels(axes: Axes, curves: tuple[Curve, ...], metrics: QFont
 def places_of_labels(
     axes: Axes, curves: tuple[Curve, ...], font: QFont
 ) -> tuple[QFont, list[tuple[QRectF, Curve]]]:
-    """Where labels are written, and in which letters.
+    """Return where labels are written, and in which font.
 
     Those that would lie on each other move apart, in the order of their curves; where the frame
     is too low for all they are smaller, and then the rest is left out.
@@ -77,12 +77,12 @@ def write_labels(painter: QPainter, axes: Axes, curves: tuple[Curve, ...], theme
 
 
 def colour_of(curve: Curve, theme: Theme) -> QColor:
-    """Of its output, or that of words."""
+    """Return the colour of the output of a curve, or that of text."""
     return QColor(theme.text if curve.rank is None else theme.output_colour(curve.rank))
 
 
 def _apart(at: list[float], step: float, top: float, bottom: float) -> list[float]:
-    """Sorted places, moved apart no farther than needed, between two ends."""
+    """Return sorted places, moved apart no farther than needed, between two ends."""
     placed: list[float] = []
     for y in at:
         placed.append(max(y, placed[-1] + step if placed else top + step / 2))
@@ -98,7 +98,7 @@ _LINES_WIDE, _DIAGRAM_LEAST_PART, _LEAST_PX = 10.0, 0.5, 11.0
 
 
 class DiagramsPicture(Figure):
-    """Diagrams beside each other where there is room, else over each other."""
+    """Diagrams side by side where there is room, else one above the other."""
 
     def __init__(self, name: str, accessible_name: str, parent: QWidget | None = None) -> None:
         super().__init__(name, accessible_name, parent)
@@ -149,7 +149,7 @@ class DiagramsPicture(Figure):
 
 
 def _areas(room: QRectF, count: int) -> list[QRectF]:
-    """Equal parts of a room, side by side where it is wide enough."""
+    """Return equal parts of a room, side by side where it is wide enough."""
     if room.width() >= room.height():
         wide = (room.width() - UNIT_PX * (count - 1)) / count
         return [
@@ -161,7 +161,7 @@ def _areas(room: QRectF, count: int) -> list[QRectF]:
 
 
 def font_in(areas: list[QRectF], font: QFont) -> QFont:
-    """The font, or a smaller one that can be read, in which numbers at axes have room."""
+    """Return the font, or a smaller readable one, in which numbers at axes have room."""
     wide = min((area.width() for area in areas), default=0.0)
     fits = wide / (_LINES_WIDE * QFontMetricsF(font).height())
     least = max(_DIAGRAM_LEAST_PART, _LEAST_PX / QFontInfo(font).pixelSize())

@@ -1,4 +1,4 @@
-"""Which of the designs that are compared are held against each other."""
+"""The panel that checks stored designs: strengths in proportion, or inputs that add up."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -52,7 +52,7 @@ _STORED_ALONE = "snapshots alone"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ComparedDesigns:
-    """Designs, and what they are to each other.
+    """Designs, and how they relate to each other.
 
     Attributes
     ----------
@@ -78,7 +78,7 @@ class ComparedDesigns:
 
 
 def compared_designs(compared: Sequence[Compared]) -> ComparedDesigns:
-    """All of the designs; or, where what is edited is something else, those that are stored."""
+    """Return all designs, or the stored ones, where the edited one does not relate to them."""
     every = _compared_designs(compared)
     stored = [side for side in compared if side.snapshot.number != EDITED]
     if every.is_linear or len(stored) == len(compared):
@@ -109,7 +109,7 @@ def tab_separated(
     bands: bool = False,
     every: Straightness | None = None,
 ) -> str:
-    """RMS by strength, output by band, how straight each output is, or r of each channel.
+    """Return a table of RMS by strength, output by band, R² of each output, or r of each channel.
 
     Channels are ``axes`` of each of ``outputs``; ``unit`` is that of strengths; ``bands``: outputs
     are told in bands, all of them; ``every``: how straight all outputs are is told instead.
@@ -179,7 +179,7 @@ _MOST_VALUES = 2_000_000
 
 
 class LinearityPanel(FigurePanel):
-    """Responses divided by strength, output over input, or the sum of inputs and all of them."""
+    """Whether outputs grow in step with the strength, and whether inputs add up."""
 
     title: ClassVar[str] = "Linearity"
     name: ClassVar[str] = "linearity"
@@ -253,7 +253,7 @@ class LinearityPanel(FigurePanel):
             self.show_stale(False)
 
     def show_problem(self, reason: str) -> None:
-        """Snapshots have problems of their own, see `show_snapshots`."""
+        """Do nothing: snapshots have problems of their own, see `show_snapshots`."""
 
     def say_instead(self, message: str) -> None:
         self._drawn, self.result, self.all_outputs = (), None, None
@@ -264,7 +264,7 @@ class LinearityPanel(FigurePanel):
             switch.hide()
 
     def table(self) -> str:
-        """The numbers, with tabs between the columns."""
+        """Return the numbers, with tabs between the columns."""
         if self.result is None:
             return ""
         unit, bands = self._unit, self._settings.bands
@@ -280,7 +280,7 @@ class LinearityPanel(FigurePanel):
         return same
 
     def _switch(self, spec: SwitchSpec, chosen: Callable[[bool], None]) -> QToolButton:
-        """A switch above the diagrams, of strengths alone."""
+        """Return a switch above the diagrams, which is only about strengths."""
         name = f"linearity_{spec.label.split()[-1].replace('/', '_')}"
         switch = tool_button(None, name, spec.label, spec.hint, checkable=True)
         switch.clicked.connect(chosen)
@@ -352,7 +352,7 @@ class LinearityPanel(FigurePanel):
         self.about.say(" · ".join(filter(None, notes)))
 
     def _time_s(self, results: Mapping[str, Any], delay_s: float) -> Floats:
-        """Instants on the time axes as they are now: results of the window know the delay removed.
+        """Return the times on the time axes of the window, (n_times,), s.
 
         Those of snapshots do not: nothing else that is of them depends on it.
         """
@@ -363,13 +363,13 @@ class LinearityPanel(FigurePanel):
 def _straightness(
     strengths: Sequence[float], results: Sequence[Mapping[str, Any]]
 ) -> Straightness | None:
-    """How straight all outputs are; None: they are too long to be transformed at once."""
+    """Return how straight all outputs are; None: they are too long to be transformed at once."""
     in_bands = [result[_EVERY] for result in results]
     return None if any(levels is None for levels in in_bands) else straightness(strengths, in_bands)
 
 
 def _how_to_start() -> str:
-    """What to store where it is neither strengths nor a sum."""
+    """Return what to store, where designs are neither strengths nor a sum."""
     first, last = (shortcut_text(f"store_snapshot_{number}") for number in (1, NUMBERS[-1]))
     return (
         "Store one stimulus at three strengths or more, or inputs alone and all of them together, "

@@ -1,4 +1,4 @@
-"""Ellipses of motion, a row of planes for each output."""
+"""The panel of the direction along which each selected output moves most."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -26,7 +26,7 @@ _GAP_PX = 3.0
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class MainAxisContent:
-    """What is drawn: ellipsoids, of which outputs of which limb, along which axes (``"xyz"``)."""
+    """Main axes of outputs of a limb, along ``axes``, as in ``"xyz"``."""
 
     main_axes: MainAxes
     outputs: tuple[int, ...]
@@ -34,7 +34,7 @@ class MainAxisContent:
     limb: str = ""
 
     def text_of(self, rank: int) -> str:
-        """What is to be said of one output."""
+        """Return the text on the main axis of one output."""
         main_axes, name = self.main_axes, output_name(self.outputs[rank], self.limb).short_name
         start = f"{self.outputs[rank]} {name}"
         if np.isnan(main_axes.share[rank]):
@@ -161,7 +161,7 @@ class MainAxisPicture(Figure):
 
 
 def _cell_size(room: QRectF, count: int, n_planes: int, line: float) -> tuple[float, float]:
-    """Width and height of what one output gets: as large as all fit, but not too small."""
+    """Return width and height of the cell of an output: as large as all fit, but not too small."""
     best = (_LEAST_SIDE_PX * n_planes, _LEAST_ROW_PX)
     for across in range(1, count + 1):
         down = -(-count // across)
@@ -228,7 +228,7 @@ class MainAxisPanel(FigurePanel):
             self.show_found(" · ".join(notes))
 
     def table(self) -> str:
-        """The numbers, with tabs between the columns."""
+        """Return the numbers, with tabs between the columns."""
         shown = self.picture.shown
         if shown is None or self.picture.message:
             return ""

@@ -1,4 +1,4 @@
-"""What maps side by side show."""
+"""What maps side by side show: of limbs, of snapshots or of axes."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -107,7 +107,7 @@ class Cell:
 
     @property
     def heading(self) -> str:
-        """All of the heading."""
+        """The longest heading."""
         return self.headings[0]
 
     @property
@@ -116,11 +116,11 @@ class Cell:
         return None if self.small is None else self.small.levels_db
 
     def value_text(self, output: int | None) -> str:
-        """The value of an output; of none: the largest one, and where it is."""
+        """Return the text of the value of an output; None: of the largest one, and where it is."""
         return self.value_texts(output)[0]
 
     def value_texts(self, output: int | None) -> tuple[str, ...]:
-        """The same in ever fewer words."""
+        """Return the texts of that value, from the longest to the shortest."""
         values = self.values_db
         if values is None or self.scale is None:
             return ("",)
@@ -143,7 +143,7 @@ class Cell:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SideBySideContent:
-    """All of them.
+    """All maps, or a message in their place.
 
     Attributes
     ----------
@@ -174,7 +174,7 @@ class SideBySideContent:
         return any(cell.stale for cell in self.cells)
 
     def readout(self, output: int | None) -> str:
-        """What all maps say of an output; without one what they are."""
+        """Return the values of an output in all maps; None: what the maps show."""
         drawn = [cell for cell in self.cells if cell.small is not None]
         if output is None or not drawn:
             return self.about
@@ -201,7 +201,7 @@ class Cells:
     def of_levels(
         self, compared: Sequence[Compared], names: Sequence[Names], style: LevelLook = USUAL_LOOK
     ) -> tuple[Cell, ...]:
-        """A map of the levels of each, in the same colours over the same range."""
+        """Return a map of the levels of each, in the same colours over the same range."""
         self._begin()
         known = [_levels_db(side) for side in compared if side.values is not None]
         loudest = np.array([levels.max() for levels in known])
@@ -216,7 +216,7 @@ class Cells:
         names: Sequence[Names],
         style: LevelLook = USUAL_LOOK,
     ) -> tuple[Cell, ...]:
-        """A map of the levels of each relative to its own loudest output, in colours of a look."""
+        """Return a map of the levels of each, relative to its own loudest output."""
         self._begin()
         scale, pairs = scale_of_own(style), zip(compared, names, strict=True)
         return tuple(self._levels(side, name, scale, own=True) for side, name in pairs)
@@ -224,7 +224,7 @@ class Cells:
     def of_differences(
         self, compared: Sequence[Compared], names: Sequence[Names], reference: int
     ) -> tuple[Cell, ...]:
-        """A map of how much louder each of the others is than the one at ``reference``."""
+        """Return a map of how much louder each of the others is than the one at ``reference``."""
         self._begin()
         base, of_base = compared[reference], names[reference]
         cells = [
@@ -246,7 +246,7 @@ class Cells:
         reference: int,
         style: LevelLook = USUAL_LOOK,
     ) -> tuple[Cell, ...]:
-        """Mean and standard deviation over all whose outputs are at the places of ``reference``."""
+        """Return mean and standard deviation over all that have the outputs of ``reference``."""
         self._begin()
         base = compared[reference]
         limb = _limb(base)
@@ -339,7 +339,7 @@ class Cells:
     def _map(
         self, key: str, side: Compared, levels_db: Floats | None, noisy: tuple[int, ...]
     ) -> SmallMap:
-        """A map on the limb of ``one``: of its levels as they are shown, or of others."""
+        """Return a map on the limb of ``side``: of its levels as they are shown, or of others."""
         values: dict[str, Any] = dict(side.values or {})
         if levels_db is not None:
             values["output_levels_db"] = levels_db
@@ -352,7 +352,7 @@ class Cells:
 
 
 def _relative(small: SmallMap, maximum_db: float) -> SmallMap:
-    """The same map with its levels re ``maximum_db``; what is silent stays so."""
+    """Return the same map with its levels re ``maximum_db``; silent outputs stay silent."""
     levels, field = small.levels_db, small.field_levels_db
     return replace(
         small,
@@ -366,7 +366,7 @@ def _below(levels_db: Floats, maximum_db: float) -> Floats:
 
 
 def _of_all(called: Sequence[Names], n_compared: int) -> Names:
-    """Of how many and of which; where some cannot take part, of how many there are."""
+    """Return the phrases for how many designs count, and which."""
     number = f"of {len(called)}"
     if len(called) < n_compared:
         number += f" of {n_compared}"
@@ -375,14 +375,14 @@ def _of_all(called: Sequence[Names], n_compared: int) -> Names:
 
 
 def _minus(names: Names, other: Names) -> Names:
-    """What a difference is called; as few words of both."""
+    """Return the names of a difference, from the longest to the shortest."""
     n = max(len(names), len(other))
     pairs = [(names[min(k, len(names) - 1)], other[min(k, len(other) - 1)]) for k in range(n)]
     return tuple(f"{first} minus {second}" for first, second in pairs)
 
 
 def _reached_db(drawn: Sequence[Floats]) -> Range | None:
-    """The smallest and the largest of all values; None where there is none."""
+    """Return the smallest and the largest of all values; None where there is none."""
     known = [levels for levels in drawn if levels.size]
     if not known:
         return None
@@ -393,13 +393,13 @@ def _reached_db(drawn: Sequence[Floats]) -> Range | None:
 
 
 def _levels_db(side: Compared) -> Floats:
-    """Levels as it is shown: as loud as the others, where that is wanted."""
+    """Return the levels as they are shown: matched to the others, if that is chosen."""
     levels: Floats = (side.values or {})["output_levels_db"]
     return levels if side.gain == 1.0 else levels + gain_db(side)
 
 
 def _noisy(*compared: Compared) -> tuple[int, ...]:
-    """Numbers of the outputs that are mostly noise in any of them."""
+    """Return the numbers of the outputs that are mostly noise in any of them."""
     known = [(side.values or {}).get("above_noise_db") for side in compared]
     noisy = {
         int(k) + 1
@@ -470,7 +470,7 @@ class SideBySideSettings:
         fields.check(self)
 
     def chosen(self, limb: str) -> tuple[str, ...]:
-        """Names of the limbs that are shown beside each other while a design is on ``limb``."""
+        """Return the names of the limbs that are shown while a design is on ``limb``."""
         if not self.limbs.strip():
             return related_limbs(limb)
         return tuple(dict.fromkeys(self.limbs.split()))[:MOST_BESIDE]
@@ -490,7 +490,7 @@ LEVELS = frozenset(
 
 
 class Kind:
-    """One thing that is chosen under "Of"; it remembers nothing.
+    """One choice of "Of": where the sides come from, and what they are called. It has no state.
 
     Attributes
     ----------
@@ -510,32 +510,32 @@ class Kind:
     def needs_on_limbs(
         self, settings: SideBySideSettings, limb: str
     ) -> Mapping[str, frozenset[str]]:
-        """As of a panel, while the design is on ``limb``."""
+        """Return what a panel needs of other limbs while the design is on ``limb``."""
         del settings, limb
         return {}
 
     def sides(self, design: Design, results: Mapping[str, Any]) -> Sequence[Compared]:
-        """The sides, from results of the design in the window, which hold what it ``needs``."""
+        """Return the sides from results of the design in the window, which hold its ``needs``."""
         del design, results
         return ()
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
-        """What the sides are called, each in ever fewer words."""
+        """Return the names of the sides, each from the longest to the shortest."""
         raise NotImplementedError
 
     def reference(self, compared: Sequence[Compared], design: Design, view: View) -> int:
-        """Which of them is the one in the window; the first where none is."""
+        """Return which of them is in the window; the first where none is."""
         del compared, design, view
         return 0
 
     def hindrance(self, compared: Sequence[Compared], view: View) -> str:
-        """Why nothing can be compared, in a sentence; empty where something can."""
+        """Return why nothing can be compared, in a sentence; empty where something can."""
         del view
         known = [side for side in compared if side.values is not None]
         return COMPARED_SILENT if known and all(is_silent(side) for side in known) else ""
 
     def about(self, compared: Sequence[Compared], design: Design | None, view: View) -> str:
-        """What the levels are."""
+        """Return the text on what the levels are."""
         text = f"RMS of {signal_label(view.axes, view.method)} · {span_label(view.span)}"
         without = "without inputs that cannot be played"
         left_out = without if any(side.left_out for side in compared) else ""
@@ -544,7 +544,7 @@ class Kind:
         )
 
     def shown(self, settings: SideBySideSettings) -> str:
-        """What is shown of the sides: the levels where there is no choice."""
+        """Return what is shown of the sides: the levels where there is no choice."""
         return settings.shown if "shown" in self.fields else "levels"
 
     def drawn(
@@ -555,7 +555,7 @@ class Kind:
         view: View,
         settings: SideBySideSettings,
     ) -> tuple[Cell, ...]:
-        """The maps of the sides, made by ``cells``; scales say by how much levels are matched."""
+        """Return the maps of the sides; their scales show by how much levels are matched."""
         maps = self._cells(cells, compared, design, view, settings)
         matched = matched_text(compared) or display_gain_text(design, view)
         return tuple(
@@ -593,7 +593,7 @@ _COMMON = frozenset({"limb_map", "limb_data", "surface"})
 
 
 class OfAxes(Kind):
-    """All that the limb measures along, whichever of them are chosen in the window.
+    """The present design along each axis of the sensors, whatever axes are chosen in the window.
 
     Levels alone: each sensor's x and y point their own way, so that neither a difference of axes
     nor their mean says something of the skin.
@@ -626,7 +626,7 @@ ALONE = "There is no other limb with these outputs. Choose some under Limbs."
 
 
 class OfLimbs(Kind):
-    """The design in the window is one of the sides: it is predicted once, for all panels."""
+    """The present design on several limbs; that in the window is predicted once, for all panels."""
 
     fields: ClassVar[frozenset[str]] = frozenset({"shown", "limbs"})
 
@@ -636,7 +636,7 @@ class OfLimbs(Kind):
         return dict.fromkeys(settings.chosen(limb), LEVELS)
 
     def names(self, compared: Sequence[Compared], view: View, *, difference: bool) -> list[Names]:
-        """Those measured along other axes than those of the view say so."""
+        """Return the names of the limbs, with their axes where these are not those of the view."""
         names: list[Names] = []
         for side in compared:
             limb = side.snapshot.design.limb
@@ -659,7 +659,7 @@ class OfLimbs(Kind):
 
 
 class OfSnapshots(Kind):
-    """As loud as each other where that is wanted."""
+    """Snapshots of the present design, and designs of files; their levels can be matched."""
 
     fields: ClassVar[frozenset[str]] = frozenset({"shown", "file"})
     needs_of_snapshots: ClassVar[frozenset[str]] = LEVELS
@@ -688,7 +688,7 @@ class OfSnapshots(Kind):
 def snapshot_names(
     compared: Sequence[Compared], axes: Axes, *, with_limbs: bool = False
 ) -> list[Names]:
-    """What the snapshots are called; those measured along other axes than ``axes`` say so.
+    """Return the names of the snapshots, with their axes where these are not ``axes``.
 
     ``with_limbs``: where they are on several limbs, they say on which.
     """
@@ -713,7 +713,7 @@ def snapshot_names(
 
 
 def _own_parts(titles: Sequence[str]) -> dict[str, str]:
-    """What each title says that the others do not: ``"Fig. 2B · 50 Hz"`` is ``"50 Hz"``.
+    """Return the part of each title that is its own: ``"50 Hz"`` of ``"Fig. 2B · 50 Hz"``.
 
     Of titles whose parts, between middle dots, begin alike.
     """
@@ -727,7 +727,7 @@ def _own_parts(titles: Sequence[str]) -> dict[str, str]:
 
 
 def tab_separated(content: SideBySideContent) -> str:
-    """A row for each output, a column for each map; empty where there is no level."""
+    """Return the numbers for a spreadsheet: a row for each output, a column for each map."""
     cells = [cell for cell in content.cells if cell.values_db is not None]
     titles = [f"{cell.heading} ({_unit(cell)})" for cell in cells]
     lines = ["\t".join(("output", *titles))]

@@ -1,4 +1,4 @@
-"""All that can stand side by side, by its name in `settings.OF`."""
+"""The panel of maps side by side, with the choices above them."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -106,7 +106,7 @@ _LINES_WITH_ROOM, _BESIDE = 14, 2
 
 
 class ChoicesBar(QWidget):
-    """Turns choices into another view.
+    """The choices above the maps; a choice emits another view.
 
     Where the maps below need the room its words are written smaller until two stand in each row.
 
@@ -205,7 +205,7 @@ _LEAST = QSize(240, 230)
 
 
 class SideBySidePanel(Panel):
-    """Levels, differences, or mean and spread, of two to four limbs, of snapshots or of axes.
+    """Maps of two to four limbs, of snapshots or of axes, with one pointer and one selection.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Where maps side by side and their scales lie."""
+"""Where maps side by side and their scales lie, and how they are painted and pointed at."""
 
 import re
 from collections.abc import Sequence
@@ -128,12 +128,12 @@ def places_of(room: QRectF, n: int, line: float, *, common: bool, heading_lines:
 
 
 def least_height(line: float) -> float:
-    """Height in which maps in one row can be told apart, with lines of that height."""
+    """Return the least height for maps in one row, with lines of that height."""
     return 1.2 * line + 3.0 * line + 0.9 * line + scale_row_px(line) + _LEAST_MAP_PX
 
 
 def _rows(room: QRectF, n: int, around: float) -> int:
-    """In how many rows maps are largest; as few as give that."""
+    """Return the fewest rows in which maps are largest."""
 
     def map_width(rows: int) -> float:
         wide = room.width() / ceil(n / rows)
@@ -192,14 +192,14 @@ def paint_heading(painter: QPainter, wordings: Sequence[str], room: QRectF) -> N
 
 
 def bold(font: QFont) -> QFont:
-    """The font of headings among words in ``font``."""
+    """Return the font of headings for texts in ``font``."""
     bold_font = QFont(font)
     bold_font.setBold(True)
     return bold_font
 
 
 def _fits(metrics: QFontMetricsF, wordings: Sequence[str], room: QRectF) -> bool:
-    """Whether one of some wordings has room, at the breaks between words that it has."""
+    """Return whether one of some wordings has room; lines break only between words."""
     inner = _inner(metrics, room)
     flags = int(_CENTRE.value) | int(Qt.TextFlag.TextWordWrap.value)
     for wording in wordings:
@@ -220,13 +220,13 @@ def _with_joined_numbers(text: str) -> str:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class VisibleMaps:
-    """What is shown, and where that is."""
+    """What is shown, and where."""
 
     content: SideBySideContent
     places: Places
 
     def points_of(self, index: int) -> Floats:
-        """Where the outputs are drawn in one of the maps, (n_outputs, 2); NaN: they are not."""
+        """Return the places of the outputs in one of the maps, (n_outputs, 2); NaN: not drawn."""
         cells = self.content.cells
         small = cells[index].small if index < len(cells) else None
         if small is None or self.content.message:
@@ -237,7 +237,7 @@ class VisibleMaps:
         )
 
     def map_at(self, point: QPointF, before: int) -> int:
-        """The map under a point; where there is none the one before."""
+        """Return the map under a point; where there is none the one before."""
         cells = enumerate(self.places.cells)
         return next((k for k, place in cells if place.whole.contains(point)), before)
 
@@ -359,7 +359,7 @@ def _paint_cell(
 
 
 def fitting(painter: QPainter, wordings: Sequence[str], width: float) -> str:
-    """The first of some wordings, each shorter than the one before, for which there is room."""
+    """Return the first wording that has room; each is shorter than the one before."""
     metrics = painter.fontMetrics()
     width -= 0.5 * metrics.height()
     fits = (wording for wording in wordings if metrics.horizontalAdvance(wording) <= width)
@@ -372,7 +372,7 @@ _KEYS = frozenset({"go", "select", "toggle", "select_all", "select_none"})
 
 
 class MapsView(QWidget):
-    """Shows `Content`, and tells which outputs the user wants selected.
+    """The maps as a widget; an output that is pointed at in one map is marked in all.
 
     Attributes
     ----------

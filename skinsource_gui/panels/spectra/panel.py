@@ -1,4 +1,4 @@
-"""What only the spectra look at."""
+"""The panel of amplitude spectra of the selected outputs."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -106,12 +106,12 @@ _AVERAGED = f"mean of {MEAN_OF_BINS} bins"
 
 
 def quantity_of(settings: SpectraSettings, span: Span) -> str:
-    """Name of what is drawn."""
+    """Return the name of the quantity that is drawn."""
     return (_OF_AXES if settings.layout == "axes" else _QUANTITIES)[span]
 
 
 def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
-    """The curves of ``results``, which hold what `quantity_of` names."""
+    """Return the curves of ``results``, which hold what `quantity_of` names."""
     span, limb = results["span"], facts_of(results["limb"])
     frequency_hz, magnitude = results[quantity_of(settings, span)]
     each_axis = settings.layout == "axes"
@@ -151,20 +151,20 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
 
 
 def notes_of(results: Mapping[str, Any], settings: SpectraSettings) -> tuple[str, ...]:
-    """What should be known of the curves, longest first."""
+    """Return warnings about the curves, longest first."""
     rectified = results["method"] == "mag" and len(results["axes"]) > 1
     return _RECTIFIED if rectified and settings.layout != "axes" else ()
 
 
 def _scaling(settings: SpectraSettings, span: Span) -> tuple[str, ...]:
-    """What heights mean, longest first."""
+    """Return what heights mean, longest first."""
     if not settings.averaged:
         return _SCALINGS[span]
     return tuple(f"{text}, {_AVERAGED}" for text in _SCALINGS[span])
 
 
 def _averaged_text(settings: SpectraSettings, frequency_hz: Floats) -> str:
-    """Over which frequencies a mean is, where each magnitude is one."""
+    """Return over which frequencies each magnitude is a mean, or ""."""
     if not settings.averaged or frequency_hz.size < 2:
         return ""
     return f", {_AVERAGED}, {MEAN_OF_BINS * float(frequency_hz[1] - frequency_hz[0]):.3g} Hz"
@@ -177,7 +177,7 @@ def _kind(settings: SpectraSettings) -> Kind:
 
 
 def _columns(outputs: tuple[int, ...], axes: tuple[str, ...]) -> tuple[str, ...]:
-    """Titles of levels that are relative to peaks."""
+    """Return the titles of levels that are relative to peaks."""
     return tuple(
         f"output_{output}{axis and f'_{axis}'}_db_re_its_peak"
         for output in outputs
@@ -190,7 +190,7 @@ def _drawn(magnitude: Floats, settings: SpectraSettings) -> Floats:
 
 
 def _inside(frequency_hz: Floats, band_hz: Band | None) -> NDArray[np.bool_]:
-    """Which frequencies were measured: below them is what sensors drift, not what skin does."""
+    """Return which frequencies were measured: below them is drift of the sensors."""
     low_hz, high_hz = band_hz or (0.0, np.inf)
     inside = (frequency_hz >= low_hz) & (frequency_hz <= high_hz)
     # A band between two frequencies holds none: then all count.
@@ -311,7 +311,7 @@ class SpectraPanel(SignalPanel):
 
 @cache
 def _axes(sample_rate_hz: float, band: Band | None) -> tuple[XAxis, XAxis]:
-    """The linear and the logarithmic axis of a limb of this rate and band; None: not known."""
+    """Return the linear and the logarithmic axis of a limb; band None: it is not known."""
     highest_hz = sample_rate_hz / 2
     titles: tuple[str, ...] = ("Frequency (Hz)",)
     if band is not None:
@@ -328,7 +328,7 @@ def _axes(sample_rate_hz: float, band: Band | None) -> tuple[XAxis, XAxis]:
 
 
 def _as_seen(axis: XAxis, zoom: RangesRange | None) -> XAxis:
-    """The axis, without words on what is shaded where nothing that is in view is."""
+    """Return the axis, without a text on the shaded part where none is visible."""
     visible = zoom or axis.extent
     if axis.band is None or visible is None:
         return axis

@@ -1,4 +1,4 @@
-"""The spectrogram as a picture with axes, a colour scale, a cursor and the playhead."""
+"""The panel of the spectrogram of one selected output."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -143,7 +143,7 @@ class SpectrogramPicture(Figure):
         return QRectF() if self.axes is None or self.message else self.axes.frame
 
     def _image_place(self, axes: Axes, shown: SpectrogramContent) -> QRectF:
-        """Columns and rows stand for the middles of their cells."""
+        """Return where the image lies: its columns and rows are the middles of their cells."""
         time_s, frequency_hz = shown.spectrogram.time_s, _rows_frequency(shown)
         x, y = _edges(time_s + shown.first_s), _edges(frequency_hz)
         corners = axes.to_screen(np.array(x), np.array(y))
@@ -192,7 +192,7 @@ class SpectrogramPicture(Figure):
 
 
 def scale_text(level_db: float, *, top: bool, matched: str = "") -> tuple[str, ...]:
-    """A level beside the scale; at its ``top``, and below it, what levels are relative to."""
+    """Return the lines for a level beside the scale, at its ``top`` with the reference."""
     text = minus(f"{level_db:.0f} dB")
     below = matched.rsplit(" ", 1) if matched else ()
     return (text, _REFERENCE, *below) if top else (text,)
@@ -354,7 +354,7 @@ class SpectrogramPanel(FigurePanel):
 
 
 def _band(settings: SpectrogramSettings, highest_hz: float) -> Range:
-    """Floor and ceiling inside of what there is, some hertz apart."""
+    """Return floor and ceiling within the known frequencies, some hertz apart."""
     floor = min(settings.floor_hz, highest_hz - _NARROWEST_HZ)
     ceiling = min(settings.ceiling_hz, highest_hz)
     return (floor, ceiling) if ceiling - floor >= _NARROWEST_HZ else (floor, highest_hz)

@@ -1,4 +1,4 @@
-"""Figures of outputs as a table."""
+"""The panel of figures of the selected outputs, as a table that can be copied."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -74,7 +74,7 @@ class StatisticsRow:
     noisy: bool
 
     def texts(self) -> tuple[str, ...]:
-        """As they are shown; a dash where there is no number."""
+        """Return the texts of a row; a dash where there is no number."""
         mark = f" {NOISE_MARK}" if self.noisy else ""
         written = (
             format(value, style).removesuffix(".") if np.isfinite(value) else "–"
@@ -84,7 +84,7 @@ class StatisticsRow:
 
     @property
     def short_name(self) -> str:
-        """Its name where there is little room: the number."""
+        """The name where there is little room: the number."""
         return f"{self.number} {NOISE_MARK}" if self.noisy else str(self.number)
 
     @property
@@ -97,7 +97,7 @@ class StatisticsRow:
 def rows_of(
     outputs: tuple[int, ...], figures: Statistics, above_noise_db: Floats | None, limb: str = ""
 ) -> tuple[StatisticsRow, ...]:
-    """A row for each selected output of a limb."""
+    """Return a row for each selected output of a limb."""
     rows = []
     columns = (
         figures.rms,
@@ -120,7 +120,7 @@ def rows_of(
 
 
 def tab_separated(rows: tuple[StatisticsRow, ...]) -> str:
-    """The table for a spreadsheet: a header, then numbers that read back exactly."""
+    """Return the table for a spreadsheet: a header, then numbers that read back exactly."""
     header: tuple[str, ...] = ("output", "place", "rms_m_per_s2", "peak_m_per_s2")
     header += ("crest", "dominant_hz", "delay_ms", "mostly_noise")
     lines = ["\t".join(header)]
@@ -254,7 +254,7 @@ class StatisticsPanel(Panel):
 
     @property
     def no_outputs(self) -> str:
-        """What it says while no output is selected."""
+        """The message while no output is selected."""
         return how_to_select_output(self.in_sight)
 
     def sizeHint(self) -> QSize:

@@ -1,4 +1,4 @@
-"""Lanes and the clips in them, in pixels."""
+"""What the timeline shows: lanes, clips and gain curves in pixels, and which part of the time."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -71,13 +71,13 @@ class Lane:
 
     @property
     def bottom_px(self) -> float:
-        """Where the next one begins."""
+        """Return where the next lane begins, px."""
         return self.top_px + self.height_px
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Box:
-    """A clip where it is painted, and how far its fades reach, px."""
+    """The place of a clip on its lane, and how far its fades reach, px."""
 
     clip: Clip
     lane: Lane
@@ -88,7 +88,7 @@ class Box:
 def boxes_of(
     lanes: Sequence[Lane], scale: TimeScale, durations_s: Mapping[int, float]
 ) -> list[Box]:
-    """The clips that can be seen between the ends of ``scale``, lane by lane, in painting order.
+    """Return the clips that are visible between the ends of ``scale``, lane by lane.
 
     Parameters
     ----------
@@ -123,7 +123,7 @@ _MARGIN_PX = 4.0
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GainStrip:
-    """A gain curve, and where its values lie.
+    """A gain curve on its lane.
 
     Attributes
     ----------
@@ -142,29 +142,29 @@ class GainStrip:
 
     @property
     def points(self) -> Points:
-        """Its breakpoints."""
+        """The breakpoints of the curve."""
         return points_of(self.lane.track.gain_curve)
 
     @property
     def height_px(self) -> float:
-        """From a gain of 0 up to the largest one, px."""
+        """Height from a gain of 0 up to the largest one, px."""
         return max(self.lane.height_px - 2 * _MARGIN_PX, 1.0)
 
     def at(self, time_s: float, gain: float) -> QPointF:
-        """Where a gain at a time lies, px."""
+        """Return the place of a gain at a time, px."""
         return QPointF(self.scale.x(time_s), self.y(gain))
 
     def y(self, gain: float) -> float:
-        """Where a gain lies, px."""
+        """Return the height of a gain, px."""
         return self.lane.bottom_px - _MARGIN_PX - gain / self.top * self.height_px
 
     def gain_at(self, time_s: float) -> float:
-        """The gain at a time."""
+        """Return the gain at a time."""
         points = self.points or ((0.0, 1.0, "straight"),)
         return float(curve_at(points, np.array([time_s]))[0])
 
     def point_at(self, at: QPointF) -> int | None:
-        """The point within reach."""
+        """Return the number of the point within reach of the pointer."""
         away = [
             (max(abs(place.x() - at.x()), abs(place.y() - at.y())), k)
             for k, place in enumerate(self.at(x, y) for x, y, _ in self.points)
@@ -173,33 +173,33 @@ class GainStrip:
         return None if nearest is None or nearest[0] > POINT_PX else nearest[1]
 
     def is_on_line(self, at: QPointF) -> bool:
-        """Whether the curve passes here."""
+        """Return whether the curve passes here."""
         return abs(self.y(self.gain_at(self.scale.time(at.x()))) - at.y()) <= LINE_PX
 
     def around(self, time_s: float) -> tuple[int, ...]:
-        """The points between which the curve is at a time; beyond its ends the one there."""
+        """Return the numbers of the points around a time; beyond the ends of the last one."""
         points = self.points
         before = sum(x <= time_s for x, _, _ in points)
         return tuple(k for k in (before - 1, before) if 0 <= k < len(points))
 
 
 def points_of(curve: Curve) -> Points:
-    """A gain curve as breakpoints."""
+    """Return a gain curve as breakpoints."""
     return tuple((x, y, "straight") for x, y in curve)
 
 
 def curve_of(points: Points) -> Curve:
-    """Breakpoints as a gain curve, with no more digits than anybody wants to read."""
+    """Return breakpoints as a gain curve, rounded so that its numbers are short."""
     return tuple((round(x, 9), round(y, 6)) for x, y, _ in points)
 
 
 def top_of(curve: Curve) -> float:
-    """The largest gain that a lane has room for."""
+    """Return the largest gain for which the lane has room."""
     return max(_LEAST_TOP, _ROOM * max((y for _, y in curve), default=0.0))
 
 
 def gain_point_text(time_s: float, gain: float) -> str:
-    """A point in words: ``"120 ms · × 0.5 · −6.0 dB"``."""
+    """Return the text of a point: ``"120 ms · × 0.5 · −6.0 dB"``."""
     level = f"{number_text(float(decibels(np.array([gain]))[0]), 1)} dB" if gain > 0.0 else "silent"
     return f"{value_text(time_s, 's', digits=5)} · × {gain:.4g} · {level}"
 
@@ -209,7 +209,7 @@ AFTER_S, LEAST_S = 0.4, 0.5
 
 
 class ClipLengths:
-    """Lengths of the clips of a design; those of clips that are as they were are not asked again.
+    """Lengths of the clips of a design; clips that are the same as before are not computed again.
 
     Parameters
     ----------
@@ -241,7 +241,7 @@ class ClipLengths:
         self.whole_s: Range = (0.0, max(max(ends, default=0.0) + AFTER_S, LEAST_S))
 
     def of(self, design: Design) -> "ClipLengths":
-        """Those of a design, most of whose clips are the same."""
+        """Return the lengths for a design, most of whose clips are the same."""
         return self if design is self.design else ClipLengths(design, self)
 
     def _known_or_computed(
@@ -262,20 +262,20 @@ _LEAST_S = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class Stretch:
-    """From when to when clips overlap, s."""
+    """A stretch of time in which clips overlap, s."""
 
     start_s: float
     end_s: float
 
 
 class Overlaps:
-    """Finds where clips of tracks overlap; of a track that stays the same, once."""
+    """Finds where clips of a track overlap; a track that stays the same is searched once."""
 
     def __init__(self) -> None:
         self._known: dict[int, tuple[Input, tuple[Stretch, ...]]] = {}
 
     def of(self, track: Input) -> tuple[Stretch, ...]:
-        """Stretches of time with two clips or more, rising."""
+        """Return the stretches of time with two clips or more, in order."""
         known = self._known.get(track.id)
         if known is None or known[0] is not track:
             known = self._known[track.id] = (track, stretches(track.clips))
@@ -283,7 +283,7 @@ class Overlaps:
 
 
 def stretches(clips: Iterable[Clip]) -> tuple[Stretch, ...]:
-    """Stretches of time in which two of these clips or more play."""
+    """Return the stretches of time in which two of these clips or more play."""
     overlaps: list[Stretch] = []
     last_s = float("-inf")
     for start_s, end_s in sorted((clip.onset_s, clip.end_s) for clip in clips):
@@ -311,14 +311,14 @@ def paint_overlaps(
 
 
 def next_id(ids: Sequence[int], current: int | None) -> int | None:
-    """The next of several, the first after the last; None where there is no other."""
+    """Return the id after this one, the first after the last; None where there is no other."""
     if len(ids) < 2:
         return None
     return ids[(ids.index(current) + 1) % len(ids)] if current in ids else ids[0]
 
 
 def overlapping(track: Input, clip: Clip) -> tuple[int, ...]:
-    """Ids of the clips of a track that play while one of them does, with that one."""
+    """Return the ids of one clip of a track, and of those that play at the same time."""
     return tuple(
         other.id
         for other in sorted(track.clips, key=lambda each: (each.onset_s, each.id))
@@ -328,7 +328,7 @@ def overlapping(track: Input, clip: Clip) -> tuple[int, ...]:
 
 
 def clip_text(clip: Clip) -> str:
-    """A clip in a list: ``"Tone · 120 ms"``."""
+    """Return the text of a clip in a list: ``"Tone · 120 ms"``."""
     return f"{clip.label or clip.waveform.title} · {value_text(clip.onset_s, 's', digits=5)}"
 
 
@@ -338,7 +338,7 @@ RULER_PX = 26.0
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class TimelineContent:
-    """Design, view, and where both are painted; made anew at each change.
+    """What the timeline shows, and where; a new one is made at each change.
 
     Attributes
     ----------
@@ -393,18 +393,18 @@ class TimelineContent:
 
     @cached_property
     def selected(self) -> frozenset[int]:
-        """Clips that are selected."""
+        """Ids of the selected clips."""
         return frozenset(self.view.selected_clips)
 
     @cached_property
     def boxes(self) -> list[Box]:
-        """Clips that can be seen, in painting order: the selected ones lie on top."""
+        """Visible clips in painting order: the selected ones lie on top."""
         boxes = [box for lane in self.lanes for box in self.boxes_on(lane)]
         return sorted(boxes, key=lambda box: box.clip.id in self.selected)
 
     @cached_property
     def strips(self) -> list[GainStrip]:
-        """Gain curves that can be seen: those that are edited, and those that do something."""
+        """Gain curves that are painted: those that are edited, and those that are not flat."""
         return [
             GainStrip(
                 lane=lane,
@@ -417,7 +417,7 @@ class TimelineContent:
         ]
 
     def unplayable_on(self, lane: Lane) -> frozenset[int]:
-        """Clips for which a lane cannot be played: that cannot be sampled, or else all of them."""
+        """Return the ids of the clips that keep a lane from being played."""
         if not lane.problem:
             return frozenset()
         sounding = [clip.id for clip in lane.track.clips if not clip.muted]
@@ -425,7 +425,7 @@ class TimelineContent:
         return frozenset([clip_id for clip_id in sounding if clip_id not in known] or sounding)
 
     def boxes_on(self, lane: Lane) -> list[Box]:
-        """Clips of a lane that can be seen, in painting order."""
+        """Return the visible clips of a lane, in painting order."""
         if lane.bottom_px <= self.ruler_px or lane.top_px >= self.height_px:
             return []
         boxes = boxes_of([lane], self.scale, self.durations_s)
@@ -433,19 +433,19 @@ class TimelineContent:
 
     @property
     def whole_s(self) -> Range:
-        """All of the time that there is to see."""
+        """The longest part of the time that can be shown."""
         return self.lengths.whole_s
 
     @cached_property
     def chosen(self) -> tuple[int, ...]:
-        """Clips that edits are about: the selected ones, or else the one that the inspector shows.
+        """Clips that edits change: the selected ones, or else the one that the inspector shows.
 
         That is the first clip of the track that was selected last.
         """
         return chosen_clips(self.design, self.view)
 
     def with_playhead(self, view: View) -> "TimelineContent":
-        """The same with the playhead of ``view``, of which all else is as it is here."""
+        """Return the same content with the playhead of ``view``, which differs in nothing else."""
         content = replace(self, view=view)
         # Nothing of what is known already depends on where the playhead is.
         for name in ("selected", "boxes", "strips", "chosen"):
@@ -455,7 +455,7 @@ class TimelineContent:
 
     @property
     def keyboard_place(self) -> QPointF:
-        """Where the keyboard is: on the clip that was selected last, or else at the playhead."""
+        """Place that keys refer to: the clip that was selected last, or else the playhead."""
         last = self.view.selected_clip
         for box in self.boxes:
             if box.clip.id == last:
@@ -466,12 +466,12 @@ class TimelineContent:
 
     @property
     def reach_s(self) -> float:
-        """From how far away an edge snaps."""
+        """Distance from which an edge snaps, s."""
         return SNAPPING_REACH_PX / self.scale.px_per_s
 
     @property
     def grid_s(self) -> float:
-        """Step of the grid that is painted."""
+        """Step of the grid that is painted, s."""
         return grid_step_s(self.scale.px_per_s)
 
     def box_at(self, at: QPointF) -> Box | None:
@@ -498,7 +498,7 @@ class TimelineContent:
         return next((lane for lane in self.lanes if lane.top_px <= y_px < lane.bottom_px), None)
 
     def neighbours_s(self, without: frozenset[int] = frozenset()) -> list[float]:
-        """Rising times that edges of the clips ``without`` may come to rest on."""
+        """Return the times to which edges of clips snap, in order, but for clips ``without``."""
         times_s = {0.0, self.view.playhead_s, *(marker.time_s for marker in self.design.markers)}
         if self.design.loop_s is not None:
             times_s.update(self.design.loop_s)
@@ -510,7 +510,7 @@ class TimelineContent:
 
 
 def chosen_clips(design: Design, view: View) -> tuple[int, ...]:
-    """Clips that edits are about, see `Content.chosen`."""
+    """Return the clips that edits change, see `TimelineContent.chosen`."""
     if view.selected_clips or view.selected_input not in design.ids:
         return view.selected_clips
     clip = clip_of(design.input(view.selected_input), view)
@@ -518,7 +518,7 @@ def chosen_clips(design: Design, view: View) -> tuple[int, ...]:
 
 
 def ruler_px(line_px: float) -> float:
-    """How high the ruler is where a line of text is so high, px."""
+    """Return the height of the ruler for lines of text of this height, px."""
     return max(RULER_PX, line_px + 10.0)
 
 
@@ -534,7 +534,7 @@ GAIN_CURVES = ListSpec(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TimelineSettings:
-    """What lanes show besides clips: ``gain_curves``, ids of the tracks that show theirs."""
+    """Settings of the timeline: ``gain_curves``, ids of the tracks whose gain curve is shown."""
 
     gain_curves: tuple[int, ...] = fields.field(GAIN_CURVES, ())
 
@@ -543,12 +543,12 @@ class TimelineSettings:
 
 
 def shown_gain_curves(view: View) -> frozenset[int]:
-    """Ids of the tracks whose gain curve is shown for editing."""
+    """Return the ids of the tracks whose gain curve is shown for editing."""
     return frozenset(settings_of(view, TIMELINE, TimelineSettings).gain_curves)
 
 
 def show_gain_curves(view: View, ids: Iterable[int]) -> View:
-    """The view in which these tracks, and no others, show their gain curve."""
+    """Return the view in which these tracks, and no others, show their gain curve."""
     settings = settings_of(view, TIMELINE, TimelineSettings)
     shown = replace(settings, gain_curves=tuple(sorted(set(ids))))
     return with_settings(view, TIMELINE, shown)
@@ -567,7 +567,7 @@ _NARROW_PX = 26.0
 
 
 class Part(Enum):
-    """Parts that are dragged to different ends."""
+    """Part of a clip; each is dragged for another purpose."""
 
     BODY = "body"
     START = "start"
@@ -586,7 +586,7 @@ CURSORS = {
 
 
 def part_at(rect: QRectF, at: QPointF, fades_px: tuple[float, float] = (0.0, 0.0)) -> Part:
-    """The part of a clip painted in ``rect`` that lies at ``at``.
+    """Return the part of a clip painted in ``rect`` that lies at ``at``.
 
     Its fades are caught where they end, ``fades_px`` from its ends.
     """
@@ -608,7 +608,7 @@ def part_at(rect: QRectF, at: QPointF, fades_px: tuple[float, float] = (0.0, 0.0
 
 
 class TimeZoom(QObject):
-    """Zooms and pans, by asking for another view.
+    """Zooms and pans by emitting another view.
 
     Parameters
     ----------
@@ -625,15 +625,15 @@ class TimeZoom(QObject):
         self._held_s: Range | None = None
 
     def range_s(self, view: View, whole_s: Range) -> Range:
-        """What to show of the whole."""
+        """Return the part of the time to show."""
         return view.time_range_s or self._held_s or whole_s
 
     def hold(self) -> None:
-        """Something is dragged: what is seen stays, though the design may become longer."""
+        """Keep the shown part during a drag, even if the design becomes longer."""
         self._held_s = self._content().scale.shown_s
 
     def release(self) -> None:
-        """The drag has ended."""
+        """End what `hold` began."""
         self._held_s = None
 
     def zoom(self, factor: float, anchor_s: float | None = None) -> None:
@@ -677,7 +677,8 @@ _GESTURES = {
 
 
 def timeline_tooltip(content: TimelineContent, at: QPointF) -> str:
-    """Why the clip here cannot be played, what can be dragged, how many clips lie here; or ""."""
+    """Return why the clip here cannot be played, what can be dragged, and how many clips there
+    are."""
     box = content.box_at(at)
     if box is None:
         return ""

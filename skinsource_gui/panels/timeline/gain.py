@@ -1,4 +1,4 @@
-"""Gain curves as an item of the scene, over the clips."""
+"""Gain curves over the clips: how they are painted, and what mouse and keys do to them."""
 
 from collections.abc import Callable
 from typing import Any
@@ -29,12 +29,12 @@ HINT = "Gain: double click on the line adds a point"
 
 
 def has_hint(strip: GainStrip) -> bool:
-    """Whether it is said how a curve begins: of a selected track that has none."""
+    """Return whether to show how a curve begins: on a selected track that has none."""
     return strip.shown and strip.lane.selected and not strip.points
 
 
 class GainItem(LaneLayer):
-    """Paints gain curves: those that are edited with points, others that do something as a hint."""
+    """Paints gain curves: those that are edited with their points, others as a thin line."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -129,7 +129,7 @@ _GAIN_STEPS = {_Key.Key_Down: -1, _Key.Key_Up: 1}
 
 
 class GainPoints(QObject):
-    """Adds, moves and removes points of gain curves that are shown, and shows and hides them.
+    """Adds, moves and removes points of gain curves, and shows and hides the curves.
 
     Parameters
     ----------
@@ -154,7 +154,7 @@ class GainPoints(QObject):
         self.chosen: tuple[int, int] | None = None
 
     def strip_at(self, at: QPointF) -> GainStrip | None:
-        """The curve that is edited and passes here."""
+        """Return the edited curve that passes here."""
         content = self._content()
         if at.y() < content.ruler_px:
             return None
@@ -165,7 +165,7 @@ class GainPoints(QObject):
         return None
 
     def press(self, context: GestureContext, at: QPointF, held: Modifier) -> Gesture | None:
-        """The left button went down; None where no curve is caught."""
+        """Begin a drag where the left button goes down; return None where no curve is hit."""
         strip = self.strip_at(at)
         if strip is None:
             self.choose(None)
@@ -229,7 +229,7 @@ class GainPoints(QObject):
             self.choice_changed.emit()
 
     def description(self) -> str:
-        """The chosen point in words, or "" where there is none."""
+        """Return the text of the chosen point, or "" where there is none."""
         strip, number = self._chosen_strip()
         if strip is None:
             return ""
@@ -278,7 +278,7 @@ class GainPoints(QObject):
         self.edited.emit(edits.set_gain_curve(content.design, content.view, track, curve), gesture)
 
     def _selected_strip(self) -> GainStrip | None:
-        """The curve of the track that was selected last; shown, if it was not."""
+        """Return the curve of the track that was selected last, and show it."""
         content = self._content()
         track = content.view.selected_input
         if track is None:
@@ -300,7 +300,7 @@ class GainPoints(QObject):
 
 
 def _added(strip: GainStrip, time_s: float) -> tuple[Points, int]:
-    """The points with one more on the curve, and its number."""
+    """Return the points with one more on the curve, and its number."""
     points = strip.points
     if not points:
         return ((time_s, 1.0, "straight"),), 0

@@ -1,4 +1,4 @@
-"""What every gesture is."""
+"""What is dragged on the lanes and on the ruler. All edits of one gesture are one undo step."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
@@ -30,7 +30,7 @@ Modifier = Qt.KeyboardModifier
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GesturePreview:
-    """What is painted over the lanes while a gesture lasts.
+    """What is painted over the lanes during a gesture.
 
     Attributes
     ----------
@@ -49,7 +49,7 @@ class GesturePreview:
 
 @dataclass(slots=True, kw_only=True)
 class GestureContext:
-    """What a gesture can see and do.
+    """What a gesture can read and do.
 
     Attributes
     ----------
@@ -127,7 +127,7 @@ _SHORTEST_S = 0.001
 
 
 class _EndDrag(Gesture):
-    """An end that follows the pointer."""
+    """Drag of one end of a clip."""
 
     def __init__(self, context: GestureContext, box: Box, at: QPointF, part: Part) -> None:
         super().__init__(context)
@@ -151,7 +151,7 @@ class _EndDrag(Gesture):
 
 
 class MoveEnd(_EndDrag):
-    """Drags the start or the end of a clip: trims it; with Alt or Shift held stretches it.
+    """Drag of the start or the end of a clip: trims it; with Alt or Shift held stretches it.
 
     Some desktops take Alt and a drag for themselves.
     """
@@ -174,7 +174,7 @@ class MoveEnd(_EndDrag):
 
 
 class FadeEnd(_EndDrag):
-    """Drags an upper corner of a clip: how long it takes to fade in, or out."""
+    """Drag of an upper corner of a clip: sets how long it fades in, or out."""
 
     def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         content = self._context.content()
@@ -271,7 +271,7 @@ class MoveClips(Gesture):
         return GesturePreview(guide_s=rest.guide_s, label=value_text(onset_s, "s", digits=5))
 
     def finish(self) -> None:
-        """What is moved stays; what is held over a place goes there."""
+        """Drop the clips on the place in another panel over which they are held, if any."""
         self._context.elsewhere(None)
         if self._place is not None and self._place.location is not None:
             design, view = self._context.before.design, self._context.content().view
@@ -392,7 +392,7 @@ class MoveGain(Gesture):
 def snapped_time(
     context: GestureContext, at: QPointF, without: float | None = None
 ) -> tuple[float, float | None]:
-    """Time at a place, not before 0, and what it snapped to; never to the time ``without``."""
+    """Return the time at a place, from 0 on, and what it snapped to, never to ``without``."""
     content = context.content()
     time_s = max(content.scale.time(at.x()), 0.0)
     if not content.snaps:
@@ -422,7 +422,7 @@ class MovePlayhead(Gesture):
 
 
 class MoveLoop(Gesture):
-    """Draws the loop region, or moves one of its ends: ``fixed_s`` is the other one."""
+    """Draws the loop region, or moves one of its ends; ``fixed_s`` is the other end."""
 
     def __init__(self, context: GestureContext, fixed_s: float) -> None:
         super().__init__(context)
@@ -471,7 +471,7 @@ class Pan(Gesture):
 
 
 class EitherGesture(Gesture):
-    """Goes up or down: one gesture; goes along: another one.
+    """Becomes one of two gestures, by the direction in which the drag begins.
 
     A gain curve lies over the clips of its track: pulled up or down it is the curve that is meant,
     pushed along it is the clip.
@@ -499,11 +499,11 @@ class EitherGesture(Gesture):
         return self._gesture.move(at, held)
 
     def finish(self) -> None:
-        """What has become of it stays."""
+        """Finish the gesture that it has become."""
         if self._gesture is not None:
             self._gesture.finish()
 
     def cancel(self) -> None:
-        """Everything is as if it had not begun."""
+        """Cancel the gesture that it has become."""
         if self._gesture is not None:
             self._gesture.cancel()

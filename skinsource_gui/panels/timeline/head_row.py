@@ -1,4 +1,4 @@
-"""Where everything is in the head of a track."""
+"""The head of one track: its place, and what is changed most often."""
 
 from dataclasses import dataclass
 
@@ -36,7 +36,7 @@ _BETWEEN_PX = 2
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RowPlaces:
-    """Where the parts of a head are, px.
+    """Places of the parts of a head, px.
 
     Attributes
     ----------
@@ -64,12 +64,12 @@ class RowPlaces:
 
 
 def heads_px(line_px: int) -> int:
-    """Width of heads where a line of text is so high, px."""
+    """Return the width of heads for lines of text of this height, px."""
     return min(round(HEADS_PX * max(line_px / USUAL_LINE_PX, 1.0)), _MOST_HEADS_PX)
 
 
 def row_places(width: int, line_px: int = USUAL_LINE_PX, *, peak: bool = False) -> RowPlaces:
-    """Places in a head, in two lines.
+    """Return the places of the parts of a head, in two lines.
 
     Parameters
     ----------
@@ -110,7 +110,7 @@ def row_places(width: int, line_px: int = USUAL_LINE_PX, *, peak: bool = False) 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RowState:
-    """What a row shows.
+    """State of one head.
 
     Attributes
     ----------
@@ -143,7 +143,7 @@ class RowState:
 
     @property
     def figure(self) -> str:
-        """What the input plays, and for how long."""
+        """What the track plays, and for how long."""
         if self.clip is None:
             return EMPTY
         others = clips_text(len(self.track.clips))
@@ -152,17 +152,17 @@ class RowState:
 
     @property
     def title(self) -> str:
-        """What the input plays."""
+        """What the track plays."""
         return EMPTY if self.clip is None else clip_text(self.clip)
 
     @property
     def text(self) -> tuple[int, int, bool, str, str]:
-        """What is painted on it: what it plays is said by its tooltip only."""
+        """What the painted text depends on."""
         return self.track.location, self.track.colour, self.silent, self.limb, self.peak
 
     @property
     def frame(self) -> tuple[bool, bool, bool]:
-        """What the ground of the row shows."""
+        """What the painted ground depends on."""
         return self.selected, self.last, self.list_focused
 
 
@@ -223,7 +223,7 @@ def _write(painter: QPainter, place: QRect, text: str) -> None:
 
 
 class RowSignals(QObject):
-    """What the controls of all rows tell; each signal begins with the id of an input."""
+    """Signals of the controls of all heads; each begins with the id of a track."""
 
     #: The keyboard went to its number.
     entered = Signal(int)
@@ -234,7 +234,7 @@ class RowSignals(QObject):
 
 
 class InputRow(QWidget):
-    """The head of a track, which tells by ``signals`` what is done to it."""
+    """The head of a track; it emits by ``signals`` what its controls do."""
 
     def __init__(self, signals: RowSignals, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -260,17 +260,17 @@ class InputRow(QWidget):
 
     @property
     def controls(self) -> tuple[NumberField | LetterButton, ...]:
-        """What the keyboard can reach, in its order."""
+        """Controls that the keyboard reaches, in its order."""
         return (self.amplitude, self.mute, self.solo, self.remove)
 
     @property
     def id(self) -> int:
-        """Id of its input."""
+        """Id of the track."""
         return self.state.track.id
 
     @property
     def state(self) -> RowState:
-        """What is shown; only a row that shows something is asked."""
+        """What is shown; only a head that shows a track has a state."""
         if self._state is None:
             raise LookupError("this row shows no input yet")
         return self._state

@@ -1,4 +1,4 @@
-"""Rows of tracks, one below the other, each kept for its input."""
+"""The heads of the tracks, one below the other, and what is done to them."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -35,7 +35,7 @@ from skinsource_gui.qt.keys import claims_shortcut, meaning_of
 
 
 class CachedRows:
-    """Rows stay with their input when others come and go, so that an open editor survives.
+    """Keeps each row for its track, so that an open editor survives when other tracks come and go.
 
     Parameters
     ----------
@@ -62,11 +62,11 @@ class CachedRows:
         return next((row for row in self.rows if row.state.last), None)
 
     def at(self, y: float) -> InputRow | None:
-        """The row at a height of the column."""
+        """Return the row at a height of the column."""
         return next((row for row in self.rows if row.y() <= y < row.y() + row.height()), None)
 
     def matches(self, ids: Sequence[int]) -> bool:
-        """Whether there is a row for each of these inputs, in that order, and no other."""
+        """Return whether there is a row for each of these tracks, in that order, and no other."""
         return list(ids) == list(self._rows)
 
     def arrange(self, ids: Sequence[int]) -> list[InputRow]:
@@ -104,7 +104,7 @@ _ENDS = (_Key.Key_Home, _Key.Key_End)
 
 
 class ListKeys(QObject):
-    """Turns key presses into what they mean."""
+    """Turns key presses into signals of what they mean."""
 
     #: The row to go to; whether all rows on the way are selected too.
     moved = Signal(int, bool)
@@ -119,7 +119,7 @@ class ListKeys(QObject):
     gain_toggled = Signal()
 
     def claims(self, event: QKeyEvent) -> bool:
-        """Whether the list wants this key for itself, before any shortcut of the window."""
+        """Return whether the list takes this key before any shortcut of the window."""
         return bool(meaning_of(_PLACE, event))
 
     def press(self, event: QKeyEvent, here: int | None, count: int) -> bool:
@@ -163,7 +163,7 @@ _Held = Qt.KeyboardModifier
 
 @dataclass(slots=True, kw_only=True)
 class _Press:
-    """The left button, held since it went down on a row; ``gap`` is where a drag would put it."""
+    """A press of the left button on a row; ``gap`` is where a drag would put the row."""
 
     id: int
     at: QPoint
@@ -172,7 +172,7 @@ class _Press:
 
 
 class ListMouse(QObject):
-    """Turns presses, moves and releases into what they mean.
+    """Turns presses, moves and releases of the mouse into signals of what they mean.
 
     A press selects; with Ctrl it adds or takes out, with Shift it selects all rows on the way.
     Moving farther drags the selected rows between two others.
@@ -194,7 +194,7 @@ class ListMouse(QObject):
         self._press: _Press | None = None
 
     def press(self, event: QMouseEvent, id: int, was_selected: bool) -> None:
-        """The left button goes down on the row of an input."""
+        """Begin a press on the row of a track."""
         self.cancel()
         if event.modifiers() & _Held.ControlModifier:
             self.toggled.emit(id)
@@ -208,7 +208,7 @@ class ListMouse(QObject):
             self.selected.emit(id)
 
     def move(self, event: QMouseEvent, gap: int) -> None:
-        """The mouse moves, nearest to ``gap``."""
+        """Follow the mouse, which is nearest to ``gap``."""
         press = self._press
         if press is None or not event.buttons() & Qt.MouseButton.LeftButton:
             return
@@ -218,7 +218,7 @@ class ListMouse(QObject):
             self.held_over.emit(gap)
 
     def release(self) -> None:
-        """The left button goes up."""
+        """End the press: drop the rows that were dragged, or select one."""
         press, self._press = self._press, None
         if press is None:
             return
@@ -242,7 +242,7 @@ _HIGH_PX = 3
 
 
 class RowGap(QFrame):
-    """A line between two rows, or before or behind all of them."""
+    """A line that shows between which rows a drag would put the selected ones."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -263,7 +263,7 @@ class RowGap(QFrame):
 
 
 class InputRows(QWidget):
-    """The heads, one below the other: hands what keys and mouse do there to who knows it.
+    """The heads, one below the other; keys and mouse go to ``keys`` and ``mouse``.
 
     Attributes
     ----------
@@ -373,7 +373,7 @@ class InputRows(QWidget):
 
 
 class InputList(QScrollArea):
-    """`InputRows` in a frame that scrolls and keeps the row in sight that was selected last."""
+    """A scroll area for `InputRows`, which keeps the row in sight that was selected last."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -421,7 +421,7 @@ class InputList(QScrollArea):
 
 
 class ListEdits(QObject):
-    """Turns what rows, keys and mouse tell into edits of inputs.
+    """Turns what controls, keys and mouse do into edits of tracks.
 
     Where a control of a row tells it, ``one`` is the id of its input; where a key does, None.
     """
@@ -450,7 +450,7 @@ class ListEdits(QObject):
         self._emit(edits.put_inputs_before(self._design, self._view, ids, gap))
 
     def change_amplitude(self, track_id: int, value: float, gesture: int | None) -> None:
-        """Type or drag an amplitude."""
+        """Set an amplitude that is typed or dragged."""
         ids = self.affected(track_id)
         changed = self._changes.change(
             self._design, self._view, ids, "amplitude", value, lead=track_id, gesture=gesture
@@ -480,7 +480,7 @@ class ListEdits(QObject):
         self._emit(edits.duplicate_inputs(self._design, self._view, ids))
 
     def affected(self, track_id: int | None) -> tuple[int, ...]:
-        """Whom a control of the row of ``one`` is about: all selected, if it is one of them."""
+        """Return the tracks that a control changes: all selected ones, if its own is among them."""
         selected = self._view.selected_inputs
         return selected if track_id is None or track_id in selected else (track_id,)
 
@@ -489,7 +489,7 @@ class ListEdits(QObject):
 
 
 class ListSelection(QObject):
-    """Turns what rows, keys and mouse tell into other selections of inputs."""
+    """Turns what controls, keys and mouse do into selections of tracks."""
 
     #: `Edit` or `Refusal`, None: no gesture.
     edited = Signal(object, object)

@@ -1,4 +1,4 @@
-"""What keys mean on the lanes."""
+"""The lanes as a widget: what mouse and keys do to clips, gain curves, markers and the loop."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -89,7 +89,7 @@ class LaneKeys(QObject):
         self._nudged: object = None
 
     def claims(self, event: QKeyEvent) -> bool:
-        """Whether the lanes want this key for themselves, before any shortcut of the window."""
+        """Return whether the lanes take this key before any shortcut of the window."""
         return bool(meaning_of(_PLACE, event) or meaning_of(PLAYHEAD, event))
 
     def press(self, event: QKeyEvent) -> bool:
@@ -231,7 +231,7 @@ _CATCH_PX = 6.0
 
 
 class LaneMouse(QObject):
-    """Turns what the buttons do into gestures, and single clicks into selections.
+    """Turns what the mouse buttons do into gestures, and single clicks into selections.
 
     Parameters
     ----------
@@ -275,7 +275,7 @@ class LaneMouse(QObject):
         return self._gesture is not None
 
     def press(self, at: QPointF, button: Qt.MouseButton, held: Modifier, rate_hz: float) -> None:
-        """A button went down."""
+        """Begin what a button does that goes down."""
         if self.busy:
             return
         content = self._content()
@@ -300,7 +300,7 @@ class LaneMouse(QObject):
             self._click = self._on_ground(context, at)
 
     def move(self, at: QPointF, held: Modifier) -> None:
-        """The pointer moved."""
+        """Follow the pointer."""
         if self._gesture is None:
             return
         away = at - self._at
@@ -310,7 +310,7 @@ class LaneMouse(QObject):
             self.shown.emit(self._gesture.move(at, held))
 
     def release(self) -> None:
-        """The button went up."""
+        """End what the button did."""
         gesture, click, self._gesture, self._click = self._gesture, self._click, None, None
         if gesture is not None:
             gesture.finish()
@@ -328,7 +328,7 @@ class LaneMouse(QObject):
         return True
 
     def double_click(self, at: QPointF) -> None:
-        """The left button was pressed twice."""
+        """Open the clip here, or add a clip, a marker or a point of a gain curve."""
         self.cancel()
         content = self._content()
         box, lane = content.box_at(at), content.lane_at(at.y())
@@ -346,11 +346,11 @@ class LaneMouse(QObject):
             self.clip_wanted.emit(lane.track.id, self.time_at(at))
 
     def time_at(self, at: QPointF) -> float:
-        """The time to which something would snap that is put there, s."""
+        """Return the time to which something would snap here, s."""
         return snapped_time(self._context(), at)[0]
 
     def cursor_at(self, at: QPointF) -> Qt.CursorShape:
-        """Shape of the pointer."""
+        """Return the shape of the pointer."""
         content = self._content()
         if at.y() < content.ruler_px:
             caught = _loop_end_at(content, at) is not None or marker_at(content, at) is not None
@@ -405,7 +405,7 @@ class LaneMouse(QObject):
     def _on_line(
         self, curve: Gesture, box: Box, at: QPointF, held: Modifier, rate_hz: float
     ) -> Gesture:
-        """The curve of a track where it passes over a clip."""
+        """Drag the curve of a track where it passes over a clip: up or down it, along the clip."""
 
         def clip() -> Gesture:
             gesture = self._on_clip(box, at, held, rate_hz)
@@ -446,7 +446,7 @@ class LaneMouse(QObject):
 
 
 def marker_at(content: TimelineContent, at: QPointF) -> Marker | None:
-    """The marker whose flag is at this place."""
+    """Return the marker whose flag is here."""
     distances = (
         (abs(content.scale.x(marker.time_s) - at.x()), index)
         for index, marker in enumerate(content.design.markers)
@@ -458,7 +458,7 @@ def marker_at(content: TimelineContent, at: QPointF) -> Marker | None:
 
 
 def _loop_end_at(content: TimelineContent, at: QPointF) -> float | None:
-    """The other end of the loop region, if one is at this place."""
+    """Return the other end of the loop region, if one end is here."""
     if content.design.loop_s is None:
         return None
     start_s, end_s = content.design.loop_s
@@ -474,7 +474,7 @@ _CTRL = Qt.KeyboardModifier.ControlModifier
 
 
 class LanesView(Canvas):
-    """Lanes and a ruler; tells what the mouse and keys ask for.
+    """Lanes and a ruler; emits what mouse and keys ask for.
 
     Attributes
     ----------
@@ -532,7 +532,7 @@ class LanesView(Canvas):
 
     @property
     def ruler_px(self) -> float:
-        """Where lanes begin."""
+        """Height of the ruler, below which the lanes begin, px."""
         return ruler_px(self.fontMetrics().height())
 
     def show_state(self, design: Design, view: View, lanes: tuple[Lane, ...]) -> None:
@@ -549,7 +549,7 @@ class LanesView(Canvas):
     def show_waveforms(
         self, waveforms: Mapping[int, Floats], awaited: frozenset[int] = frozenset()
     ) -> None:
-        """What clips play, (n_times,) each, by their id; ``awaited``: of which it is late."""
+        """Show what clips play, (n_times,) each, by id; ``awaited`` ones are being computed."""
         self._waveforms, self._awaited = waveforms, awaited
         self.lay_out()
 
@@ -559,7 +559,7 @@ class LanesView(Canvas):
             item.show_font(scaled(tabular(self.font()), _TEXT))
 
     def set_snaps(self, snaps: bool) -> None:
-        """Whether edges snap."""
+        """Set whether edges snap."""
         self.snaps = snaps
         self.lay_out()
 

@@ -1,4 +1,7 @@
-"""What clips play, as pictures that are kept."""
+"""Paints clips, ruler and lanes.
+
+Lanes are kept as a picture, into which only lanes that look different are painted again.
+"""
 
 from collections import OrderedDict
 from collections.abc import Hashable, Sequence
@@ -51,7 +54,7 @@ class ClipSamples:
 
 @dataclass(frozen=True, slots=True)
 class ClipStyle:
-    """How it is drawn.
+    """How the curve of a clip is drawn.
 
     Attributes
     ----------
@@ -82,7 +85,7 @@ class _Key:
 
 
 class ClipPictures:
-    """Curves of clips, painted once for each size and look; the oldest go first.
+    """Curves of clips, painted once for each size and style; the oldest are dropped first.
 
     Attributes
     ----------
@@ -112,7 +115,7 @@ class ClipPictures:
         painter.drawPixmap(area.topLeft(), self.picture(played, area.size(), style))
 
     def picture(self, played: ClipSamples, size: QSizeF, style: ClipStyle) -> QPixmap:
-        """Picture of what a clip plays, so large, px."""
+        """Return the picture of what a clip plays; size in px."""
         samples = played.samples
         key = _Key(id(samples), played.sample_rate_hz, size.width(), size.height(), style)
         cached = self._pictures.get(key)
@@ -181,7 +184,7 @@ _HANDLE_PX = 5.0
 
 
 def clip_label(box: Box) -> str:
-    """What stands on a clip: its label, or what it plays."""
+    """Return the text on a clip: its label, or what it plays."""
     clip = box.clip
     return clip.label or clip.waveform.title
 
@@ -376,14 +379,14 @@ def _paint_handles(painter: QPainter, box: Box, colour: QColor) -> None:
 
 
 def frame_of(content: TimelineContent) -> Hashable:
-    """What all lanes and the ruler depend on; not what is in the lanes."""
+    """Return what all lanes and the ruler depend on, but for the content of single lanes."""
     design = content.design
     places = tuple((lane.track.id, lane.top_px, lane.height_px) for lane in content.lanes)
     return content.scale, content.ruler_px, design.loop_s, design.markers, places
 
 
 def same_ground(lane: Lane, other: Lane) -> bool:
-    """Whether a lane looks alike but for its clips."""
+    """Return whether a lane looks the same but for its clips."""
     return (lane.selected, lane.silent, lane.problem) == (
         other.selected,
         other.silent,
@@ -392,12 +395,12 @@ def same_ground(lane: Lane, other: Lane) -> bool:
 
 
 def same_chosen(before: TimelineContent, after: TimelineContent) -> bool:
-    """Whether the same clips are selected, and shown elsewhere, in all lanes."""
+    """Return whether the same clips are selected, and shown by the inspector, in all lanes."""
     return (before.selected, before.chosen) == (after.selected, after.chosen)
 
 
 def same_clips(before: TimelineContent, then: Lane, after: TimelineContent, now: Lane) -> bool:
-    """Whether clips look alike on the same ground: the very same ones, with the same samples.
+    """Return whether the clips of a lane are the very same ones, with the same samples.
 
     Which of them are selected, or shown elsewhere, is another question.
     """
@@ -417,7 +420,7 @@ def same_clips(before: TimelineContent, then: Lane, after: TimelineContent, now:
 
 
 def same_choice(before: TimelineContent, after: TimelineContent, lane: Lane) -> bool:
-    """Whether the same clips of a lane are selected, and shown elsewhere."""
+    """Return whether the same clips of a lane are selected, and shown by the inspector."""
     ids = frozenset(clip.id for clip in lane.track.clips)
     return all(
         ids.intersection(old) == ids.intersection(new)
@@ -431,13 +434,13 @@ _LOOP_ALPHA = 60
 
 
 def ticks_of(scale: TimeScale) -> tuple[str, tuple[Tick, ...]]:
-    """Unit of the ruler, and its ticks."""
+    """Return the unit of the ruler, and its ticks."""
     unit, factor = axis_unit(scale.shown_s[1])
     return unit, linear_ticks(*scale.shown_s, max(scale.width_px / _TICK_PX, 2), factor)
 
 
 def grid_lines(scale: TimeScale, room: QRectF) -> list[QLineF]:
-    """Upright lines below the ticks."""
+    """Return the vertical lines below the ticks."""
     return [
         QLineF(x, room.top(), x, room.bottom())
         for x in (scale.x(tick.value) for tick in ticks_of(scale)[1])
@@ -554,7 +557,7 @@ class LaneLayer(pyqtgraph.GraphicsObject):
 
 
 class LanesItem(LaneLayer):
-    """Paints lanes, clips and ruler; knows nothing of the mouse.
+    """Paints lanes, clips and ruler.
 
     It is kept as a picture, over which the playhead moves and gestures show what they do.  Only
     lanes that look different now are painted into it again.
@@ -585,7 +588,7 @@ class LanesItem(LaneLayer):
             self._update_lanes(before, content)
 
     def show_hovered(self, clip: int | None) -> None:
-        """The clip under the pointer shows what can be dragged."""
+        """Show on the clip under the pointer what can be dragged."""
         if clip != self._hovered:
             for clip_id in (self._hovered, clip):
                 self._update_lane_of(clip_id)
@@ -642,12 +645,12 @@ class LanesItem(LaneLayer):
 
     @property
     def _ground(self) -> QColor:
-        """Of the lanes."""
+        """Colour of the lanes."""
         return QColor(current_theme().base)
 
     @property
     def _tint(self) -> QColor:
-        """What lies over the ground of lanes that are selected."""
+        """Colour over the lanes that are selected."""
         tint = QColor(current_theme().accent)
         tint.setAlpha(18)
         return tint
@@ -715,7 +718,7 @@ _LABEL_GAP_PX = 8.0
 
 
 class OverlayItem(LaneLayer):
-    """A guide, a marquee and words, an item of its own: the lanes below are not painted with it."""
+    """Paints guide, marquee and label of a gesture; the lanes below are not painted again."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -723,7 +726,7 @@ class OverlayItem(LaneLayer):
         self.preview, self._pointer = GesturePreview(), QPointF()
 
     def show_content(self, content: TimelineContent, rect: QRectF) -> None:
-        """Lie over these lanes, in this rectangle."""
+        """Take over the lanes below, and the rectangle to lie in."""
         self._set_rect(rect)
         moved = self._content is not None and self._content.scale != content.scale
         self._content = content
@@ -786,7 +789,7 @@ _HALF_PX, _PLAYHEAD_HANDLE_PX = 5.0, 8.0
 
 
 class PlayheadItem(pyqtgraph.GraphicsObject):
-    """A line with a handle, an item of its own: the lanes below are not painted when it moves.
+    """A line with a handle; the lanes below are not painted again when it moves.
 
     Attributes
     ----------
@@ -801,7 +804,7 @@ class PlayheadItem(pyqtgraph.GraphicsObject):
         self.setZValue(1)
 
     def show_content(self, content: TimelineContent, height_px: float) -> None:
-        """Stand where the content says, from the ruler down to a height."""
+        """Move to the time of the playhead; reach from the ruler down to a height."""
         height = max(height_px - content.ruler_px + _PLAYHEAD_HANDLE_PX, 1.0)
         if height != self._height:
             self.prepareGeometryChange()

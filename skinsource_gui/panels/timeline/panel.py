@@ -1,4 +1,4 @@
-"""Clips on the clipboard: for this studio and others, and as text for people."""
+"""The panel of tracks and their clips over time, with clipboard, menu, toolbar and scroll bars."""
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
@@ -87,7 +87,7 @@ def copy(fragment: Fragment) -> None:
 
 
 def pasted() -> Fragment | None:
-    """The clips on the clipboard, also where they travelled as text; None: there are none.
+    """Return the clips on the clipboard, also those that came as text; None: there are none.
 
     Raises
     ------
@@ -110,7 +110,7 @@ _NOTHING_TO_PASTE = Refusal(
 
 
 class TimelineEdits(QObject):
-    """Edits of the selected clips; new ones are of the kind that was selected last."""
+    """Edits the selected clips; new clips play what the one plays that was selected last."""
 
     edited = Signal(object, object)
 
@@ -226,7 +226,7 @@ class LanesMenu(QObject):
         menu.popup(at)
 
     def _fill_clips_here(self, menu: QMenu, boxes: Sequence[Box]) -> None:
-        """Where clips lie over each other, offer to select each of them."""
+        """Offer to select each of several clips that lie over each other."""
         if len(boxes) < 2:
             return
         here = menu.addMenu("Clips here")
@@ -374,7 +374,7 @@ _STEPS_PER_S = 10_000
 
 
 class TimeBar(QScrollBar):
-    """Shows which part of the time is seen; hidden where it is all."""
+    """A scroll bar over the time; it is hidden while all of the time is shown."""
 
     #: The part to see.
     range_wanted = Signal(object)
@@ -411,7 +411,7 @@ _ZOOM = 1.5
 
 
 class TimelineToolbar(QWidget):
-    """Snapping and zoom."""
+    """Buttons for snapping and zoom."""
 
     snaps_wanted = Signal(bool)
     zoom_wanted = Signal(float)
@@ -441,7 +441,7 @@ class TimelineToolbar(QWidget):
         RoomOrText(self).changed.connect(self._fit)
 
     def show_state(self, *, snaps: bool, zoomed: bool) -> None:
-        """Whether edges snap; whether less than everything is seen."""
+        """Show whether edges snap, and whether less than everything is shown."""
         self._snap.setChecked(snaps)
         self._all.setEnabled(zoomed)
         self._wider.setEnabled(zoomed)
@@ -472,7 +472,7 @@ _ROWS_PER_NOTCH = 3
 
 
 class TrackTable(QWidget):
-    """Lays out the parts of the timeline, and scrolls them together.
+    """Lays out heads, lanes and scroll bars, and scrolls them at the same time.
 
     Attributes
     ----------
@@ -565,7 +565,7 @@ def lanes_of(
     top_px: float,
     problems: Mapping[int, str],
 ) -> tuple[Lane, ...]:
-    """The lanes of a design, each as high as its head; the first begins at ``top_px``.
+    """Return the lanes of a design, each as high as its head; the first begins at ``top_px``.
 
     ``problems``: why inputs cannot be played, by their ids.
     """
@@ -766,5 +766,5 @@ class TimelinePanel(Panel):
 
 
 def _play_same(clip: Clip, other: Clip) -> bool:
-    """Whether two clips sound alike, apart from when and how loud."""
+    """Return whether two clips play the same, apart from when and how loud."""
     return clip.waveform == other.waveform and clip.effects == other.effects

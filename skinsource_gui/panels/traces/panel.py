@@ -1,4 +1,4 @@
-"""What only the traces look at."""
+"""The panel of acceleration of the selected outputs over time."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -220,7 +220,7 @@ class TracesPanel(SignalPanel):
 
 
 def _switch_text(delay_s: float) -> tuple[str, str]:
-    """What the switch of the delay says, and its hint."""
+    """Return text and hint of the switch of the delay."""
     delay = f"{delay_s * 1e3:.3g} ms"
     return (
         f"Remove {delay} delay",
@@ -230,7 +230,7 @@ def _switch_text(delay_s: float) -> tuple[str, str]:
 
 
 def _delay_notes(delay_s: float, *, removed: bool) -> tuple[str, ...]:
-    """What is said of the delay after the unit, longest first."""
+    """Return the notes on the delay after the unit, longest first."""
     delay = f"{delay_s * 1e3:.3g} ms"
     if delay_s == 0.0:
         return ("",)
@@ -246,7 +246,7 @@ def _delay_notes(delay_s: float, *, removed: bool) -> tuple[str, ...]:
 
 @cache
 def _axis(unit: str, delay_s: float, *, removed: bool) -> XAxis:
-    """The time axis in ms or s, which says what became of the delay."""
+    """Return the time axis in ms or s, with a note on the delay."""
     notes = _delay_notes(delay_s, removed=removed)
     return XAxis(
         titles=tuple(f"Time ({unit}){note}" for note in notes),
@@ -258,7 +258,7 @@ def _axis(unit: str, delay_s: float, *, removed: bool) -> XAxis:
 
 
 def _without_beginning(axis: XAxis, early_s: float, extent: tuple[float, float]) -> XAxis:
-    """The axis from 0 on, which says that there is something before."""
+    """Return the axis from 0 on, with a note that there is something before."""
     note = f" · not shown: {early_s:.2g} s before 0, where an equaliser of linear phase rings"
     short = f" · {early_s:.2g} s before 0 not shown"
     titles = tuple(f"{axis.titles[-1]}{text}" for text in (note, short))
@@ -275,7 +275,7 @@ def _sounding(outputs: tuple[int, ...], results: Mapping[str, Any]) -> tuple[int
 
 
 def _peaks(traces: Floats) -> Floats:
-    """Peak of each trace, (n, 1); 1 where it is silent."""
+    """Return the peak of each trace, (n, 1); 1 where it is silent."""
     peaks = _largest(traces)[:, np.newaxis]
     return np.where(peaks > 0.0, peaks, 1.0)
 
@@ -286,7 +286,7 @@ def _largest(traces: Floats) -> Floats:
 
 
 def _wave(results: Mapping[str, Any], scale: Floats | None) -> Wave:
-    """What runs through the samples of the traces, or of their parts of a scale."""
+    """Return the wave through the samples of the traces, divided by ``scale``."""
     extremes = results["selected_extremes"]
     if scale is not None:
         extremes = extremes.relative_to(scale)
@@ -296,7 +296,7 @@ def _wave(results: Mapping[str, Any], scale: Floats | None) -> Wave:
 def _points_between(
     results: Mapping[str, Any], scale: Floats | None, first: int, end: int
 ) -> tuple[Floats, Floats]:
-    """The traces from one sample to before another, with points between them."""
+    """Return the traces from one sample to before another, with points between them."""
     instants, waves = _wave_as_predicted(results, first, end)
     return instants, waves if scale is None else waves / scale
 

@@ -1,4 +1,4 @@
-"""Transfer functions over frequency: magnitude, noise floor, and the band that can be used."""
+"""The panel of transfer functions from the selected track's place to the selected outputs."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -32,7 +32,7 @@ _BAR_PX, _BARS_PART = 3.0, 0.1
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class TransferContent:
-    """What is drawn: transfer functions, the outputs they lead to, their unit, and which part.
+    """Transfer functions to ``outputs`` and their unit; ``coherence``: it is drawn in their place.
 
     ``coherence`` says whether it is drawn in place of magnitudes.
     """
@@ -111,7 +111,7 @@ class TransferPicture(Figure):
         return QRectF() if self.axes is None or self.message else self.axes.frame
 
     def _shade(self, painter: QPainter, axes: Axes) -> None:
-        """What was not measured, where that is known."""
+        """Shade the frequencies that were not measured, where that is known."""
         if self.shown is None or self.shown.transfer.band_hz is None:
             return
         band_hz = np.array(self.shown.transfer.band_hz)
@@ -136,7 +136,7 @@ class TransferPicture(Figure):
             )
 
     def _draw_bars(self, painter: QPainter, axes: Axes, shown: TransferContent) -> None:
-        """Bands that can be used, as bars at the foot."""
+        """Draw the bands that can be used, as bars at the foot."""
         bands = shown.transfer.usable_hz
         step, thick = bar_sizes(len(bands), axes.frame.height())
         foot = axes.frame.bottom() - UNIT_PX / 2
@@ -149,7 +149,7 @@ class TransferPicture(Figure):
 
 
 def bar_sizes(n: int, height_px: float) -> tuple[float, float]:
-    """From one of ``n`` bars to the next, and how thick they are, px."""
+    """Return the step from one of ``n`` bars to the next, and their thickness, px."""
     step = min(_BAR_PX + 1.0, _BARS_PART * height_px / max(n, 1))
     return step, step * _BAR_PX / (_BAR_PX + 1.0)
 
@@ -172,7 +172,7 @@ OF_UNIT = frozenset({"actuation", "limb_data", "scaling"})
 
 
 def transfer_unit(results: Mapping[str, Any]) -> str:
-    """Of a magnitude of 1; where drives have no known unit, for a sample of 1."""
+    """Return the unit of a magnitude; where drives have no known unit, per sample of 1."""
     actuation = results["actuation"]
     if actuation is not None and actuation.equaliser is None:
         return "1 (m/s²)/V"
@@ -235,7 +235,7 @@ class TransferPanel(FigurePanel):
         self._draw(results)
 
     def table(self) -> str:
-        """The numbers, with tabs between the columns."""
+        """Return the numbers, with tabs between the columns."""
         if self._results is None:
             return ""
         transfer: Transfer = self._results["transfer"]
@@ -287,7 +287,7 @@ class TransferPanel(FigurePanel):
 
 
 def _usable_text(transfer: Transfer, outputs: tuple[int, ...]) -> str:
-    """Where the response is more than noise; outputs with the same band together."""
+    """Return where the response is more than noise; outputs with the same band are one entry."""
     outputs_by_band: dict[str, list[int]] = {}
     for output, (low, high) in zip(outputs, transfer.usable_hz, strict=True):
         band = f"{low:.0f}–{high:.0f} Hz" if np.isfinite(low) else "nowhere"
@@ -298,7 +298,7 @@ def _usable_text(transfer: Transfer, outputs: tuple[int, ...]) -> str:
 
 
 def _numbers(outputs: list[int]) -> str:
-    """Outputs by number, many of them as ranges."""
+    """Return the numbers of outputs, many of them as ranges."""
     if len(outputs) <= _MOST_NUMBERS:
         return ", ".join(map(str, outputs))
     ordered = np.unique(outputs)

@@ -1,4 +1,4 @@
-"""Delays and levels over the way along a line, and the straight lines through them."""
+"""The panel of how fast a wave travels along the selected outputs, and what it loses."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar
@@ -117,7 +117,7 @@ class WavePicture(Figure):
 
 
 def _halves(room: QRectF) -> tuple[QRectF, QRectF]:
-    """Side by side where it is wide enough, else over each other."""
+    """Return two halves, side by side where the room is wide enough."""
     if room.width() >= 1.2 * room.height():
         half = room.width() / 2
         left = QRectF(room.left(), room.top(), half - UNIT_PX / 2, room.height())
@@ -128,7 +128,7 @@ def _halves(room: QRectF) -> tuple[QRectF, QRectF]:
 
 
 def _around(values: Floats) -> tuple[float, float]:
-    """A range with some air around values; any range where there are none."""
+    """Return a range with some room around values; any range where there are none."""
     known = values[np.isfinite(values)]
     if not known.size:
         return 0.0, 1.0
@@ -143,7 +143,7 @@ _ABOUT = "Along {axis}; distances on the map, delays of the group"
 
 
 class WavePanel(FigurePanel):
-    """Delay and level over the way, and speed and attenuation from them."""
+    """Delay and level over the distance, and speed and attenuation from them."""
 
     title: ClassVar[str] = "Wave"
     name: ClassVar[str] = "wave"
@@ -199,7 +199,7 @@ class WavePanel(FigurePanel):
             self.figure.say(self._few())
 
     def table(self) -> str:
-        """The numbers, with tabs between the columns."""
+        """Return the numbers, with tabs between the columns."""
         shown = self.picture.shown
         if shown is None or self.picture.message:
             return ""
@@ -224,7 +224,7 @@ class WavePanel(FigurePanel):
 
 
 def wave_text(wave: TravellingWave) -> str:
-    """Speed and attenuation, with what is known of their error."""
+    """Return speed and attenuation, with their uncertainty as far as it is known."""
     speed = "No speed: the arrival is not later farther away"
     if wave.counted.sum() < 2:
         return "fewer than two outputs are more than noise"
@@ -246,7 +246,7 @@ def wave_text(wave: TravellingWave) -> str:
 
 
 def _has_several_places(voices: Sequence[Voice]) -> bool:
-    """Whether waves come from more than one place: then none of them is seen alone."""
+    """Return whether waves come from several places: then none of them is seen alone."""
     return len({voice.location for voice in voices if voice.heard and voice.amplitude != 0.0}) > 1
 
 

@@ -92,7 +92,7 @@ def test_a_spectrogram_is_in_seconds_from_where_traces_are(show):
     found = picture.shown.spectrogram
     for last_s, title in ((0.9, "Time (ms)"), (1.1, "Time (s)")):
         time_s = np.linspace(0.0, last_s, found.time_s.size)
-        picture.show_spectrogram(replace(picture.shown, found=replace(found, time_s=time_s)))
+        picture.show_spectrogram(replace(picture.shown, spectrogram=replace(found, time_s=time_s)))
         picture.grab()
         assert picture.axes.x.title == title
         said = picture.read(picture.axes.frame.center())
