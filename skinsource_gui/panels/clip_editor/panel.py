@@ -93,7 +93,7 @@ class ToolEdits(QObject):
     Parameters
     ----------
     tool
-        The tool, which tells by ``given_up`` that a drag is given up.
+        The tool, which emits ``given_up`` with the number of a drag.
     parent
         The panel.
     """
@@ -123,13 +123,7 @@ class ToolEdits(QObject):
 
 
 class PenEdits(ToolEdits):
-    """Turns strokes into edits; asks once before a clip of another kind becomes samples.
-
-    Attributes
-    ----------
-    pen
-        The tool.
-    """
+    """Turns strokes into edits; asks once before a clip of another kind becomes samples."""
 
     def __init__(self, parent: QWidget) -> None:
         self.pen = Pen(parent)
@@ -296,13 +290,7 @@ STEPS: dict[Column, float] = {"frequency": 1.0, "amplitude": 0.01}
 
 
 class GlideEdits(ToolEdits):
-    """Turns changes of the two curves into edits of the glide that a clip plays.
-
-    Attributes
-    ----------
-    tool
-        The tool.
-    """
+    """Turns changes of the two curves into edits of the glide that a clip plays."""
 
     def __init__(self, parent: QWidget) -> None:
         self.tool = GlideTool(self._points, parent)
@@ -390,13 +378,7 @@ _STEPS = {
 
 
 class EnvelopeEdits(ToolEdits):
-    """Turns changes of the points into edits of the clip's envelope.
-
-    Attributes
-    ----------
-    tool
-        The tool.
-    """
+    """Turns changes of the points into edits of the clip's envelope."""
 
     def __init__(self, parent: QWidget) -> None:
         self.tool = EnvelopeTool(self._points, parent)

@@ -34,17 +34,17 @@ class CurveStyle:
     Attributes
     ----------
     colour
-        Name of its colour in a theme.
+        Name of a colour in a theme.
     mirrored
         Whether it is painted upside down too, as an envelope is around a waveform.
     label, unit
-        What its values are.
+        Label and unit of the values.
     highest
-        No point goes higher.
+        The largest value.
     bends
         Whether a segment may be smooth, or held.
     how
-        What is said while there is nothing but its start.
+        How to begin, while there is only the first point.
     """
 
     colour: str = "warning"
@@ -407,7 +407,7 @@ class EnvelopeTool(Tool):
     Parameters
     ----------
     points
-        Returns the points that there are now.
+        Returns the points as they are now.
     style
         How the curve is painted, and what its values are.
     """
@@ -657,14 +657,14 @@ class GlideTool(Tool):
     Parameters
     ----------
     points
-        Returns the points of one of them that there are now.
+        Returns the points of a curve as they are now.
 
     Attributes
     ----------
     active
         The curve that was touched last.
     tools
-        What is done to each.
+        The tool of each curve.
     """
 
     #: Which curve, its points, and the number of the gesture or None.

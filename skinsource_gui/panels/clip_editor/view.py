@@ -54,12 +54,10 @@ class EditorContent:
 
     Attributes
     ----------
-    clip
-        The clip.
     drawn : (n_times,)
-        Its waveform before any effect, or None while it is not known.
+        The waveform before any effect, or None while it is not known.
     played : (n_times,)
-        What it plays after its effects, or None.
+        What the clip plays after its effects, or None.
     sample_rate_hz
         Rate of both.
     scale
@@ -67,7 +65,7 @@ class EditorContent:
     area
         Where the curve is, px.
     reach
-        The largest value that can be seen.
+        The largest visible value.
     """
 
     clip: Clip
@@ -349,7 +347,7 @@ class VisibleClip(QObject):
     Parameters
     ----------
     content
-        Gives what the editor shows at present.
+        Returns what the editor shows now.
     """
 
     #: Another part is to be seen.
@@ -456,11 +454,11 @@ class EditorView(Canvas):
     Attributes
     ----------
     item
-        What paints.
-    seen
+        The layer that is painted.
+    visible_clip
         The clip, and which part of it is shown.
     content
-        What is shown, where there is a clip.
+        What is shown; None where there is no clip.
     tool
         The tool that is used.
     """

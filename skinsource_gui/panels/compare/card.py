@@ -140,14 +140,14 @@ class Card(QAbstractButton):
     Parameters
     ----------
     number
-        Of the snapshot; 0: what is edited.
+        Number of the snapshot; 0: the edited design.
 
     Attributes
     ----------
     compared
-        The snapshot that it shows; None: it is empty.
+        The snapshot; None: nothing is stored.
     present
-        Whether that is in the window.
+        Whether the snapshot is in the window.
     """
 
     #: What is wanted of this number: ``"show"``, ``"store"`` or ``"forget"``.
@@ -299,12 +299,10 @@ class Difference:
     ----------
     shown
         Differences in dB, in place of levels; None: nothing can be shown.
-    heading, words
-        What minus what, and what else one should know; without a map: why there is none.
-    limb
-        Whose outputs they are.
+    heading, text
+        What minus what, and a note; without a map: why there is none.
     outputs
-        Those that are selected: marked on the map.
+        Selected outputs, which are marked.
     """
 
     shown: SmallMap | None = None

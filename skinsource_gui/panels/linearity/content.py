@@ -23,15 +23,15 @@ class Curve:
     Attributes
     ----------
     x, y : (n_points,)
-        Where it goes.
+        Points of the line, or the dots.
     rank
-        Of the output in the selection: its colour; None: that of words.
+        Rank of the output in the selection, for its colour; None: the colour of text.
     width_px
-        Of the line; 0: dots.
+        Width of the line; 0: dots.
     label
-        Written at its end.
+        Text at the end of the line.
     pale
-        0 to 1: how much of the colour is left out, so that what lies over it is seen.
+        From 0 to 1: how much of the colour is left out, so that what lies over it is visible.
     """
 
     x: Floats
@@ -58,13 +58,13 @@ class StrengthUnit:
     Attributes
     ----------
     title, symbol
-        What they are, with the unit, and the unit alone; empty: they have none.
+        Title with the unit, and the unit alone; empty: there is none.
     column
-        Name of their column in a table.
+        Name of the column in a table.
     factor
-        What an amplitude is multiplied with to be told.
+        Strength of an amplitude of 1, in this unit.
     si_factor
-        The same for a table, which is in SI.
+        Strength of an amplitude of 1, in SI, for tables.
     """
 
     title: str
@@ -365,7 +365,7 @@ class LinearitySettings:
     bands
         Whether outputs are those in bands.
     every_output
-        Whether it is told of all outputs, not of the selected ones, how straight they are.
+        Whether adjusted R² is shown for all outputs, not for the selected ones.
     """
 
     velocity: bool = fields.switch(False, VELOCITY)

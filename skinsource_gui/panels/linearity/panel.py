@@ -57,13 +57,13 @@ class ComparedDesigns:
     Attributes
     ----------
     compared
-        Those that count.
+        The designs that count.
     strengths
-        Of each of them, where they differ in that alone; else empty.
-    whole
+        Strength of each, where they differ in that alone; else empty.
+    joint
         Which of them plays what all the others play; None: none does.
-    words
-        Which ones count, where it is not all of them.
+    note
+        Which designs count, where it is not all of them.
     """
 
     compared: Sequence[Compared]

@@ -76,21 +76,21 @@ class Cell:
     Attributes
     ----------
     headings
-        Whose it is, or what of whom: the same thing in ever fewer words.
+        What the map shows, from the longest to the shortest text.
     limb
-        Whose outputs and outline they are.
+        Limb of the outputs and the outline.
     small
         The map, its levels in dB; None: there is none.
     scale
-        Its colours; None where there is no map.
+        Colours of the map; None where there is no map.
     maximum_db
-        The level that its values are relative to, dB re 1 m/s²; None: they are not.
+        The level that values are relative to, dB re 1 m/s²; None: they are not.
     design
-        Its inputs are marked; None: none are.
+        Design whose inputs are marked; None: none are.
     text
         Why there is no map.
-    late
-        Whether it belongs to the design before.
+    stale
+        Whether the map belongs to the design before.
     synthetic
         Whether responses are computed, not measured.
     """
@@ -147,14 +147,12 @@ class SideBySideContent:
 
     Attributes
     ----------
-    cells
-        In their order.
     outputs
-        Selected ones.
+        The selected outputs.
     message
-        What stands in their place; empty: they are shown.
+        Text in place of the maps; empty: the maps are shown.
     about
-        What is shown, said below while no output is pointed at.
+        What is shown, as a text below while no output is pointed at.
     """
 
     cells: tuple[Cell, ...] = ()
@@ -457,7 +455,7 @@ class SideBySideSettings:
     own_maximum
         Whether the levels of each are drawn relative to its own loudest output.
     limbs
-        Names of the chosen limbs with spaces between; empty: those that belong beside the one of
+        Names of the chosen limbs with spaces between; empty: those that are related to the one of
         the design, see `skinsource.design.comparing.related_limbs`.
     """
 
@@ -495,7 +493,7 @@ class Kind:
     Attributes
     ----------
     fields
-        Which parts of the bar above the maps are about it, beside the choice itself.
+        Names of the choices above the maps that apply, beside "Of" itself.
     needs, needs_of_snapshots
         As of a panel.
     own

@@ -50,7 +50,7 @@ class LimbsButton(QToolButton):
     Attributes
     ----------
     menu_of_limbs
-        What it opens.
+        The menu that it opens.
     """
 
     #: Names of the limbs that are chosen; none: those that belong beside the one of the design.
@@ -113,9 +113,9 @@ class ChoicesBar(QWidget):
     Attributes
     ----------
     settings
-        Those of the present view.
+        Settings of the present view.
     of, shown, own_maximum, limbs, file
-        Its parts; of all but the first those that are about what is compared.
+        The choices; all but the first are shown only where they apply.
     """
 
     #: The new `View`.
@@ -210,7 +210,7 @@ class SideBySidePanel(Panel):
     Attributes
     ----------
     kind
-        Which of them.
+        What is compared.
     """
 
     title: ClassVar[str] = "Side by side"

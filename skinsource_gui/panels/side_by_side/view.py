@@ -47,14 +47,10 @@ class CellPlace:
 
     Attributes
     ----------
-    whole
-        All of it.
     heading, value
-        Some lines of words, and one.
-    map
-        Room for the map.
+        Areas of some lines of text, and of one.
     scale
-        Its own scale; empty where all have one in common.
+        The scale of this map; empty where all have one in common.
     """
 
     whole: QRectF
@@ -71,11 +67,9 @@ class Places:
     Attributes
     ----------
     head
-        A line of words above.
-    cells
-        Of the maps.
+        A line of text above.
     scale
-        The scale of all of them; empty where each has its own.
+        The scale of all maps; empty where each has its own.
     """
 
     head: QRectF
@@ -89,11 +83,11 @@ def places_of(room: QRectF, n: int, line: float, *, common: bool, heading_lines:
     Parameters
     ----------
     room
-        In which.
+        Area of all maps.
     n
-        How many maps.
+        Number of maps.
     line
-        Height of a line of words.
+        Height of a line of text.
     common
         Whether one scale serves all of them.
     heading_lines
@@ -258,12 +252,10 @@ def paint_view(
 
     Parameters
     ----------
-    painter, seen, theme, pointed_at
-        As for `paint_content`.
-    outdated
-        Whether it belongs to an older design.
+    stale
+        Whether the maps belong to an older design.
     band
-        What is dragged around outputs, if anything.
+        The rectangle that is dragged around outputs, if any.
     """
     content, places = visible.content, visible.places
     if stale:
@@ -295,10 +287,6 @@ def paint_content(
 
     Parameters
     ----------
-    painter, places, theme
-        On what, where, in which colours.
-    content
-        What is shown.
     pointed_at
         Number of the output that is marked in every map; None: none is.
     """
@@ -376,10 +364,8 @@ class MapsView(QWidget):
 
     Attributes
     ----------
-    content
-        What is shown.
     picker
-        Which outputs mouse and keys mean.
+        Chooses outputs by mouse and keys.
     """
 
     #: The outputs to select, a tuple of numbers.

@@ -56,8 +56,8 @@ class SpectraSettings:
     Attributes
     ----------
     layout
-        ``"overlaid"``, ``"stacked"``, or ``"axes"``: along each axis of the sensors, whatever
-        axes are chosen.
+        ``"overlaid"``, ``"stacked"``, or ``"axes"``: along each axis of the sensors, whatever axes
+        are chosen.
     log_frequency, log_magnitude
         Logarithmic axes.
     relative

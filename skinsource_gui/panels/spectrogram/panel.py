@@ -51,14 +51,12 @@ class SpectrogramContent:
 
     Attributes
     ----------
-    found
-        The spectrogram.
     first_s
         Time of the first sample of the record.
     band_hz
         Floor and ceiling.
     matched
-        By how much it is louder or softer than it was stored, or "".
+        Text on how much louder or softer than stored it is, or "".
     """
 
     spectrogram: Spectrogram

@@ -50,16 +50,12 @@ class Lane:
 
     Attributes
     ----------
-    track
-        The track.
     top_px, height_px
-        Where it lies.
+        Where the lane lies.
     silent
-        Why it is not heard, or "".
+        Why the track is silent, or "".
     problem
-        Why it cannot be played, or "".
-    selected
-        Whether its track is selected.
+        Why the track cannot be played, or "".
     """
 
     track: Input
@@ -93,7 +89,7 @@ def boxes_of(
     Parameters
     ----------
     lanes
-        Lanes that can be seen.
+        The visible lanes.
     durations_s
         Length of each clip, by its id.
     """
@@ -127,12 +123,10 @@ class GainStrip:
 
     Attributes
     ----------
-    lane, scale
-        Where it is.
     top
         The gain at the upper edge of the lane.
     shown
-        Whether it is shown for editing; else it is only hinted at.
+        Whether the curve is edited; else it is a thin line.
     """
 
     lane: Lane
@@ -214,14 +208,12 @@ class ClipLengths:
     Parameters
     ----------
     design
-        Whose clips.
+        Design with the clips.
     before
-        What was known of an earlier design.
+        The lengths for an earlier design.
 
     Attributes
     ----------
-    design
-        Whose clips.
     durations_s
         Length of each clip, by its id.
     whole_s
@@ -342,32 +334,20 @@ class TimelineContent:
 
     Attributes
     ----------
-    design, view
-        What is shown.
     lanes
         Lanes from top to bottom, also those out of sight.
-    scale
-        From times to pixels.
     height_px
-        Where the lowest lane that can be seen ends.
-    lengths
-        How long the clips are.
+        Where the lowest visible lane ends.
     waveforms, sample_rate_hz
-        What clips play, (n_times,) each, by their id, as far as it is known, at that rate.
+        What clips play, (n_times,) each, by their ids, as far as it is known, and its rate.
     awaited
-        Ids of the clips of which it is late.
-    snaps
-        Whether edges snap.
-    ruler_px
-        How high the ruler is.
+        Ids of the clips whose waveform is being computed.
     gain_shown
         Ids of the tracks whose gain curve is edited.
     gain_tops
-        The largest gain that a lane has room for, by the id of its track, while it is held.
+        The largest gain on a lane, by the id of its track, while a drag lasts.
     chosen_point
         Id of a track and number of a point on its gain curve, or None.
-    overlaps
-        Knows where clips of a track overlap.
     """
 
     design: Design
@@ -613,7 +593,7 @@ class TimeZoom(QObject):
     Parameters
     ----------
     content
-        Gives what the lanes show at present.
+        Returns what the lanes show now.
     """
 
     #: The view to look at.
@@ -677,8 +657,7 @@ _GESTURES = {
 
 
 def timeline_tooltip(content: TimelineContent, at: QPointF) -> str:
-    """Return why the clip here cannot be played, what can be dragged, and how many clips there
-    are."""
+    """Return why a clip cannot be played, what can be dragged, and how many clips are here."""
     box = content.box_at(at)
     if box is None:
         return ""

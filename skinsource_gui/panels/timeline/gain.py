@@ -134,12 +134,12 @@ class GainPoints(QObject):
     Parameters
     ----------
     content
-        Returns what is shown now.
+        Returns what the lanes show now.
 
     Attributes
     ----------
     chosen
-        Id of a track and number of the point on its curve that keys are about, or None.
+        Id of a track and number of the point on its curve that keys change, or None.
     """
 
     edited = Signal(object, object)

@@ -37,9 +37,9 @@ class GesturePreview:
     guide_s
         The time that something snapped to.
     covered
-        What a rectangle covers, px.
+        The rectangle that selects clips, px.
     label
-        What a small label beside the pointer says.
+        Text beside the pointer.
     """
 
     guide_s: float | None = None
@@ -54,22 +54,18 @@ class GestureContext:
     Attributes
     ----------
     content
-        Returns what is shown now.
+        Returns what the lanes show now.
     apply
-        Takes an edit, or a refusal, and the number of the gesture.
-    show_view
-        Takes another view.
-    put_playhead
-        Takes where the playhead shall be, s.
+        Applies an edit, or shows a refusal, under the number of the gesture.
     number
         Number of this gesture: all its edits are one step of the history.
     elsewhere
-        Returns where in another panel something goes that is held over a place, px; None: it is
-        let go.
+        Returns where in another panel something would be dropped that is held over a place, px;
+        None ends that.
     before
-        What was shown when the button went down.
+        What the lanes showed when the button went down.
     applied
-        What the last edit led to; None before there is any.
+        The design after the last edit; None before there is any.
     """
 
     content: Callable[[], TimelineContent]
@@ -322,11 +318,11 @@ class MoveGain(Gesture):
     Parameters
     ----------
     points, chosen
-        The points as they are when the button goes down, and numbers of those that move.
-    upright
-        Whether they only go up and down.
+        The points when the button goes down, and the numbers of those that move.
+    vertical
+        Whether they only move up and down.
     fine
-        Whether Ctrl makes it fine; not where Ctrl has just made the point.
+        Whether Ctrl makes the drag fine; not where Ctrl has just added the point.
     """
 
     def __init__(
@@ -480,8 +476,8 @@ class EitherGesture(Gesture):
     ----------
     at
         Where the button went down.
-    upright, along
-        Make the gestures, once it is known which is meant.
+    vertical, along
+        Make the gesture for a drag up or down, and for one along the time.
     """
 
     def __init__(

@@ -40,16 +40,12 @@ class RowPlaces:
 
     Attributes
     ----------
-    row
-        All of it.
     swatch, name
-        Place and its name, which are painted.
-    amplitude, mute, solo, remove
-        The controls.
+        Number of the place and its name, which are painted.
     peak
         The peak that results from a gain, painted beside it.
     text
-        What has to be painted anew when the words change.
+        What is painted again when the text changes.
     """
 
     row: QRect
@@ -74,11 +70,11 @@ def row_places(width: int, line_px: int = USUAL_LINE_PX, *, peak: bool = False) 
     Parameters
     ----------
     width
-        Of the head, px.
+        Width of the head, px.
     line_px
         Height of a line of text; where it is larger than usual, so is the head.
     peak
-        Whether a peak stands beside the amplitude.
+        Whether there is a peak beside the amplitude.
     """
     scale = max(line_px / USUAL_LINE_PX, 1.0)
 
@@ -114,21 +110,20 @@ class RowState:
 
     Attributes
     ----------
-    track
-        The track.
     silent
-        Whether it is not heard, for being muted or because another is solo.
-    selected, last, list_focused
-        Whether the row is selected; whether it is the one that was selected last; whether keys go
-        to the list.
+        Whether the track is muted, or another one is solo.
+    last
+        Whether the track was selected last.
+    list_focused
+        Whether keys go to the list.
     amplitude
-        What an amplitude is, and in which unit.
+        What an amplitude is, and its unit.
     peak
         The peak that results where the amplitude is a plain factor, else "".
     clip
-        The clip that stands for all of them: the selected one, or the first.
+        The selected clip, or else the first.
     limb
-        Whose places have which names.
+        Limb of the places.
     """
 
     track: Input

@@ -40,7 +40,7 @@ class CachedRows:
     Parameters
     ----------
     column, signals
-        What they stand in, and what is told by their controls.
+        Parent of the rows, and the signals of their controls.
     """
 
     def __init__(self, column: QWidget, signals: RowSignals) -> None:
@@ -268,7 +268,7 @@ class InputRows(QWidget):
     Attributes
     ----------
     signals, keys, mouse
-        What is done to the rows: by their controls, by keys and by the mouse.
+        Emit what controls, keys and mouse do to the rows.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:

@@ -236,14 +236,14 @@ class LaneMouse(QObject):
     Parameters
     ----------
     content
-        Returns what is shown now.
+        Returns what the lanes show now.
     gain
-        Knows where gain curves are, which lie over the clips.
+        Handles the gain curves, which lie over the clips.
 
     Attributes
     ----------
     elsewhere
-        Returns where in another panel something goes that is held over a place, px.
+        Returns where in another panel something would be dropped that is held over a place, px.
     """
 
     edited = Signal(object, object)
@@ -478,16 +478,14 @@ class LanesView(Canvas):
 
     Attributes
     ----------
-    mouse, keys
-        What is done here.
-    item, gains, playhead, over
-        What paints.
+    item, gains, playhead, overlay
+        Layers that are painted.
     gain
-        What is done to gain curves.
-    seen
+        Handles the gain curves.
+    time_zoom
         Which part of the time is shown.
     sample_rate_hz
-        A free drag goes by whole samples of this rate.
+        A free drag moves by whole samples of this rate.
     """
 
     key_place = "timeline"

@@ -45,7 +45,7 @@ class ClipSamples:
     Attributes
     ----------
     samples : (n_times,)
-    sample_rate_hz
+        What the clip plays.
     """
 
     samples: Floats
@@ -59,7 +59,7 @@ class ClipStyle:
     Attributes
     ----------
     colour
-        Of the curve, as a number.
+        Colour of the curve, as a number.
     reach
         Height of a sample of 1, as a share of half the picture; negative: upside down.
     part
@@ -90,9 +90,9 @@ class ClipPictures:
     Attributes
     ----------
     mark
-        The frame of the one clip that is shown elsewhere.
+        The frame of the clip that the inspector shows.
     columns
-        Where the samples of the clip that was painted last fall.
+        Columns of the samples that were painted last.
     painted, waves
         How many pictures were painted, and how many of them show the wave between samples: an edit
         that changes no clip paints none.
@@ -210,15 +210,19 @@ def paint_clip(
     Parameters
     ----------
     samples, sample_rate_hz : (n_times,)
-        What it plays, or None while it is not known.
+        What the clip plays, or None while it is not known.
     loudest
-        The largest gain of its track, which takes the full height.
-    selected, shown_elsewhere, unplayable, awaited, handles
-        Whether it is selected; whether the inspector shows it; whether its track cannot be played
-        because of it; whether what it plays is late; whether its ends show that they can be
-        dragged.
+        The largest gain of the track, which takes the full height.
+    shown_elsewhere
+        Whether the inspector shows the clip.
+    unplayable
+        Whether the track cannot be played because of it.
+    awaited
+        Whether what it plays is being computed.
+    handles
+        Whether to show that its ends can be dragged.
     view
-        What can be seen: no more is painted.
+        The visible rectangle: no more is painted.
     """
     pale = box.clip.muted or bool(box.lane.silent)
     colour = QColor(theme.dim) if pale else theme.input_colour(box.lane.track.colour)
@@ -564,8 +568,6 @@ class LanesItem(LaneLayer):
 
     Attributes
     ----------
-    pictures
-        What clips play, painted once.
     painted, painted_lanes
         How often it was painted, and how many lanes in all.
     """
@@ -794,7 +796,7 @@ class PlayheadItem(pyqtgraph.GraphicsObject):
     Attributes
     ----------
     moved
-        How often it was put somewhere else.
+        How often it was moved.
     """
 
     def __init__(self) -> None:

@@ -183,11 +183,11 @@ class LanesMenu(QObject):
     Parameters
     ----------
     content
-        Returns what is shown now.
+        Returns what the lanes show now.
     clips, gain
-        Do what the keys do too.
+        Edit clips and gain curves, as keys do too.
     parent
-        Over which it opens.
+        Widget over which the menu opens.
     """
 
     edited = Signal(object, object)
@@ -477,7 +477,7 @@ class TrackTable(QWidget):
     Attributes
     ----------
     lanes, toolbar, time_bar
-        Its parts, beside the list of heads.
+        Parts beside the list of heads.
     """
 
     def __init__(self, heads: InputList, parent: QWidget | None = None) -> None:

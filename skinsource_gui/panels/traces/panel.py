@@ -55,7 +55,7 @@ class TracesSettings:
     relative
         Whether each is drawn relative to its own peak.
     fitted
-        Whether values fit the part of time that is seen.
+        Whether values fit the visible part of the time.
     """
 
     layout: str = fields.choice("overlaid", LAYOUT)
