@@ -46,7 +46,7 @@ from skinsource_gui.qt.tooltips import show_tooltip
 from skinsource_gui.state.panel import Panel
 
 _CANVAS_PART, _SPECTRUM_PART = 3, 1
-# A panel that is lower than this, and this many times as wide, has more room beside the curve.
+# In a panel that is lower, and so many times wider than high, the spectrum is at the right.
 _LOW_PX = 300
 _WIDE = 3
 
@@ -154,7 +154,7 @@ class PenEdits(ToolEdits):
         return self._allowed is clip.waveform
 
     def bound(self) -> None:
-        """Take away what lies outside the measured band."""
+        """Remove what lies outside the measured band."""
         if self._clip is not None:
             outcome = edits.bound_clip(self._design, self._view, self._clip.id, self._rate_hz)
             self.edited.emit(outcome, None)
@@ -245,7 +245,7 @@ class EditorToolbar(QWidget):
     def show_band(self, band_hz: tuple[float, float] | None) -> None:
         """Take over the band in which the limb was measured; None: it is not known.
 
-        It counts from the next words on.
+        The buttons follow with the next text.
         """
         text = "In which band this limb was measured is not known"
         if band_hz is not None:
@@ -311,7 +311,7 @@ class GlideEdits(ToolEdits):
         return clip is not None and isinstance(clip.waveform, Glide)
 
     def press(self, command: str, event: QKeyEvent) -> bool:
-        """Do what a key means to the points; whether it means anything."""
+        """Do what a command does to the points; return whether it does anything."""
         tool = self.tool.tools[self.tool.active]
         if command == "remove":
             tool.remove_chosen()
@@ -392,7 +392,7 @@ class EnvelopeEdits(ToolEdits):
         super().show_state(design, view, clip, rate_hz)
 
     def press(self, command: str, event: QKeyEvent) -> bool:
-        """Do what a key means to the points; whether it means anything."""
+        """Do what a command does to the points; return whether it does anything."""
         if command == "remove":
             self.tool.remove_chosen()
         elif command == "add" and self._clip is not None:
@@ -505,17 +505,17 @@ class ClipEditorPanel(Panel):
         self._toolbar.show_text(reason, enabled=self.clip is not None)
 
     def use(self, tool: str) -> None:
-        """Take a tool; a clip that is not drawn asks once whether it may become samples."""
+        """Use a tool; ask once whether a clip of another kind may become samples."""
         clip = self.clip
         if tool == "pen" and clip is not None and not self._pen_edits.may_draw(clip):
-            # While it is asked nothing of another tool is seen, or can be done.
+            # During the question no other tool is active.
             self._switch_to("look")
             tool = "pen" if self._pen_edits.is_allowed(clip) else "look"
         if tool == "glide" and not self._glide.can_edit(clip):
             self.edited.emit(_NO_GLIDE, None)
             tool = "look"
         self._switch_to(tool)
-        # A question may have taken the keyboard away.
+        # After a question the keyboard may be elsewhere.
         self._canvas.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _switch_to(self, tool: str) -> None:
@@ -545,7 +545,7 @@ class ClipEditorPanel(Panel):
             return
         lost_glide = self._canvas.tool is self._glide.tool and not self._glide.can_edit(clip)
         if lost_glide or (self._canvas.tool is self._pen and not self._pen_edits.may_draw(clip)):
-            # Another clip than the one that was asked about, or another waveform.
+            # The question was about another clip, or another waveform.
             self.use("look")
         self._toolbar.offer_glide(self._glide.can_edit(clip))
         raw = self._sampled(clip)
@@ -574,7 +574,7 @@ class ClipEditorPanel(Panel):
             try:
                 samples = clip.waveform.samples(self._rate_hz)
             except InvalidInputError:
-                # The other panels say why.
+                # Other panels show the reason.
                 samples = None
             self._raw = (clip.waveform, self._rate_hz, samples)
         return samples
@@ -590,7 +590,7 @@ class ClipEditorPanel(Panel):
         elif command == "give_up":
             self.use("look")
         else:
-            # Points that are not seen are not changed.
+            # Keys change only points that are visible.
             for shaper in (self._glide, self._envelope):
                 if self._canvas.tool is shaper.tool:
                     shaper.press(command, event)

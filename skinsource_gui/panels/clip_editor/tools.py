@@ -77,7 +77,7 @@ def paint_points(
     dot = _dot(colour, theme.base, painter.device().devicePixelRatioF())
     for place in map(QPointF, (x - _DOT_PX / 2).tolist(), (y - _DOT_PX / 2).tolist()):
         painter.drawPixmap(place, dot)
-    # The others are painted again, over those beside them.
+    # These are painted again, over their neighbours.
     for index in {*chosen, *(() if hovered is None else (hovered,))}:
         if index < len(x):
             radius = _HOVERED_PX if index == hovered else _POINT_PX
@@ -124,7 +124,7 @@ def _dot(line: str, ground: str, ratio: float) -> QPixmap:
     return dot
 
 
-#: How near the pointer takes hold of a handle, px.
+#: Distance within which the pointer catches a handle, px.
 CATCH_PX = 6.0
 # Between the outermost points and the box, so that points and handles do not cover each other.
 _BESIDE_PX = 14.0
@@ -208,7 +208,7 @@ def _box(content: EditorContent, points: Points, chosen: tuple[int, ...]) -> QRe
     x, y = [place.x() for place in places], [place.y() for place in places]
     tight = QRectF(QPointF(min(x), min(y)), QPointF(max(x), max(y)))
     box = tight.adjusted(-_BESIDE_PX, -_BESIDE_PX, _BESIDE_PX, _BESIDE_PX)
-    # No handle lies where it could not be seen.
+    # All handles stay visible.
     return box.intersected(content.area.adjusted(3, 3, -3, -3))
 
 
@@ -221,7 +221,7 @@ def _handles(
     times, values = map(set, _places(points, chosen))
     handles = []
     for along, up in _SIDES:
-        # Points of the same time cannot be drawn apart, those of the same value upwards alone.
+        # Points of the same time have no width to scale, those of the same value only upwards.
         if (along and len(times) == 1) or (up < 0 and len(values) == 1):
             continue
         if up and values == {0.0}:
@@ -245,14 +245,14 @@ class Drag:
     box: QPointF | None = None
     handle: Handle | None = None
     moved: bool = False
-    # The points without the one that the press added.
+    # The points before the press added one.
     before: Points = ()
 
 
 class ViewTool(Tool):
-    """Shows time and value under the pointer; a drag moves what is seen."""
+    """Shows time and value under the pointer; a drag pans."""
 
-    #: What is seen is to move by so many seconds.
+    #: The visible part moves by so many seconds.
     pan_wanted = Signal(float)
 
     def __init__(self, parent: QObject) -> None:
@@ -384,12 +384,12 @@ class Pen(Tool):
 
     def _place(self, content: EditorContent, at: QPointF) -> tuple[float, float]:
         time_s, value = content.place(at)
-        # As far as 1, or as far as is seen of what is louder.
+        # Up to 1, or up to the largest visible value of a louder clip.
         full = max(_FULL, content.reach) if content.reach > REACH else _FULL
         return max(time_s, 0.0), min(max(value, -full), full)
 
 
-#: How near the pointer takes hold of a point, or of the curve, px.
+#: Distance within which the pointer catches a point, or the curve, px.
 ENVELOPE_CATCH_PX = 9.0
 _FINE = 0.1
 _HOW = "Click the line, or double-click beside it: a new point. Drag points to shape it"
@@ -569,7 +569,7 @@ class EnvelopeTool(Tool):
         x, y = content.curve(times, values)
         curve = arrayToQPath(x, y, finiteCheck=False)
         painter.setPen(QPen(colour, 1))
-        # Four thin lines are painted in a sixth of the time of one that is two px wide.
+        # Qt paints four thin lines in a sixth of the time of one line of 2 px.
         for right, down in product((-0.5, 0.5), repeat=2):
             painter.drawPath(curve.translated(right, down))
         if self._style.mirrored:
@@ -723,7 +723,7 @@ class GlideTool(Tool):
         return given_up
 
     def forget(self) -> None:
-        """Let no point be chosen."""
+        """Choose no point."""
         for tool in self.tools.values():
             tool.chosen = ()
 
@@ -737,7 +737,7 @@ class GlideTool(Tool):
         painter.setOpacity(1.0)
 
     def _touch(self, content: EditorContent, at: QPointF) -> None:
-        """Take the curve that passes here, if one does; of two, the one that was touched last."""
+        """Choose the curve that passes here, if one does; of two, the one that was touched last."""
         for column in (self.active, self.other):
             if self.tools[column].is_near(of_column(content, column), at):
                 if column != self.active:

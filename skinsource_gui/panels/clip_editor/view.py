@@ -44,7 +44,7 @@ from skinsource_gui.qt.theme import (
 )
 from skinsource_gui.qt.tooltips import show_tooltip
 
-#: Values that can be seen at least, so that there is room to draw.
+#: Values up to this are always visible, so that there is room to draw.
 REACH = 1.1
 
 
@@ -141,7 +141,7 @@ class Tool(QObject):
         """End what the button did."""
 
     def double_click(self, content: EditorContent, at: QPointF) -> None:
-        """Do what the left button does that is pressed twice."""
+        """Do what a double click with the left button does."""
 
     def fill_menu(self, menu: QMenu, content: EditorContent, at: QPointF | None) -> None:
         """Fill the menu of the right button there, or that of what the keys are about.
@@ -219,7 +219,7 @@ class EditorItem(pyqtgraph.GraphicsObject):
         drawn = content.drawn
         n_played = None if played is None else played.size
         place = (current_theme().name, content.scale, content.area, content.reach)
-        # Samples by identity: an array that is kept here cannot become another one.
+        # Samples are compared by identity: an array is never changed in place.
         background_key = (*place, content.sample_rate_hz, n_played, Same(content.drawn))
         is_other = content.drawn is not None and content.drawn is not played
 
@@ -350,7 +350,7 @@ class VisibleClip(QObject):
         Returns what the editor shows now.
     """
 
-    #: Another part is to be seen.
+    #: Another part is visible.
     changed = Signal()
 
     def __init__(self, content: Callable[[], EditorContent | None], parent: QObject) -> None:
@@ -465,7 +465,7 @@ class EditorView(Canvas):
 
     key_place = "clip_editor"
 
-    #: A key that belongs to the editor, as Qt tells it.
+    #: The key event of a key that belongs to the editor.
     key_pressed = Signal(object)
 
     def __init__(self, tool: Tool, parent: QWidget | None = None) -> None:
@@ -490,7 +490,7 @@ class EditorView(Canvas):
         self.lay_out()
 
     def use(self, tool: Tool) -> None:
-        """Take another tool."""
+        """Use another tool."""
         self.tool.cancel()
         self.tool = tool
         self.viewport().setCursor(tool.cursor)
@@ -501,7 +501,7 @@ class EditorView(Canvas):
         self.item.show_font(scaled(tabular(self.font()), _TEXT))
 
     def cancel(self) -> bool:
-        """Give up what the tool has begun; whether anything had."""
+        """Cancel what the tool has begun; return whether anything had."""
         given_up = self.tool.cancel()
         self.visible_clip.let_go()
         self.lay_out()
@@ -659,7 +659,7 @@ class SpectrumStrip(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setFont(scaled(tabular(self.font()), _TEXT))
-        # The words stand above: on the curve neither could be read.
+        # The text is above the curve, where both can be read.
         top = painter.fontMetrics().height() + 3
         area = QRectF(self.rect()).adjusted(
             _STRIP_LEFT_PX, top, -_STRIP_RIGHT_PX, -_STRIP_BOTTOM_PX

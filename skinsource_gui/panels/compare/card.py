@@ -150,7 +150,7 @@ class Card(QAbstractButton):
         Whether the snapshot is in the window.
     """
 
-    #: What is wanted of this number: ``"show"``, ``"store"`` or ``"forget"``.
+    #: What to do with this number: ``"show"``, ``"store"`` or ``"forget"``.
     wanted = Signal(int, str)
 
     def __init__(self, number: int, parent: QWidget) -> None:
@@ -261,7 +261,7 @@ class Card(QAbstractButton):
             room = area.adjusted(0, line + _RINGS_PX, 0, -2 * line - _RINGS_PX)
             design, scale = compared.snapshot.design, self._scale
             table = colour_table(scale.colours)
-            # Silence has no level, and no colour: the lowest one would be a level.
+            # Silence has no colour: the lowest one would be a level.
             shown = SmallMap(limb_map=self._map.limb_map) if is_silent(compared) else self._map
             paint_small_map(painter, room, shown, design, theme, scale.range_db, table)
 

@@ -52,7 +52,7 @@ from skinsource_gui.state.compared import (
 from skinsource_gui.state.panel import Panel
 
 _NEEDS = frozenset({"limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db"})
-# So wide that the map stands beside the cards, also in lines of words.
+# From this width on the map is beside the cards, in px and in lines of text.
 _BESIDE_PX, _BESIDE_LINES = 620, 36
 
 
@@ -92,7 +92,7 @@ class ComparePanel(Panel):
         self.words = QLabel()
         self.words.setObjectName("matching_words")
         set_tone(self.words, "dim")
-        # Wrapped, it would make the panel as high as it likes best; cut off, its tooltip says it.
+        # Wrapped, it would make the panel higher; where it is cut off, its tooltip is whole.
         self.words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.cards = [Card(number, self) for number in (EDITED, *NUMBERS)]
         self._row = FoldingRow(self.cards, UNIT_PX // 4, left=True, parent=self)
@@ -154,7 +154,7 @@ class ComparePanel(Panel):
         upper.addWidget(self._row, 1)
         upper.addWidget(self.words)
         upper.addStretch(0)
-        # The map stands beside the cards where the panel is wide enough, below them otherwise.
+        # The map is beside the cards where the panel is wide enough, else below them.
         self._halves = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)
         self._halves.setContentsMargins(UNIT_PX, UNIT_PX // 2, UNIT_PX, UNIT_PX // 2)
         self._halves.setSpacing(UNIT_PX // 2)
@@ -218,7 +218,7 @@ class ComparePanel(Panel):
                 loudest_db=top,
             )
         else:
-            # Outputs are alike by their numbers; places between them are not.
+            # Outputs correspond by their numbers; places between them do not.
             field = values["surface"].interpolate(levels)
         return replace(small, levels_db=levels, field_levels_db=field)
 

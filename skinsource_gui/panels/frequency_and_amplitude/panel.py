@@ -34,8 +34,8 @@ _WRAPPED = Qt.TextFlag.TextWordWrap
 class Heading(QLabel):
     """Shows the first of some phrases that fits into two lines; else the last, in more lines.
 
-    It is as high as two lines whatever it says: what stands below keeps its place from scene to
-    scene, and a long title does not push it out of the window.
+    It is always two lines high, so that the fields below keep their place from scene to scene, and
+    stay in the window.
     """
 
     def __init__(self, text: str) -> None:
@@ -54,7 +54,7 @@ class Heading(QLabel):
         fitting = (phrase for phrase in self._phrases if self._height_of(phrase) <= two_lines)
         text = next(fitting, self._phrases[-1])
         self.setText(text)
-        # What is left out is said where somebody points at it.
+        # The tooltip has what is left out.
         self.setToolTip("" if text == self._phrases[0] else self._phrases[0])
         self.setMinimumHeight(max(self._height_of(text), two_lines))
 
@@ -107,7 +107,7 @@ class _LabelledField(QWidget):
             self.hold(cell.label, cell)
 
     def hold(self, label: QLabel, field: QWidget) -> None:
-        """Take a field up."""
+        """Add a field with its label."""
         label.setBuddy(field)
         self._line.addWidget(label)
         self._line.addWidget(field, 1)

@@ -31,7 +31,7 @@ from skinsource_gui.state.history import History, Step
 from skinsource_gui.state.panel import Panel
 
 _Role = Qt.ItemDataRole
-#: What stands at the right of a row; whether it is done; whether it is the present one.
+#: Text at the right of a row; whether the step is done; whether it is the present one.
 TIME, DONE, PRESENT = (_Role.UserRole + k for k in range(1, 4))
 
 _Index = QModelIndex | QPersistentModelIndex
@@ -138,7 +138,7 @@ def row_text(metrics: QFontMetrics, label: str, time: str, room_px: int) -> tupl
     """Return label and time as they share a row; a label that is too long is cut short."""
     width = metrics.horizontalAdvance(time) + UNIT_PX if time else 0
     if room_px - width < _LEAST_WORDS * room_px:
-        # What was done says more than when; the tooltip has both.
+        # The label says more than the time; the tooltip has both.
         time, width = "", 0
     left = max(room_px - width, 0)
     return metrics.elidedText(label, Qt.TextElideMode.ElideRight, left), time

@@ -95,15 +95,15 @@ def of_velocities(m_per_s_each: float) -> StrengthUnit:
     )
 
 
-# Of long responses this much is drawn, around the loudest instant, where no zoom says which part.
+# Without a zoom so much of a long response is drawn, around its loudest instant.
 _SHOWN_S = 0.03
 # Wide lines of more points take long.
 _MOST_SAMPLES = 1500
 _WIDEST_PX, _NARROWEST_PX = 8.0, 1.2
 _PALE = 0.55
-# What is shown on both sides of a response of one sample.
+# Time on both sides of a response of one sample, s.
 _BESIDE_ONE_S = 1e-3
-# Bands that are drawn one by one, and room beside lines over logarithmic axes, as a factor.
+# Bands that are drawn one by one, and the margin of logarithmic axes, as a factor.
 _SHOWN_HZ = (50.0, 100.0, 200.0, 400.0)
 _EDGE = 1.4
 
@@ -114,7 +114,7 @@ def part_of(time_s: Floats, curves: Floats, zoom: tuple[float, float] | None) ->
         loudest = float(time_s[np.argmax(np.abs(curves).max(axis=tuple(range(curves.ndim - 1))))])
         zoom = loudest - _SHOWN_S / 2, loudest + _SHOWN_S / 2
     first, end = np.searchsorted(time_s, zoom)
-    # A response of one sample is all that there is of it.
+    # A response may have only one sample.
     first = max(int(min(first, time_s.size - 2)), 0)
     return first, int(min(max(end, first + 2), first + _MOST_SAMPLES, time_s.size))
 

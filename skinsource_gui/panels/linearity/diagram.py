@@ -35,8 +35,8 @@ def places_of_labels(
 ) -> tuple[QFont, list[tuple[QRectF, Curve]]]:
     """Return where labels are written, and in which font.
 
-    Those that would lie on each other move apart, in the order of their curves; where the frame
-    is too low for all they are smaller, and then the rest is left out.
+    Labels that overlap are moved apart, in the order of their curves. Where the frame is too low
+    for all, they are smaller; those that still do not fit are left out.
     """
     ends = [
         (float(y), float(x), curve)

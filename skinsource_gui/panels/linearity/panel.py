@@ -107,12 +107,12 @@ def tab_separated(
     unit: StrengthUnit,
     *,
     bands: bool = False,
-    every: Straightness | None = None,
+    all_outputs: Straightness | None = None,
 ) -> str:
     """Return a table of RMS by strength, output by band, R² of each output, or r of each channel.
 
-    Channels are ``axes`` of each of ``outputs``; ``unit`` is that of strengths; ``bands``: outputs
-    are told in bands, all of them; ``every``: how straight all outputs are is told instead.
+    Channels are ``axes`` of each of ``outputs``; ``unit`` is that of strengths. With ``bands``
+    outputs are listed in all bands; with ``all_outputs`` R² of all outputs is listed instead.
     """
     channels = [(output, axis) for output in outputs for axis in axes]
     lines: _Lines
@@ -128,7 +128,7 @@ def tab_separated(
     return "".join("\t".join(line) + "\n" for line in lines)
 
 
-def _straight(every: Straightness, axes: tuple[str, ...]) -> _Lines:
+def _straight(all_outputs: Straightness, axes: tuple[str, ...]) -> _Lines:
     numbers = range(1, len(every.adjusted_r2) + 1)
     lines: _Lines = [
         ("frequency_hz", *(f"adjusted_r2_{k}_{axis}" for k in numbers for axis in axes))
@@ -174,7 +174,7 @@ _EVERY = "output_band_rms"
 _TOO_MUCH = (
     "Too long to be shown here; File > Check against a recording… checks whether it is linear"
 )
-# More takes longer than a picture may.
+# More values would take too long to draw.
 _MOST_VALUES = 2_000_000
 
 

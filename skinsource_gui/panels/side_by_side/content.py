@@ -134,7 +134,7 @@ class Cell:
         if value == SILENT:
             return (SILENT,)
         if self.maximum_db is not None:
-            # 0 dB of each would be said of each.
+            # Relative to itself each maximum is 0 dB, so its level is shown.
             value = f"max {self.scale.text(self.maximum_db)}"
             whole = f"{value} re 1 m/s² at {largest + 1}"
             return whole, f"{value} at {largest + 1}", value, value.removesuffix(" dB")
@@ -185,7 +185,7 @@ class SideBySideContent:
         return f"{output_text(output, drawn[0].limb)}: {values}"
 
 
-#: What something is called, in ever fewer words.
+#: Names of one thing, from the longest to the shortest.
 Names = tuple[str, ...]
 
 
@@ -474,7 +474,7 @@ class SideBySideSettings:
         return tuple(dict.fromkeys(self.limbs.split()))[:MOST_BESIDE]
 
 
-#: What a map of levels takes.
+#: Quantities of a map of levels.
 LEVELS = frozenset(
     {
         "limb_map",
@@ -581,7 +581,7 @@ class Kind:
         return cells.of_spread(compared, names, reference, level_look(view))
 
 
-#: What is told axis by axis, and what a map calls it.
+#: Quantities for each axis, and the quantities of a map that they stand in for.
 _PER_AXIS = {
     "axis_levels_db": "output_levels_db",
     "axis_surface_levels_db": "surface_levels_db",
@@ -713,7 +713,8 @@ def snapshot_names(
 def _own_parts(titles: Sequence[str]) -> dict[str, str]:
     """Return the part of each title that is its own: ``"50 Hz"`` of ``"Fig. 2B · 50 Hz"``.
 
-    Of titles whose parts, between middle dots, begin alike.
+    The parts of a title are between middle dots; those at the beginning that all titles share are
+    left out.
     """
     parts = [title.split(" · ") for title in titles]
     n_common = 0

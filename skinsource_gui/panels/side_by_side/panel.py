@@ -53,7 +53,7 @@ class LimbsButton(QToolButton):
         The menu that it opens.
     """
 
-    #: Names of the limbs that are chosen; none: those that belong beside the one of the design.
+    #: Names of the limbs that are chosen; none: those that are related to the design's.
     limbs_chosen = Signal(object)
 
     def __init__(self, parent: QWidget) -> None:
@@ -62,7 +62,7 @@ class LimbsButton(QToolButton):
         self._usual = True
         self.setObjectName("side_by_side_limbs")
         self.setText("Limbs…")
-        # The dots say that something opens.
+        # The dots in the text show that a menu opens.
         self.setStyleSheet("QToolButton::menu-indicator { image: none; }")
         self.setToolTip("Which limbs are shown, two to four")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -86,7 +86,7 @@ class LimbsButton(QToolButton):
         usual.triggered.connect(partial(self.limbs_chosen.emit, ()))
         menu.addSeparator()
         known = available_limbs()
-        # One that has gone can be taken out of the choice.
+        # A limb that no longer exists can be removed from the choice.
         for name in (*known, *(limb for limb in self._chosen if limb not in known)):
             action = menu.addAction(limb_word(name).title)
             action.setCheckable(True)
@@ -101,14 +101,14 @@ class LimbsButton(QToolButton):
         self.limbs_chosen.emit(without if name in self._chosen else (*self._chosen, name))
 
 
-# A panel that shows fewer lines of text has no room for many rows: so many choices stand in each.
+# Where fewer lines of text fit, so many choices share a row, and rows are few.
 _LINES_WITH_ROOM, _BESIDE = 14, 2
 
 
 class ChoicesBar(QWidget):
     """The choices above the maps; a choice emits another view.
 
-    Where the maps below need the room its words are written smaller until two stand in each row.
+    Where the maps below need the room, the text is smaller, so that two choices share a row.
 
     Attributes
     ----------
@@ -120,7 +120,7 @@ class ChoicesBar(QWidget):
 
     #: The new `View`.
     view_changed = Signal(object)
-    #: A design of a file is to stand beside the others.
+    #: A design is to be chosen from a file.
     file_wanted = Signal()
 
     def __init__(self, panel_name: str, parent: QWidget) -> None:
@@ -160,7 +160,7 @@ class ChoicesBar(QWidget):
         self.own_maximum.setChecked(settings.own_maximum)
         kind = KINDS[settings.of]
         fields = kind.fields
-        # A difference has no maximum that others are measured by, and a mean is one map.
+        # Differences have no maximum to be relative to, and a mean is one map.
         self.own_maximum.setVisible(kind.shown(settings) == "levels")
         for name, part in (("shown", self.shown), ("limbs", self.limbs), ("file", self.file)):
             part.setVisible(name in fields)
@@ -273,7 +273,7 @@ class SideBySidePanel(Panel):
         self.bar.show_state(design, view)
         before, self.kind = self.kind, KINDS[self.bar.settings.of]
         if self.kind is not before:
-            # Whoever is asked now tells what is known.
+            # The engine sends the results for the new kind.
             self._compared = ()
         if self.kind.own:
             self._show_own()

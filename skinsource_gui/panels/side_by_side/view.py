@@ -158,7 +158,7 @@ _FILLED = 0.9
 
 
 def places_for(room: QRectF, content: SideBySideContent, font: QFont) -> Places:
-    """Lay out the maps of ``content``, whose words are written in ``font``."""
+    """Lay out the maps of ``content``, whose text is in ``font``."""
     line, n = QFontMetricsF(font).height(), len(content.cells)
     common = content.common_scale is not None
     metrics = QFontMetricsF(bold(font))
@@ -248,7 +248,7 @@ def paint_view(
     stale: bool,
     band: QRectF | None,
 ) -> None:
-    """Draw what a widget shows; the painter's font is that of all words.
+    """Draw what a widget shows; the painter's font is that of all text.
 
     Parameters
     ----------
@@ -283,7 +283,7 @@ def paint_content(
     theme: Theme,
     pointed_at: int | None = None,
 ) -> None:
-    """Draw ``content``; the painter's font is that of all words.
+    """Draw ``content``; the painter's font is that of all text.
 
     Parameters
     ----------
@@ -411,7 +411,7 @@ class MapsView(QWidget):
         self._tell()
 
     def show_stale(self, stale: bool) -> None:
-        """Say whether what is shown belongs to an older design."""
+        """Show whether the maps belong to an older design."""
         self._stale = stale
         self.update()
 

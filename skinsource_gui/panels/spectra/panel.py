@@ -80,11 +80,11 @@ class SpectraSettings:
 
 
 _HOLD, _LOUDEST = (f"{window_s * 1e3:.0f} ms" for window_s in (HOLD_WINDOW_S, LOUDEST_WINDOW_S))
-# What the height of a curve means, longest first.
+# What the height of a curve means, from the longest to the shortest text.
 _SCALINGS = {
     "record": ("amplitude over the whole record", "over the whole record", "whole record"),
     "loudest": (
-        # Levels say another time, and nobody would guess why.
+        # The window differs from that of levels, which needs a reason.
         f"amplitude in the loudest {_HOLD} of each frequency, which tell "
         f"{1 / HOLD_WINDOW_S:.0f} Hz apart; the {_LOUDEST} of levels would tell "
         f"{1 / LOUDEST_WINDOW_S:.0f} Hz",
@@ -243,7 +243,7 @@ class SpectraPanel(SignalPanel):
 
     @property
     def needs(self) -> frozenset[str]:
-        # What the words around the curves say comes with the curves.
+        # Texts around the curves come with the curves.
         spectra = quantity_of(self._settings, self._view.span)
         return frozenset({spectra, "outputs", "sample_rate_hz"}) | NEEDS
 
@@ -295,7 +295,7 @@ class SpectraPanel(SignalPanel):
     def _draw(self, results: Mapping[str, Any]) -> None:
         settings = self._settings
         if quantity_of(settings, results["span"]) not in results:
-            # Of another layout: what it takes is on its way.
+            # The results of another layout are still being computed.
             return
         self._plot.show_curves(
             curves_of(results, settings),

@@ -40,7 +40,7 @@ from skinsource_gui.qt.theme import UNIT_PX, current_theme
 #: How far below its loudest the colours go.
 SPAN_DB = 60.0
 _SCALE_PX = 10.0
-# What levels are relative to stands below the highest where the scale is so many lines high.
+# The reference is below the highest level where the scale is so many lines high.
 _REFERENCE, _ROOM_LINES = "re 1 m/s²", 5.0
 _FLAGS = Qt.AlignmentFlag.AlignVCenter
 
@@ -152,7 +152,7 @@ class SpectrogramPicture(Figure):
         if self._playhead_s is not None:
             x = float(axes.to_screen(np.array([self._playhead_s]), np.zeros(1))[0, 0])
             line = QLineF(x, frame.top(), x, frame.bottom())
-            # In the colour of every playhead, on a ground on which it is seen in dark colours too.
+            # The colour of every playhead, on a ground that shows it on dark colours too.
             for colour, width_px in ((current_theme().base, 3.5), (current_theme().error, 1.5)):
                 painter.setPen(QPen(QColor(colour), width_px))
                 painter.drawLine(line)
@@ -246,7 +246,7 @@ class SpectrogramPanel(FigurePanel):
         self.floor = NumberField(FLOOR, widest_unit="Hz")
         self.ceiling = NumberField(CEILING, widest_unit="Hz")
         for choice in (self.output, self.window_length):
-            # Never narrower than its words.
+            # Never narrower than its text.
             choice.setMinimumContentsLength(0)
             choice.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.window_length.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)

@@ -38,7 +38,7 @@ from skinsource_gui.qt.tooltips import tooltip
 
 #: Free space above and below a clip, px.
 MARGIN_PX = 3.0
-#: No clip is painted narrower, so that one can be seen and caught.
+#: No clip is painted narrower, so that it can be seen and clicked.
 NARROWEST_PX = 3.0
 #: How far outside a clip its ends can be caught, px.
 REACH_PX = 4.0
@@ -198,7 +198,7 @@ def gain_point_text(time_s: float, gain: float) -> str:
     return f"{value_text(time_s, 's', digits=5)} · × {gain:.4g} · {level}"
 
 
-#: Behind the last clip, so much of the time can be seen; at least so much in all.
+#: The timeline shows so much time behind the last clip, and at least so much in all.
 AFTER_S, LEAST_S = 0.4, 0.5
 
 
@@ -324,7 +324,7 @@ def clip_text(clip: Clip) -> str:
     return f"{clip.label or clip.waveform.title} · {value_text(clip.onset_s, 's', digits=5)}"
 
 
-#: How high the ruler is where words have their usual size, px.
+#: Height of the ruler for text of the usual size, px.
 RULER_PX = 26.0
 
 
@@ -542,7 +542,7 @@ def toggle_gain_curves(design: Design, view: View, ids: Iterable[int]) -> Edit:
 
 
 _EDGE_PX, _CORNER_PX = 6.0, 11.0
-# A clip narrower than this is only moved by its inside; its ends are caught from beside it.
+# The inside of a narrower clip only moves it; its ends are dragged from outside.
 _NARROW_PX = 26.0
 
 
@@ -596,7 +596,7 @@ class TimeZoom(QObject):
         Returns what the lanes show now.
     """
 
-    #: The view to look at.
+    #: Another view.
     view_changed = Signal(object)
 
     def __init__(self, content: Callable[[], TimelineContent], parent: QObject) -> None:

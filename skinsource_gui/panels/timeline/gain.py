@@ -109,7 +109,7 @@ class GainItem(LaneLayer):
         metrics = QFontMetricsF(self._font)
         height, top = metrics.height() + 1, room.top() + 2
         if has_hint(strip):
-            # Below, as names of clips stand above.
+            # At the foot of the lane, as names of clips are at its top.
             text, top = HINT, room.bottom() - height - 2
         width = metrics.horizontalAdvance(text) + 8
         label = QRectF(room.right() - width - 4, top, width, height)
@@ -195,7 +195,7 @@ class GainPoints(QObject):
         return True
 
     def key(self, event: QKeyEvent) -> bool:
-        """Do what a key means to a curve; whether it means anything to one."""
+        """Do what a key does to a curve; return whether it does anything."""
         command, key = meaning_of(_PLACE, event), Qt.Key(event.key())
         if command == "gain_curve":
             content = self._content()
@@ -223,7 +223,7 @@ class GainPoints(QObject):
         self._emit(track, tuple((x, y, "straight") for x, y in left), None)
 
     def choose(self, chosen: tuple[int, int] | None) -> None:
-        """Let keys be about another point, or about none."""
+        """Choose another point for the keys, or none."""
         if chosen != self.chosen:
             self.chosen = chosen
             self.choice_changed.emit()

@@ -118,7 +118,7 @@ class Gesture:
         self._context.undo()
 
 
-# No end comes nearer to the other one than this.
+# No clip becomes shorter, s.
 _SHORTEST_S = 0.001
 
 
@@ -224,8 +224,8 @@ class MoveClips(Gesture):
     """Drags the selected clips in time and from lane to lane.
 
     Shift: along time only.  Ctrl: copies.  Alt: without snapping.  A free drag goes by whole
-    samples, so that what clips play need not be drawn anew.  Held over a place in another panel,
-    on the hand, they lie where they were until they are dropped there.
+    samples, so that what clips play need not be computed again.  While they are held over a place
+    in another panel, on the hand, the design is as before; they go there when they are dropped.
     """
 
     def __init__(
@@ -297,7 +297,7 @@ class MoveClips(Gesture):
 
     def _lanes_to(self, at: QPointF) -> int:
         lanes = self._context.content().lanes
-        # Where it was when the button went down: its track may have gone meanwhile.
+        # Its lane when the button went down: the track may have been removed since.
         here = self._context.before.design.index_of(self._box.lane.track.id)
         target = next(
             (k for k, lane in enumerate(lanes) if at.y() < lane.bottom_px), len(lanes) - 1
@@ -366,7 +366,7 @@ class MoveGain(Gesture):
         return GesturePreview(guide_s=guide_s, label=gain_point_text(x, y))
 
     def put(self, points: Points) -> None:
-        """Give the track these points."""
+        """Set the points of the track's curve."""
         before, view = self._context.before, self._context.content().view
         track = self._strip.lane.track.id
         self._context.edit(edits.set_gain_curve(before.design, view, track, curve_of(points)))
@@ -469,8 +469,8 @@ class Pan(Gesture):
 class EitherGesture(Gesture):
     """Becomes one of two gestures, by the direction in which the drag begins.
 
-    A gain curve lies over the clips of its track: pulled up or down it is the curve that is meant,
-    pushed along it is the clip.
+    A gain curve lies over the clips of its track: a drag up or down moves the curve, a drag along
+    the time moves the clip.
 
     Parameters
     ----------

@@ -294,7 +294,7 @@ class InputRow(QWidget):
         if old is None or old.frame != state.frame:
             self.update()
         elif old.text != state.text:
-            # These alone: the controls beside them look after themselves.
+            # The controls paint themselves.
             self.update(self._places.text)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

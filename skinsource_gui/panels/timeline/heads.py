@@ -84,7 +84,7 @@ class CachedRows:
         return list(old.values())
 
     def remove(self, row: InputRow) -> bool:
-        """Take away a row that was left over; whether it had the keyboard."""
+        """Remove a row that is left over; return whether it had the keyboard."""
         focused = QApplication.focusWidget()
         had_focus = focused is not None and row.isAncestorOf(focused)
         self._layout.removeWidget(row)
@@ -141,7 +141,7 @@ class ListKeys(QObject):
         return True
 
     def _act(self, command: str) -> None:
-        """Tell what is wanted of the selected inputs."""
+        """Emit what to do with the selected tracks."""
         {
             "mute": self.mute_toggled,
             "solo": self.solo_toggled,
@@ -186,7 +186,7 @@ class ListMouse(QObject):
     held_over = Signal(object)
     #: The gap into which the selected ones are dropped.
     dropped = Signal(int)
-    #: Id of the input whose menu is wanted, and where on the screen.
+    #: Id of the track whose menu opens, and where on the screen.
     menu_wanted = Signal(int, QPoint)
 
     def __init__(self, parent: QObject) -> None:
@@ -226,11 +226,11 @@ class ListMouse(QObject):
             self.held_over.emit(None)
             self.dropped.emit(press.gap)
         elif press.was_selected:
-            # Among several, a click selects the one.
+            # A click on one of several selected rows selects that row alone.
             self.selected.emit(press.id)
 
     def cancel(self) -> bool:
-        """Give up a drag; whether there was one."""
+        """Give up a drag; return whether there was one."""
         press, self._press = self._press, None
         if press is None or press.gap is None:
             return False
@@ -339,7 +339,7 @@ class InputRows(QWidget):
             self.mouse.release()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        # A menu key means the row that was selected last, and finds its menu beside it.
+        # The menu key opens the menu of the row that was selected last, on that row.
         by_key = event.reason() == QContextMenuEvent.Reason.Keyboard
         row = self.last_row if by_key else self._cached.at(event.pos().y())
         if row is not None:
@@ -391,7 +391,7 @@ class InputList(QScrollArea):
         bar.actionTriggered.connect(self._let_go)
 
     def reveal_selected(self) -> None:
-        """Scroll to the row that was selected last if it is another, or stands elsewhere."""
+        """Scroll to the row that was selected last if it is another one, or has moved."""
         row = self.rows.last_row
         shown = None if row is None else (row.id, self.rows.rows.index(row))
         if shown is not None and shown != self._shown:
@@ -423,7 +423,7 @@ class InputList(QScrollArea):
 class ListEdits(QObject):
     """Turns what controls, keys and mouse do into edits of tracks.
 
-    Where a control of a row tells it, ``one`` is the id of its input; where a key does, None.
+    ``track_id`` is that of the row whose control was used; None: a key was pressed.
     """
 
     #: `Edit` or `Refusal`, number of the gesture or None.
@@ -471,7 +471,7 @@ class ListEdits(QObject):
         self._emit(edits.remove_inputs(self._design, self._view, ids))
 
     def edit(self, ids: tuple[int, ...], edit: InputEdit) -> None:
-        """Do to these inputs what was chosen."""
+        """Apply an edit to these tracks."""
         self._emit(edit(self._design, self._view, ids))
 
     def duplicate(self) -> None:

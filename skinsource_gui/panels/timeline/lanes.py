@@ -93,7 +93,7 @@ class LaneKeys(QObject):
         return bool(meaning_of(_PLACE, event) or meaning_of(PLAYHEAD, event))
 
     def press(self, event: QKeyEvent) -> bool:
-        """Do what a key means; whether it means anything."""
+        """Do what a key means; return whether it means anything."""
         if self._gain.key(event):
             return True
         content = self._content()
@@ -120,7 +120,7 @@ class LaneKeys(QObject):
         return True
 
     def _show(self, command: str) -> bool:
-        """Do what leaves the design as it is; whether that is wanted."""
+        """Do what a command does to the view; return whether it does anything."""
         content = self._content()
         design, view = content.design, content.view
         if command in ("zoom_in", "zoom_out"):
@@ -137,7 +137,7 @@ class LaneKeys(QObject):
         return True
 
     def _edit(self, command: str) -> bool:
-        """Do what changes the design; whether that is wanted."""
+        """Do what a command does to the design; return whether it does anything."""
         content = self._content()
         design, view = content.design, content.view
         chosen, at_s = content.chosen, view.playhead_s
@@ -167,7 +167,7 @@ class LaneKeys(QObject):
         low, high = content.scale.shown_s
         self.playhead_wanted.emit(time_s)
         if not low <= time_s <= high:
-            # What is seen follows, so that the time is in sight again, beside its nearest edge.
+            # Pan to the nearest edge, so that the playhead is visible.
             by_s = time_s - (low if time_s < low else high)
             shown_s = panned((low, high), by_s, content.whole_s)
             self.view_changed.emit(replace(self._content().view, time_range_s=shown_s))
@@ -217,7 +217,7 @@ class LaneKeys(QObject):
         in_time = command == "nudge"
         by_s, by_tracks = (steps * STEP_S, 0) if in_time else (0.0, steps)
         outcome = edits.move_clips(design, view, content.chosen, by_s, by_tracks)
-        # One burst of nudges is one step of the history; other clips, or upright, are another.
+        # One burst of nudges is one undo step; other clips, or another direction, begin a new one.
         nudged = (in_time, content.chosen)
         if nudged != self._nudged:
             self._burst.end()
@@ -319,7 +319,7 @@ class LaneMouse(QObject):
             click()
 
     def cancel(self) -> bool:
-        """Give up the gesture as if it had not begun; whether there was one."""
+        """Cancel the gesture; return whether there was one."""
         gesture, self._gesture, self._click = self._gesture, None, None
         if gesture is None:
             return False
@@ -337,7 +337,7 @@ class LaneMouse(QObject):
         elif self._gain.double_click(at):
             return
         elif box is not None:
-            # The first of the two clicks may have gone on to a clip below.
+            # The first of the two clicks may have selected a clip below.
             ids = [box.clip.id for box in content.boxes_at(at)]
             clip_id = self._pressed if self._pressed in ids else box.clip.id
             self._select(clip_id)
@@ -386,7 +386,7 @@ class LaneMouse(QObject):
             toggled = edits.toggle_clip(content.design, content.view, clip.id).view
             self._click = lambda: self.view_changed.emit(toggled)
         elif content.view.selected_clips == (clip.id,):
-            # Clips may lie over each other: another click goes on to the next one below.
+            # Clips may lie over each other: another click selects the next one below.
             ids = [box.clip.id for box in content.boxes_at(at)]
             self._click = partial(self._select, next_id(ids, clip.id) or clip.id)
         elif not chosen:
@@ -596,7 +596,7 @@ class LanesView(Canvas):
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         place = QPointF(event.pos())
         if event.reason() == QContextMenuEvent.Reason.Keyboard:
-            # The menu key means the clip that was selected last, or else the playhead.
+            # The menu key opens the menu of the clip that was selected last, or of the playhead.
             place = self.content.keyboard_place
         self.menu_wanted.emit(self.mapToGlobal(place).toPoint(), place)
 

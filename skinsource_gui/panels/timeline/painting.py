@@ -76,7 +76,7 @@ class ClipStyle:
 
 @dataclass(frozen=True, slots=True)
 class _Key:
-    # The samples stand beside the picture, so that their number is not given to others.
+    # The samples are stored with the picture, so that no other array gets their id.
     samples: int
     rate_hz: float
     width: float
@@ -258,7 +258,7 @@ def _paint_body(
     alpha = _PALE_BODY_ALPHA if pale else _BODY_ALPHA
     body.setAlpha(_SELECTED_ALPHA if selected else alpha)
     painter.fillRect(shown, body)
-    # What starts here is marked: clips that follow each other are told apart.
+    # A mark at the start separates clips that follow each other.
     if rect.left() >= shown.left():
         painter.fillRect(QRectF(rect.left(), rect.top(), 2, rect.height()), colour)
 
@@ -469,7 +469,7 @@ def paint_ruler(painter: QPainter, content: TimelineContent, room: QRectF, theme
 def _paint_ticks(
     painter: QPainter, scale: TimeScale, room: QRectF, theme: Theme, names: Sequence[QRectF]
 ) -> None:
-    """Paint ticks, and their numbers where no marker's name stands."""
+    """Paint ticks, and their numbers where there is no name of a marker."""
     metrics = QFontMetricsF(painter.font())
     unit, ticks = ticks_of(scale)
     painter.setPen(QColor(theme.dim))
@@ -525,12 +525,12 @@ def _paint_marker(painter: QPainter, x: float, name: str, room: QRectF, theme: T
     return ground.adjusted(-10, 0, 2, 0)
 
 
-# Clips lie deeper in their lanes than this.  What is painted anew is one px larger than asked for:
-# so far inside it does not reach the next lane.
-# The last line of the grid stands there; words end before it.
+# Text ends before the last line of the grid.
 _SIDE_PX = 14.0
-# Between words and the lines that stop around them.
+# Gap between text and the lines of the grid, px.
 _AROUND_PX = 3.0
+# Clips lie farther inside their lanes. Qt paints one px more than is updated: this does not reach
+# the next lane.
 _INSIDE_PX = MARGIN_PX - 1.0
 
 
@@ -635,7 +635,7 @@ class LanesItem(LaneLayer):
                 self.update(self._strip(lane).adjusted(0, _INSIDE_PX, 0, -_INSIDE_PX))
 
     def _update_lanes(self, before: TimelineContent, after: TimelineContent) -> None:
-        """Have painted the lanes that look different now."""
+        """Update the lanes that look different now."""
         same_selection = same_chosen(before, after)
         for then, now in zip(before.lanes, after.lanes, strict=True):
             if not same_ground(then, now):
@@ -670,7 +670,7 @@ class LanesItem(LaneLayer):
         )
 
     def _paint_silence_reason(self, painter: QPainter, lane: Lane) -> None:
-        """Say it over the grid, whose lines stop around the words."""
+        """Write why a lane is silent; lines of the grid stop around the text."""
         if not lane.silent:
             return
         flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom
@@ -763,7 +763,7 @@ class OverlayItem(LaneLayer):
             painter.drawText(room, Qt.AlignmentFlag.AlignCenter, self.preview.label)
 
     def _update_places(self) -> None:
-        """Have painted anew where something is shown."""
+        """Update the places of what is shown."""
         guide = self._guide()
         if guide is not None:
             self.update(QRectF(guide.p1(), guide.p2()).adjusted(-2, -2, 2, 2))

@@ -67,7 +67,7 @@ from skinsource_gui.qt.theme import UNIT_PX, set_tone
 from skinsource_gui.state.panel import Panel
 
 _MIME = "application/x-skinsource-clips"
-# Any text that could hold clips says so in its first words.
+# A text with clips has this sign within so many characters.
 _SIGN, _BEGINNING = "skinsource clips", 2000
 
 
@@ -349,7 +349,7 @@ class LanesMenu(QObject):
         self._line(menu, text, "", act)
 
     def _line(self, menu: QMenu, text: str, key: str, act: Callable[[], object]) -> None:
-        # A tab makes the key stand at the right; it is the widget's, no shortcut of the menu.
+        # A tab puts the key at the right; the menu has no shortcuts, keys belong to the lanes.
         shown = f"{text}\t{key_text(_PLACE, key)}" if key else text
         menu.addAction(shown).triggered.connect(lambda _=False: act())
 
@@ -571,7 +571,7 @@ def lanes_of(
     """
     audible_ids = {track.id for track in audible_inputs(design.inputs)}
     lanes = []
-    # A list that takes over other heads scrolls before the lanes know of them; they come next.
+    # The list of heads may be newer than the design: it scrolls first, then the lanes follow.
     for track, row in zip(design.inputs, rows, strict=False):
         audible = track.id in audible_ids
         # What is muted meanwhile has no problem any more.
@@ -640,7 +640,7 @@ class TimelinePanel(Panel):
         self._connect()
 
     def minimumSizeHint(self) -> QSize:
-        # One track is seen whole, below its ruler, and some of its time.
+        # Room for one whole track below the ruler, and for some of its time.
         line = self.fontMetrics().height()
         width, ruler = heads_px(line), self._table.lanes.ruler_px
         row = row_places(width, line).row.height()
@@ -752,7 +752,7 @@ class TimelinePanel(Panel):
 
     def _drop_place_elsewhere(self, at: QPointF | None) -> DropPlace | None:
         lanes = self._table.lanes
-        # What is held over the lanes themselves goes to one of them.
+        # Over the lanes themselves there is no other panel.
         if at is None or QRectF(lanes.rect()).contains(at):
             return self.held_over(None)
         return self.held_over(lanes.mapToGlobal(at).toPoint())

@@ -66,7 +66,7 @@ class TracesSettings:
         fields.check(self)
 
 
-# Readings tell samples of 1300 Hz apart.
+# Readings distinguish samples at 1300 Hz.
 _DECIMALS = {"ms": 2, "s": 5}
 # What the wave between samples follows from: that of a magnitude runs along the axes.
 _WAVE = frozenset({"axis_traces", "selected_extremes", "selected_projection"})
@@ -266,7 +266,7 @@ def _without_beginning(axis: XAxis, early_s: float, extent: tuple[float, float])
 
 
 def _sounding(outputs: tuple[int, ...], results: Mapping[str, Any]) -> tuple[int, ...]:
-    # Silence moves along no axis, and nobody misses one.
+    # A silent output needs no main axis.
     if not outputs:
         return ()
     pairs = zip(results["outputs"], results["selected_traces"], strict=True)

@@ -26,7 +26,7 @@ from skinsource_gui.qt.buttons import tool_button
 from skinsource_gui.qt.labels import how_to_add
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 
-# Bars of many outputs share this part of the height: the curves are seen beside them.
+# Bars of many outputs share this part of the height, above which the curves are visible.
 _BAR_PX, _BARS_PART = 3.0, 0.1
 
 
@@ -181,7 +181,7 @@ def transfer_unit(results: Mapping[str, Any]) -> str:
     return "1 (m/s²)/(m/s²)" if known else "1 m/s² per sample of 1"
 
 
-# More outputs than these are said as ranges.
+# More outputs than these are written as ranges.
 _MOST_NUMBERS = 12
 
 
