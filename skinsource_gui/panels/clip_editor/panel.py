@@ -559,8 +559,8 @@ class ClipEditorPanel(Panel):
         self._show_text(clip)
 
     def _show_text(self, clip: Clip) -> None:
-        said_of, design, text = self._described
-        if said_of is not clip or design is not self._design:
+        described, design, text = self._described
+        if described is not clip or design is not self._design:
             text = _description(clip, self._design)
             self._described = clip, self._design, text
         if self._view.selected_input in self._unplayable and not clip.muted:

@@ -127,7 +127,7 @@ def _dot(line: str, ground: str, ratio: float) -> QPixmap:
 #: Distance within which the pointer catches a handle, px.
 CATCH_PX = 6.0
 # Between the outermost points and the box, so that points and handles do not cover each other.
-_BESIDE_PX = 14.0
+_BOX_GAP_PX = 14.0
 _HANDLE_PX = 6.0
 _SIDES = ((-1, 0), (1, 0), (0, -1), (0, 1), (-1, -1), (-1, 1), (1, -1), (1, 1))
 
@@ -207,7 +207,7 @@ def _box(content: EditorContent, points: Points, chosen: tuple[int, ...]) -> QRe
     places = list(map(content.at, times, values))
     x, y = [place.x() for place in places], [place.y() for place in places]
     tight = QRectF(QPointF(min(x), min(y)), QPointF(max(x), max(y)))
-    box = tight.adjusted(-_BESIDE_PX, -_BESIDE_PX, _BESIDE_PX, _BESIDE_PX)
+    box = tight.adjusted(-_BOX_GAP_PX, -_BOX_GAP_PX, _BOX_GAP_PX, _BOX_GAP_PX)
     # All handles stay visible.
     return box.intersected(content.area.adjusted(3, 3, -3, -3))
 

@@ -401,7 +401,7 @@ class VisibleClip(QObject):
             shown = content.scale.shown_s
             self._see(zoomed(shown, sum(shown) / 2, factor, self._whole_s))
 
-    def turn(self, event: QWheelEvent) -> None:
+    def follow_wheel(self, event: QWheelEvent) -> None:
         """Follow the wheel."""
         content = self._content()
         if content is not None:
@@ -557,7 +557,7 @@ class EditorView(Canvas):
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.accept()
-        self.visible_clip.turn(event)
+        self.visible_clip.follow_wheel(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self.cancel():

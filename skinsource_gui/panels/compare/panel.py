@@ -53,7 +53,7 @@ from skinsource_gui.state.panel import Panel
 
 _NEEDS = frozenset({"limb_map", "limb_data", "output_levels_db", "surface", "surface_levels_db"})
 # From this width on the map is beside the cards, in px and in lines of text.
-_BESIDE_PX, _BESIDE_LINES = 620, 36
+_WIDE_PX, _WIDE_LINES = 620, 36
 
 
 class ComparePanel(Panel):
@@ -140,7 +140,7 @@ class ComparePanel(Panel):
         self.map.show_difference(Difference(text=reason))
 
     def _fold(self) -> None:
-        needed = max(_BESIDE_PX, _BESIDE_LINES * self.fontMetrics().height())
+        needed = max(_WIDE_PX, _WIDE_LINES * self.fontMetrics().height())
         side_by_side = self.width() >= needed
         direction = (
             QBoxLayout.Direction.LeftToRight if side_by_side else QBoxLayout.Direction.TopToBottom
@@ -165,8 +165,8 @@ class ComparePanel(Panel):
         """Return the snapshot that is in the window."""
         if self._design is None:
             return None
-        held = shown(self._view.snapshots, self._design)
-        number = EDITED if held is None else held.number
+        snapshot = shown(self._view.snapshots, self._design)
+        number = EDITED if snapshot is None else snapshot.number
         return next((side for side in compared if side.snapshot.number == number), None)
 
     def _map_of(

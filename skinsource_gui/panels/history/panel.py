@@ -93,7 +93,7 @@ def _clock(step: Step) -> str:
 
 
 # Label and time share a row as long as so much of it is left for the label.
-_BAR_PX, _LEAST_WORDS = 3, 0.5
+_BAR_PX, _LEAST_LABEL = 3, 0.5
 
 
 class StepDelegate(QStyledItemDelegate):
@@ -137,7 +137,7 @@ class StepDelegate(QStyledItemDelegate):
 def row_text(metrics: QFontMetrics, label: str, time: str, room_px: int) -> tuple[str, str]:
     """Return label and time as they share a row; a label that is too long is cut short."""
     width = metrics.horizontalAdvance(time) + UNIT_PX if time else 0
-    if room_px - width < _LEAST_WORDS * room_px:
+    if room_px - width < _LEAST_LABEL * room_px:
         # The label says more than the time; the tooltip has both.
         time, width = "", 0
     left = max(room_px - width, 0)

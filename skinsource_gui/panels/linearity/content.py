@@ -102,7 +102,7 @@ _MOST_SAMPLES = 1500
 _WIDEST_PX, _NARROWEST_PX = 8.0, 1.2
 _PALE = 0.55
 # Time on both sides of a response of one sample, s.
-_BESIDE_ONE_S = 1e-3
+_MARGIN_OF_ONE_S = 1e-3
 # Bands that are drawn one by one, and the margin of logarithmic axes, as a factor.
 _SHOWN_HZ = (50.0, 100.0, 200.0, 400.0)
 _EDGE = 1.4
@@ -173,12 +173,8 @@ def _worst_and_median(result: Proportion, all_outputs: Floats) -> tuple[Curve, .
 
 def bands_shown(result: Proportion) -> list[int]:
     """Return the bands that are drawn one by one: those at the frequencies of the figure."""
-    apart_hz = np.abs(result.frequency_hz - np.array(_SHOWN_HZ)[:, None])
-    return [
-        int(distances_hz.argmin())
-        for distances_hz in apart_hz
-        if distances_hz.size and distances_hz.min() <= BIN_HZ
-    ]
+    gaps_hz = np.abs(result.frequency_hz - np.array(_SHOWN_HZ)[:, None])
+    return [int(gap_hz.argmin()) for gap_hz in gaps_hz if gap_hz.size and gap_hz.min() <= BIN_HZ]
 
 
 def _overlay(
@@ -318,8 +314,8 @@ def _pale(k: int, n: int) -> float:
 
 
 def _time(x: Floats) -> Axis:
-    beside_s = 0.0 if x.size > 1 else _BESIDE_ONE_S
-    shown = float(x[0]) - beside_s, float(x[-1]) + beside_s
+    margin_s = 0.0 if x.size > 1 else _MARGIN_OF_ONE_S
+    shown = float(x[0]) - margin_s, float(x[-1]) + margin_s
     return Axis(shown=shown, title="Time (ms)", factor=1e3)
 
 

@@ -13,7 +13,7 @@ from skinsource_gui.plots.figure import Axes, Axis, Figure, draw_legend, fitted_
 from skinsource_gui.qt.theme import UNIT_PX, Theme, current_theme, scaled
 
 # So much higher than a line of letters is the place of a label, and so small they become.
-_APART, _LEAST_PART = 0.9, 0.6
+_LINE_STEP, _LEAST_PART = 0.9, 0.6
 # Never less of the frame is left to the curves.
 _LEAST_OF_CURVES = 0.3
 
@@ -49,18 +49,20 @@ def places_of_labels(
         return font, []
     frame = axes.frame
     metrics = QFontMetricsF(font)
-    fits = frame.height() / (_APART * metrics.height() * len(ends))
+    fits = frame.height() / (_LINE_STEP * metrics.height() * len(ends))
     for _, x, curve in ends:
         room_px = frame.right() - x - 2.0 * DOT_PX
         fits = min(fits, room_px / (metrics.horizontalAdvance(curve.label) + 1.0))
     letters = scaled(font, max(fits, _LEAST_PART)) if fits < 1.0 else font
     line = QFontMetricsF(letters).height()
-    step = _APART * line
+    step = _LINE_STEP * line
     ends = sorted(ends[: max(int(frame.height() / step + 1e-6), 1)], key=lambda end: end[0])
     return letters, [
         (QRectF(x + 2.0 * DOT_PX, y - line / 2, frame.right() - x - 2.0 * DOT_PX, line), curve)
         for y, (_, x, curve) in zip(
-            _apart([end[0] for end in ends], step, frame.top(), frame.bottom()), ends, strict=True
+            _moved_apart([end[0] for end in ends], step, frame.top(), frame.bottom()),
+            ends,
+            strict=True,
         )
     ]
 
@@ -81,7 +83,7 @@ def colour_of(curve: Curve, theme: Theme) -> QColor:
     return QColor(theme.text if curve.rank is None else theme.output_colour(curve.rank))
 
 
-def _apart(at: list[float], step: float, top: float, bottom: float) -> list[float]:
+def _moved_apart(at: list[float], step: float, top: float, bottom: float) -> list[float]:
     """Return sorted places, moved apart no farther than needed, between two ends."""
     placed: list[float] = []
     for y in at:

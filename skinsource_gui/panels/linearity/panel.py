@@ -79,12 +79,12 @@ class ComparedDesigns:
 
 def compared_designs(compared: Sequence[Compared]) -> ComparedDesigns:
     """Return all designs, or the stored ones, where the edited one does not relate to them."""
-    every = _compared_designs(compared)
+    every_design = _compared_designs(compared)
     stored = [side for side in compared if side.snapshot.number != EDITED]
-    if every.is_linear or len(stored) == len(compared):
-        return every
-    alone = _compared_designs(stored, _STORED_ALONE)
-    return alone if alone.is_linear else every
+    if every_design.is_linear or len(stored) == len(compared):
+        return every_design
+    stored_alone = _compared_designs(stored, _STORED_ALONE)
+    return stored_alone if stored_alone.is_linear else every_design
 
 
 def _compared_designs(compared: Sequence[Compared], text: str = "") -> ComparedDesigns:
@@ -116,8 +116,8 @@ def tab_separated(
     """
     channels = [(output, axis) for output in outputs for axis in axes]
     lines: _Lines
-    if isinstance(result, Proportion) and every is not None:
-        lines = _straight(every, axes)
+    if isinstance(result, Proportion) and all_outputs is not None:
+        lines = _straight(all_outputs, axes)
     elif isinstance(result, Proportion):
         names = [f"{output}_{axis}" for output, axis in channels]
         lines = (_by_band if bands else _by_strength)(result, names, unit)
@@ -129,12 +129,12 @@ def tab_separated(
 
 
 def _straight(all_outputs: Straightness, axes: tuple[str, ...]) -> _Lines:
-    numbers = range(1, len(every.adjusted_r2) + 1)
+    numbers = range(1, len(all_outputs.adjusted_r2) + 1)
     lines: _Lines = [
         ("frequency_hz", *(f"adjusted_r2_{k}_{axis}" for k in numbers for axis in axes))
     ]
-    of_channels = every.adjusted_r2.reshape(-1, every.frequency_hz.size)
-    for frequency_hz, r2 in zip(every.frequency_hz, of_channels.T, strict=True):
+    of_channels = all_outputs.adjusted_r2.reshape(-1, all_outputs.frequency_hz.size)
+    for frequency_hz, r2 in zip(all_outputs.frequency_hz, of_channels.T, strict=True):
         lines.append((copied(frequency_hz), *map(copied, r2)))
     return lines
 
@@ -170,7 +170,7 @@ _NEEDS = frozenset(
         "shown_outputs",
     }
 )
-_EVERY = "output_band_rms"
+_BAND_RMS = "output_band_rms"
 _TOO_MUCH = (
     "Too long to be shown here; File > Check against a recording… checks whether it is linear"
 )
@@ -212,7 +212,7 @@ class LinearityPanel(FigurePanel):
     def needs_of_snapshots(self) -> frozenset[str]:
         if not self._view.outputs:
             return frozenset()
-        return _NEEDS | {_EVERY} if self._settings.every_output else _NEEDS
+        return _NEEDS | {_BAND_RMS} if self._settings.every_output else _NEEDS
 
     def snapshots_drawn(self, snapshots: Sequence[Snapshot]) -> Sequence[Snapshot]:
         designs = compared_designs([Compared(snapshot=snapshot) for snapshot in snapshots])
@@ -245,9 +245,9 @@ class LinearityPanel(FigurePanel):
             else:
                 self.show_stale(True)
         else:
-            settings, looked = self._settings, self._view
+            settings, view = self._settings, self._view
             switched = settings.velocity, settings.bands, settings.every_output, designs.note
-            how = looked.time_range_s, looked.delay_removed, *switched
+            how = view.time_range_s, view.delay_removed, *switched
             if not self._is_drawn((*how, *(values["axis_traces"] for values in complete))):
                 self._show(designs, complete)
             self.show_stale(False)
@@ -268,8 +268,10 @@ class LinearityPanel(FigurePanel):
         if self.result is None:
             return ""
         unit, bands = self._unit, self._settings.bands
-        every = self.all_outputs
-        return tab_separated(self.result, self._outputs, self._axes, unit, bands=bands, every=every)
+        all_outputs = self.all_outputs
+        return tab_separated(
+            self.result, self._outputs, self._axes, unit, bands=bands, all_outputs=all_outputs
+        )
 
     def _is_drawn(self, drawn: tuple[Any, ...]) -> bool:
         same = len(drawn) == len(self._drawn) and all(
@@ -364,7 +366,7 @@ def _straightness(
     strengths: Sequence[float], results: Sequence[Mapping[str, Any]]
 ) -> Straightness | None:
     """Return how straight all outputs are; None: they are too long to be transformed at once."""
-    in_bands = [result[_EVERY] for result in results]
+    in_bands = [result[_BAND_RMS] for result in results]
     return None if any(levels is None for levels in in_bands) else straightness(strengths, in_bands)
 
 

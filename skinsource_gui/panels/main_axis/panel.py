@@ -55,56 +55,58 @@ class MainAxisPicture(Figure):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("main_axis_picture", "Main axes", parent)
-        self.shown: MainAxisContent | None = None
+        self.content: MainAxisContent | None = None
         self._cells: list[tuple[QRectF, int]] = []
 
-    def show_axes(self, shown: MainAxisContent) -> None:
+    def show_axes(self, content: MainAxisContent) -> None:
         """Take over what to show."""
-        self.shown = shown
+        self.content = content
         self.say("")
         self.read_again()
 
     def draw(self, painter: QPainter, room: QRectF) -> None:
-        shown = self.shown
-        if shown is None:
+        content = self.content
+        if content is None:
             return
         metrics = QFontMetricsF(painter.font())
         line = metrics.height()
-        count = len(shown.outputs)
-        planes = tuple(combinations(range(len(shown.axes)), 2))
+        count = len(content.outputs)
+        planes = tuple(combinations(range(len(content.axes)), 2))
         cell = _cell_size(room, count, len(planes), line)
         # A cell that fills the room may be larger than it by rounding.
         across = max(int(room.width() / cell[0] + 1e-6), 1)
         fitting = max(int(room.height() / cell[1] + 1e-6), 1) * across
-        shown_count = count if count <= fitting else max(fitting - 1, 0)
+        n_drawn = count if count <= fitting else max(fitting - 1, 0)
         self._cells = []
-        for rank in range(shown_count):
+        for rank in range(n_drawn):
             row, column = divmod(rank, across)
             place = QRectF(column * cell[0], row * cell[1], *cell)
             self._cells.append((place, rank))
             self._draw_output(painter, place.adjusted(UNIT_PX / 2, 2, -UNIT_PX / 2, -2), rank)
-        if shown_count < count:
-            row, column = divmod(shown_count, across)
+        if n_drawn < count:
+            row, column = divmod(n_drawn, across)
             place = QRectF(column * cell[0], row * cell[1], *cell)
             painter.setPen(QColor(current_theme().dim))
-            text = f"and {count - shown_count} more"
+            text = f"and {count - n_drawn} more"
             painter.drawText(place, Qt.AlignmentFlag.AlignCenter, text)
 
     def read(self, at: QPointF) -> str:
-        main_axes = next((rank for place, rank in self._cells if place.contains(at)), None)
-        return "" if main_axes is None or self.shown is None else self.shown.text_of(main_axes)
+        for place, rank in self._cells:
+            if self.content is not None and place.contains(at):
+                return self.content.text_of(rank)
+        return ""
 
     def keys_area(self) -> QRectF:
         return QRectF() if self.message or not self._cells else QRectF(self.rect())
 
     def _draw_output(self, painter: QPainter, place: QRectF, rank: int) -> None:
-        shown = self.shown
-        if shown is None:
+        content = self.content
+        if content is None:
             return
         line = QFontMetricsF(painter.font()).height()
-        main_axes, theme = shown.main_axes, current_theme()
+        main_axes, theme = content.main_axes, current_theme()
         head = QRectF(place.left(), place.top(), place.width(), line)
-        number = shown.outputs[rank]
+        number = content.outputs[rank]
         if np.isnan(main_axes.share[rank]):
             text = "silent"
         elif main_axes.none[rank]:
@@ -115,7 +117,7 @@ class MainAxisPicture(Figure):
         painter.drawText(head, Qt.AlignmentFlag.AlignLeft, f"{number}")
         painter.setPen(QColor(theme.warning if text == "no main axis" else theme.dim))
         painter.drawText(head, Qt.AlignmentFlag.AlignRight, text)
-        planes = tuple(combinations(range(len(shown.axes)), 2))
+        planes = tuple(combinations(range(len(content.axes)), 2))
         each = place.width() / len(planes)
         largest = float(main_axes.deviation[rank, 0])
         for k, plane in enumerate(planes):
@@ -125,12 +127,12 @@ class MainAxisPicture(Figure):
     def _draw_plane(
         self, painter: QPainter, area: QRectF, rank: int, plane: tuple[int, int], largest: float
     ) -> None:
-        shown, theme = self.shown, current_theme()
-        if shown is None:
+        content, theme = self.content, current_theme()
+        if content is None:
             return
         metrics = QFontMetricsF(painter.font())
         # Beside and above the ellipse there is room for the names of the axes.
-        label_px = max(map(metrics.horizontalAdvance, shown.axes)) + _GAP_PX
+        label_px = max(map(metrics.horizontalAdvance, content.axes)) + _GAP_PX
         room = area.adjusted(_GAP_PX, metrics.height(), -label_px, -_GAP_PX)
         centre, radius = room.center(), 0.5 * max(min(room.width(), room.height()), 0.0)
         painter.setPen(QPen(QColor(theme.grid), 1))
@@ -139,13 +141,13 @@ class MainAxisPicture(Figure):
         painter.setPen(QColor(theme.dim))
         height = metrics.height()
         right = QRectF(centre.x() + radius, centre.y() - height / 2.0, label_px, height)
-        painter.drawText(right, Qt.AlignmentFlag.AlignCenter, shown.axes[plane[0]])
+        painter.drawText(right, Qt.AlignmentFlag.AlignCenter, content.axes[plane[0]])
         above = QRectF(centre.x() - label_px, centre.y() - radius - height, 2.0 * label_px, height)
-        painter.drawText(above, Qt.AlignmentFlag.AlignCenter, shown.axes[plane[1]])
+        painter.drawText(above, Qt.AlignmentFlag.AlignCenter, content.axes[plane[1]])
         if largest <= 0.0:
             return
         scale = radius / largest
-        points = ellipse(shown.main_axes.covariance[rank], plane) * scale
+        points = ellipse(content.main_axes.covariance[rank], plane) * scale
         line = QPolygonF([centre + QPointF(x, -y) for x, y in points])
         colour = theme.output_colour(rank)
         fill = QColor(colour)
@@ -154,8 +156,8 @@ class MainAxisPicture(Figure):
         painter.setBrush(fill)
         painter.drawPolygon(line)
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        if not shown.main_axes.none[rank]:
-            x, y = shown.main_axes.direction[rank][list(plane)] * radius
+        if not content.main_axes.none[rank]:
+            x, y = content.main_axes.direction[rank][list(plane)] * radius
             painter.setPen(QPen(QColor(theme.text), 1.4))
             painter.drawLine(QLineF(centre + QPointF(-x, y), centre + QPointF(x, -y)))
 
@@ -175,7 +177,7 @@ def _cell_size(room: QRectF, count: int, n_planes: int, line: float) -> tuple[fl
 _SINGLE = "A single axis has no main axis: choose two or three axes above"
 _ALONG_ONE = "A single axis has no main axis, and this limb was measured along one alone"
 _ABOUT = "Ellipses of one standard deviation; the line is the main axis"
-_OWN = "x and y point another way at each sensor"
+_OWN_AXES = "x and y point another way at each sensor"
 
 
 class MainAxisPanel(FigurePanel):
@@ -189,7 +191,7 @@ class MainAxisPanel(FigurePanel):
         super().__init__(self.picture, parent)
         self.about = self.add_above("main_axis_about")
         self.about.say(_ABOUT)
-        self.about.setToolTip(f"{_ABOUT}. {_OWN}.")
+        self.about.setToolTip(f"{_ABOUT}. {_OWN_AXES}.")
         self.choices.addWidget(self.about, 1)
         self.copy = self.add_copy(self.table)
         self.say_instead(self.no_outputs)
@@ -223,22 +225,22 @@ class MainAxisPanel(FigurePanel):
                 )
             )
             # How the sensors of an own limb lie is not known.
-            notes = [_OWN] if limb.map.axes_shown else []
+            notes = [_OWN_AXES] if limb.map.axes_shown else []
             notes += ["synthetic limb"] if limb.synthetic else []
             self.show_found(" · ".join(notes))
 
     def table(self) -> str:
         """Return the numbers, with tabs between the columns."""
-        shown = self.picture.shown
-        if shown is None or self.picture.message:
+        content = self.picture.content
+        if content is None or self.picture.message:
             return ""
-        n_axes = len(shown.axes)
-        header = ["output", *(f"direction_{axis}" for axis in shown.axes)]
+        n_axes = len(content.axes)
+        header = ["output", *(f"direction_{axis}" for axis in content.axes)]
         header += [f"deviation_{k}_m_per_s2" for k in range(1, n_axes + 1)]
         header += ["share_of_variance", "main_axis"]
         lines = ["\t".join(header)]
-        main_axes = shown.main_axes
-        for rank, output in enumerate(shown.outputs):
+        main_axes = content.main_axes
+        for rank, output in enumerate(content.outputs):
             numbers = (
                 *main_axes.direction[rank],
                 *main_axes.deviation[rank],

@@ -251,20 +251,20 @@ class Cells:
         pairs = zip(compared, names, strict=True)
         comparable = [(side, name) for side, name in pairs if same_outputs(limb, _limb(side))]
         # Silence is no level that others could lie about.
-        heard = [(side, name) for side, name in comparable if side.values and not is_silent(side)]
-        known = [side for side, _ in heard]
+        audible = [(side, name) for side, name in comparable if side.values and not is_silent(side)]
+        known = [side for side, _ in audible]
         # A mean of those that happen to be known already would change by itself.
         computing = any(side.values is None and not side.problem for side, _ in comparable)
         if base.values is None or computing or len(known) < 2:
-            few = (
+            too_few = (
                 "A mean takes two at least that are not silent and have outputs at the same places."
             )
             problem = base.problem or next(
-                (side.problem for side, _ in comparable if side.problem), few
+                (side.problem for side, _ in comparable if side.problem), too_few
             )
             return (Cell(headings=("",), limb=limb, text="" if computing else problem),)
         mean, spread = mean_and_spread_over([_levels_db(side) for side in known])
-        called = [name for _, name in heard]
+        called = [name for _, name in audible]
         what = _of_all(called, len(compared))
         stale = any(side.late for side in known)
         noisy = _noisy(*known)

@@ -102,7 +102,7 @@ class LimbsButton(QToolButton):
 
 
 # Where fewer lines of text fit, so many choices share a row, and rows are few.
-_LINES_WITH_ROOM, _BESIDE = 14, 2
+_LINES_WITH_ROOM, _CHOICES_IN_ROW = 14, 2
 
 
 class ChoicesBar(QWidget):
@@ -146,7 +146,7 @@ class ChoicesBar(QWidget):
         self._parts = self.of, self.shown, self.own_maximum, self.limbs, self.file
         self._row = FoldingRow(self._parts, UNIT_PX // 2)
         self._in_sight = HeightInSight(parent)
-        self._in_sight.changed.connect(self._look_for_room)
+        self._in_sight.changed.connect(self._check_room)
         around = QVBoxLayout(self)
         around.setContentsMargins(UNIT_PX // 2, 1, UNIT_PX // 2, 1)
         around.addWidget(self._row)
@@ -169,7 +169,7 @@ class ChoicesBar(QWidget):
             self.limbs.show_chosen(settings.chosen(design.limb), usual=usual)
         self._fit()
 
-    def _look_for_room(self) -> None:
+    def _check_room(self) -> None:
         has_room = self._in_sight.px >= _LINES_WITH_ROOM * self.fontMetrics().lineSpacing()
         if has_room != self._has_room:
             self._has_room = has_room
@@ -192,7 +192,7 @@ class ChoicesBar(QWidget):
             for part in self._parts:
                 part.setFont(font)
             self._row.fold()
-            if self._row.px_of(_BESIDE) <= self.width() - around:
+            if self._row.px_of(_CHOICES_IN_ROW) <= self.width() - around:
                 return
 
     def _change(self, **changes: Any) -> None:

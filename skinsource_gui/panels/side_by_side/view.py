@@ -381,7 +381,7 @@ class MapsView(QWidget):
         self.content = SideBySideContent()
         self.picker = OutputPicker(self)
         self.picker.chosen.connect(self.outputs_chosen)
-        self.picker.moved.connect(self._tell)
+        self.picker.moved.connect(self._emit_pointed_at)
         self.setObjectName("maps_side_by_side")
         self.setAccessibleName("Maps side by side")
         self.setAccessibleDescription(
@@ -408,7 +408,7 @@ class MapsView(QWidget):
         """Draw ``content``."""
         self.content, self.picker.selected = content, content.outputs
         self.setAccessibleName(content.message or content.about or "Maps side by side")
-        self._tell()
+        self._emit_pointed_at()
 
     def show_stale(self, stale: bool) -> None:
         """Show whether the maps belong to an older design."""
@@ -445,7 +445,7 @@ class MapsView(QWidget):
         if not event.buttons():
             self._at = self.visible_maps.map_at(event.position(), self._at)
         self.picker.mouse.move(event.position(), self.visible_maps.points_of(self._at))
-        self._tell()
+        self._emit_pointed_at()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
@@ -455,7 +455,7 @@ class MapsView(QWidget):
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
         self.picker.mouse.leave()
-        self._tell()
+        self._emit_pointed_at()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         points = self.visible_maps.points_of(self._at)
@@ -469,12 +469,12 @@ class MapsView(QWidget):
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
-        self._tell()
+        self._emit_pointed_at()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
-        self._tell()
+        self._emit_pointed_at()
 
-    def _tell(self) -> None:
+    def _emit_pointed_at(self) -> None:
         self.pointed_at.emit(self.output)
         self.update()

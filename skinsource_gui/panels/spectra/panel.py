@@ -101,7 +101,7 @@ _RECTIFIED = (
     "rectified: doubled frequencies",
     "rectified",
 )
-_RELATIVE_LEVEL_WORDS = "dB re its peak"
+_RELATIVE_LEVEL_TEXT = "dB re its peak"
 _AVERAGED = f"mean of {MEAN_OF_BINS} bins"
 
 
@@ -140,7 +140,7 @@ def curves_of(results: Mapping[str, Any], settings: SpectraSettings) -> Curves:
         axes=axes,
         kind=_kind(settings),
         span=span_shown,
-        level_words=_RELATIVE_LEVEL_WORDS if settings.relative else LEVEL_WORDS,
+        level_words=_RELATIVE_LEVEL_TEXT if settings.relative else LEVEL_WORDS,
         scaling=_scaling(settings, span),
         columns=_columns(results["outputs"], axes) if columns else (),
         about=lines_later(results, *notes, each_axis=each_axis),
@@ -250,7 +250,7 @@ class SpectraPanel(SignalPanel):
     def show_state(self, design: Design, view: View) -> None:
         settings = settings_of(view, self.name, SpectraSettings)
         before = self._settings
-        scaled_anew = replace(settings, **_OF_AXIS) != replace(before, **_OF_AXIS)
+        rescaled = replace(settings, **_OF_AXIS) != replace(before, **_OF_AXIS)
         self._view, self._settings = view, settings
         self._log_frequency.setChecked(settings.log_frequency)
         self._log_magnitude.setChecked(settings.log_magnitude)
@@ -261,10 +261,10 @@ class SpectraPanel(SignalPanel):
         )
         self._show_axis()
         if not view.outputs:
-            self._say(self.no_outputs)
+            self._show_message(self.no_outputs)
         elif self._plot.plot.message == self.no_outputs:
             self._plot.wait_for_curves()
-        elif scaled_anew and self._results is not None:
+        elif rescaled and self._results is not None:
             self._draw(self._results)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
@@ -276,19 +276,19 @@ class SpectraPanel(SignalPanel):
                 self._show_axis()
             self._draw(results)
         else:
-            self._say(self.no_outputs)
+            self._show_message(self.no_outputs)
 
     def show_problem(self, reason: str) -> None:
-        self._say(reason)
+        self._show_message(reason)
 
     def _show_axis(self) -> None:
         settings = self._settings
         axis = self._log_axis if settings.log_frequency else self._axis
         stacked = settings.layout != "overlaid"
-        axis = _as_seen(axis, settings.frequency_range_hz)
+        axis = _visible_axis(axis, settings.frequency_range_hz)
         self._plot.set_view(axis, settings.frequency_range_hz, stacked=stacked)
 
-    def _say(self, message: str) -> None:
+    def _show_message(self, message: str) -> None:
         self._results = None
         self._plot.show_message(message)
 
@@ -327,7 +327,7 @@ def _axes(sample_rate_hz: float, band: Band | None) -> tuple[XAxis, XAxis]:
     return linear, replace(linear, extent=(_LOWEST_HZ, highest_hz), log=True)
 
 
-def _as_seen(axis: XAxis, zoom: RangesRange | None) -> XAxis:
+def _visible_axis(axis: XAxis, zoom: RangesRange | None) -> XAxis:
     """Return the axis, without a text on the shaded part where none is visible."""
     visible = zoom or axis.extent
     if axis.band is None or visible is None:

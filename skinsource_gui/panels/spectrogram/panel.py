@@ -70,25 +70,25 @@ class SpectrogramPicture(Figure):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("spectrogram_picture", "Spectrogram", parent)
-        self.shown: SpectrogramContent | None = None
+        self.content: SpectrogramContent | None = None
         self.axes: Axes | None = None
         self.range_db: Range = (-SPAN_DB, 0.0)
         self._playhead_s: float | None = None
-        self._held = SteadyRange()
+        self._steady_range = SteadyRange()
         self._table = colour_table()
         self._pixels: np.ndarray | None = None
         self._image = QImage()
 
     def begin_anew(self) -> None:
         """Decide the range of the next picture without a look at the one before."""
-        self._held.let_go()
+        self._steady_range.let_go()
 
-    def show_spectrogram(self, shown: SpectrogramContent) -> None:
+    def show_spectrogram(self, content: SpectrogramContent) -> None:
         """Take over what to show."""
-        self.shown = shown
-        rows = _rows_within(shown)
-        levels = decibels(shown.spectrogram.amplitude[rows])
-        top = self._held.follow(float(levels.min()), float(levels.max()), "level")[1]
+        self.content = content
+        rows = _rows_within(content)
+        levels = decibels(content.spectrogram.amplitude[rows])
+        top = self._steady_range.follow(float(levels.min()), float(levels.max()), "level")[1]
         self.range_db = (top - SPAN_DB, top)
         codes = colour_indices(levels, self.range_db)
         self._pixels = np.ascontiguousarray(self._table[codes[::-1]])
@@ -105,20 +105,22 @@ class SpectrogramPicture(Figure):
         self.update()
 
     def draw(self, painter: QPainter, room: QRectF) -> None:
-        shown = self.shown
-        if shown is None:
+        content = self.content
+        if content is None:
             return
         metrics = QFontMetricsF(painter.font())
-        widest_texts = scale_text(-100.0, top=True, matched=shown.matched)
+        widest_texts = scale_text(-100.0, top=True, matched=content.matched)
         widest = max(map(metrics.horizontalAdvance, widest_texts))
         scale_px = widest + _SCALE_PX + 2 * UNIT_PX
         inner = room.adjusted(0, 0, -scale_px, 0)
-        self.axes = axes = fitted_axes(inner, _time_axis(shown), _frequency_axis(shown), metrics)
+        self.axes = axes = fitted_axes(
+            inner, _time_axis(content), _frequency_axis(content), metrics
+        )
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
         painter.save()
         painter.setClipRect(axes.frame)
         painter.fillRect(axes.frame, QColor(int(self._table[0])))
-        painter.drawImage(self._image_place(axes, shown), self._image)
+        painter.drawImage(self._image_place(axes, content), self._image)
         self._draw_lines(painter, axes)
         painter.restore()
         axes.paint(painter, current_theme(), grid=False)
@@ -127,11 +129,11 @@ class SpectrogramPicture(Figure):
     def read(self, at: QPointF) -> str:
         axes = self.axes
         place = None if axes is None else axes.value_at(at)
-        if axes is None or place is None or self.shown is None:
+        if axes is None or place is None or self.content is None:
             return ""
         time_s, frequency_hz = place
         level = float(
-            decibels(self.shown.spectrogram.at(time_s - self.shown.first_s, frequency_hz))
+            decibels(self.content.spectrogram.at(time_s - self.content.first_s, frequency_hz))
         )
         long = axes.x.factor == 1.0
         when = f"{time_s:.4f} s" if long else f"{time_s * 1e3:.1f} ms"
@@ -140,10 +142,10 @@ class SpectrogramPicture(Figure):
     def keys_area(self) -> QRectF:
         return QRectF() if self.axes is None or self.message else self.axes.frame
 
-    def _image_place(self, axes: Axes, shown: SpectrogramContent) -> QRectF:
+    def _image_place(self, axes: Axes, content: SpectrogramContent) -> QRectF:
         """Return where the image lies: its columns and rows are the middles of their cells."""
-        time_s, frequency_hz = shown.spectrogram.time_s, _rows_frequency(shown)
-        x, y = _edges(time_s + shown.first_s), _edges(frequency_hz)
+        time_s, frequency_hz = content.spectrogram.time_s, _rows_frequency(content)
+        x, y = _edges(time_s + content.first_s), _edges(frequency_hz)
         corners = axes.to_screen(np.array(x), np.array(y))
         return QRectF(QPointF(*corners[0]), QPointF(*corners[1])).normalized()
 
@@ -178,7 +180,7 @@ class SpectrogramPicture(Figure):
         painter.drawRect(ramp)
         painter.setPen(QColor(current_theme().dim))
         low, high = self.range_db
-        matched = "" if self.shown is None else self.shown.matched
+        matched = "" if self.content is None else self.content.matched
         for part in (0.0, 0.5, 1.0):
             y = ramp.bottom() - part * ramp.height()
             place = QRectF(ramp.right() + 4, y - line / 2, room.right() - ramp.right() - 4, line)
@@ -196,16 +198,16 @@ def scale_text(level_db: float, *, top: bool, matched: str = "") -> tuple[str, .
     return (text, _REFERENCE, *below) if top else (text,)
 
 
-def _rows_within(shown: SpectrogramContent) -> slice:
-    frequency_hz, (low, high) = shown.spectrogram.frequency_hz, shown.band_hz
+def _rows_within(content: SpectrogramContent) -> slice:
+    frequency_hz, (low, high) = content.spectrogram.frequency_hz, content.band_hz
     first = int(np.searchsorted(frequency_hz, low, "left"))
     end = int(np.searchsorted(frequency_hz, high, "right"))
     # One beyond each end: the picture is cut at the frame, not before it.
     return slice(max(first - 1, 0), min(max(end, first + 1) + 1, frequency_hz.size))
 
 
-def _rows_frequency(shown: SpectrogramContent) -> Floats:
-    return shown.spectrogram.frequency_hz[_rows_within(shown)]
+def _rows_frequency(content: SpectrogramContent) -> Floats:
+    return content.spectrogram.frequency_hz[_rows_within(content)]
 
 
 def _edges(middles: Floats) -> Range:
@@ -213,16 +215,16 @@ def _edges(middles: Floats) -> Range:
     return float(middles[0]) - half, float(middles[-1]) + half
 
 
-def _time_axis(shown: SpectrogramContent) -> Axis:
-    time_s = shown.spectrogram.time_s + shown.first_s
+def _time_axis(content: SpectrogramContent) -> Axis:
+    time_s = content.spectrogram.time_s + content.first_s
     first, last = float(time_s[0]), float(time_s[-1])
     last = last if last > first else first + 1e-3
     unit, factor = axis_unit(last)
     return Axis(shown=(first, last), title=f"Time ({unit})", factor=factor)
 
 
-def _frequency_axis(shown: SpectrogramContent) -> Axis:
-    return Axis(shown=shown.band_hz, title="Frequency (Hz)")
+def _frequency_axis(content: SpectrogramContent) -> Axis:
+    return Axis(shown=content.band_hz, title="Frequency (Hz)")
 
 
 _NARROWEST_HZ, _MOST_NUMBER_PX = 5.0, 84

@@ -61,7 +61,7 @@ COLUMNS = (
     ),
 )
 NOISE_MARK = "≈"
-NOISE_WORDS = f"{NOISE_MARK} less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise"
+NOISE_NOTE = f"{NOISE_MARK} less than {LEAST_ABOVE_NOISE_DB:g} dB above the noise"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -172,7 +172,7 @@ class TableModel(QAbstractTableModel):
         if role == SHORT_NAME and column == 0:
             return row.short_name
         if role == _Role.ToolTipRole and (row.noisy or not column):
-            return f"{row.texts()[0]}: {NOISE_WORDS}" if row.noisy else row.texts()[0]
+            return f"{row.texts()[0]}: {NOISE_NOTE}" if row.noisy else row.texts()[0]
         return None
 
     def headerData(
@@ -245,7 +245,7 @@ class StatisticsPanel(Panel):
         column.addLayout(bar)
         column.addWidget(self._stack, 1)
         self.setFocusProxy(self.table)
-        self._say(self.no_outputs)
+        self._show_message(self.no_outputs)
 
     @property
     def needs(self) -> frozenset[str]:
@@ -262,14 +262,14 @@ class StatisticsPanel(Panel):
 
     def show_state(self, design: Design, view: View) -> None:
         if not view.outputs:
-            self._say(self.no_outputs)
+            self._show_message(self.no_outputs)
         elif self._message.text() == self.no_outputs:
             self._message.setText(COMPUTING)
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         outputs = results["shown_outputs"]
         if not outputs:
-            self._say(self.no_outputs)
+            self._show_message(self.no_outputs)
             return
         figures, above_noise_db = results["output_statistics"], results["above_noise_db"]
         rows = rows_of(outputs, figures, above_noise_db, results["limb_data"].name)
@@ -278,14 +278,14 @@ class StatisticsPanel(Panel):
             signal_label(results["axes"], results["method"]),
             f"RMS: {span_label(results['span'])}",
             match_text(results["match_gain"]),
-            NOISE_WORDS if any(row.noisy for row in rows) else "",
+            NOISE_NOTE if any(row.noisy for row in rows) else "",
         )
         self.about.say(" · ".join(filter(None, parts)))
         self.copy.offer(True)
         self._stack.setCurrentWidget(self.table)
 
     def show_problem(self, reason: str) -> None:
-        self._say(reason)
+        self._show_message(reason)
 
     def show_in_sight(self, names: frozenset[str]) -> None:
         was_empty = self._message.text() == self.no_outputs
@@ -293,7 +293,7 @@ class StatisticsPanel(Panel):
         if was_empty:
             self._message.setText(self.no_outputs)
 
-    def _say(self, message: str) -> None:
+    def _show_message(self, message: str) -> None:
         self.model.show_rows(())
         self.about.say("")
         self.copy.offer(False)

@@ -630,9 +630,9 @@ class TimeZoom(QObject):
         content = self._content()
         self._emit_range(range_by_wheel(event, content.scale, content.whole_s))
 
-    def show_range(self, wanted_s: Range) -> None:
+    def show_range(self, part_s: Range) -> None:
         """See this part."""
-        self._emit_range(within(wanted_s, self._content().whole_s))
+        self._emit_range(within(part_s, self._content().whole_s))
 
     def show_everything(self) -> None:
         """See all of it."""

@@ -483,14 +483,14 @@ class EitherGesture(Gesture):
     def __init__(
         self, at: QPointF, vertical: Callable[[], Gesture], along: Callable[[], Gesture]
     ) -> None:
-        self._at, self._upright, self._along = at, vertical, along
+        self._at, self._vertical, self._along = at, vertical, along
         self._gesture: Gesture | None = None
 
     def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         if self._gesture is None:
             moved_px = at - self._at
             self._gesture = (
-                self._along() if abs(moved_px.x()) > abs(moved_px.y()) else self._upright()
+                self._along() if abs(moved_px.x()) > abs(moved_px.y()) else self._vertical()
             )
         return self._gesture.move(at, held)
 

@@ -158,7 +158,7 @@ def _target(key: Qt.Key, here: int | None, count: int) -> int:
     return min(max(here + _STEPS[key], 0), count - 1)
 
 
-_Held = Qt.KeyboardModifier
+_Modifier = Qt.KeyboardModifier
 
 
 @dataclass(slots=True, kw_only=True)
@@ -196,10 +196,10 @@ class ListMouse(QObject):
     def press(self, event: QMouseEvent, id: int, was_selected: bool) -> None:
         """Begin a press on the row of a track."""
         self.cancel()
-        if event.modifiers() & _Held.ControlModifier:
+        if event.modifiers() & _Modifier.ControlModifier:
             self.toggled.emit(id)
             return
-        if event.modifiers() & _Held.ShiftModifier:
+        if event.modifiers() & _Modifier.ShiftModifier:
             self.reached.emit(id)
             return
         at = event.globalPosition().toPoint()
@@ -280,7 +280,7 @@ class InputRows(QWidget):
         self._cached = CachedRows(self, self.signals)
         self.keys, self.mouse = ListKeys(self), ListMouse(self)
         self.keys.typing_wanted.connect(self._type_amplitude)
-        self.keys.moved.connect(self._take_keys)
+        self.keys.moved.connect(self._take_focus)
         self.mouse.held_over.connect(self._show_gap)
         self._gap = RowGap(self)
 
@@ -358,7 +358,7 @@ class InputRows(QWidget):
         for row in self.rows:
             row.show_state(replace(row.state, list_focused=self.hasFocus()))
 
-    def _take_keys(self) -> None:
+    def _take_focus(self) -> None:
         # The key may have come from a control of a row that is left now.
         self.setFocus(Qt.FocusReason.OtherFocusReason)
 
@@ -383,7 +383,7 @@ class InputList(QScrollArea):
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.rows = InputRows()
         self.setWidget(self.rows)
-        self._shown: tuple[int, int] | None = None
+        self._revealed: tuple[int, int] | None = None
         self._follows_selection = False
         bar = self.verticalScrollBar()
         # Rows that came have no place before their layout is done, and the bar no room for them.
@@ -394,10 +394,10 @@ class InputList(QScrollArea):
         """Scroll to the row that was selected last if it is another one, or has moved."""
         row = self.rows.last_row
         shown = None if row is None else (row.id, self.rows.rows.index(row))
-        if shown is not None and shown != self._shown:
+        if shown is not None and shown != self._revealed:
             self._follows_selection = True
             self._scroll()
-        self._shown = shown
+        self._revealed = shown
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

@@ -117,7 +117,7 @@ class TracesPanel(SignalPanel):
     def show_state(self, design: Design, view: View) -> None:
         self._design = design
         settings = settings_of(view, self.name, TracesSettings)
-        scaled_anew = settings.relative != self._settings.relative
+        rescaled = settings.relative != self._settings.relative
         self._view, self._settings = view, settings
         self._relative.setChecked(settings.relative)
         self._plot.toolbar.show_passing(self._fitted, settings.fitted)
@@ -133,7 +133,7 @@ class TracesPanel(SignalPanel):
             self._plot.wait_for_curves()
         if self._drawn_removed == view.delay_removed:
             self._apply_view()
-        if scaled_anew and self._results is not None:
+        if rescaled and self._results is not None:
             self._draw(self._results)
 
     def show_playhead(self, view: View) -> None:
@@ -188,8 +188,8 @@ class TracesPanel(SignalPanel):
 
     def _apply_view(self) -> None:
         view = self._view
-        seen_until_s = self._end_s if view.time_range_s is None else view.time_range_s[1]
-        axis = _axis(axis_unit(seen_until_s)[0], self._delay_s, removed=self._drawn_removed)
+        visible_until_s = self._end_s if view.time_range_s is None else view.time_range_s[1]
+        axis = _axis(axis_unit(visible_until_s)[0], self._delay_s, removed=self._drawn_removed)
         if self._early_s >= _LEAST_EARLY_S:
             shift_s = self._delay_s if self._drawn_removed else 0.0
             axis = _without_beginning(axis, self._early_s, (-shift_s, self._end_s))

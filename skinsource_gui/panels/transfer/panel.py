@@ -48,47 +48,47 @@ class TransferPicture(Figure):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("transfer_picture", "Transfer functions", parent)
-        self.shown: TransferContent | None = None
+        self.content: TransferContent | None = None
         self.axes: Axes | None = None
-        self._held = SteadyRange()
+        self._steady_range = SteadyRange()
         self._top_db = 0.0
 
     def begin_anew(self) -> None:
         """Decide the range of the next picture without a look at the one before."""
-        self._held.let_go()
+        self._steady_range.let_go()
 
-    def show_transfer(self, shown: TransferContent) -> None:
+    def show_transfer(self, content: TransferContent) -> None:
         """Take over what to show."""
-        self.shown = shown
-        highest = float(decibels(shown.transfer.magnitude).max())
-        self._top_db = self._held.follow(highest, highest, "level")[1]
+        self.content = content
+        highest = float(decibels(content.transfer.magnitude).max())
+        self._top_db = self._steady_range.follow(highest, highest, "level")[1]
         self.say("")
         self.read_again()
 
     def draw(self, painter: QPainter, room: QRectF) -> None:
-        shown = self.shown
-        if shown is None:
+        content = self.content
+        if content is None:
             return
-        frequency_hz = shown.transfer.frequency_hz
+        frequency_hz = content.transfer.frequency_hz
         x = Axis(shown=(0.0, float(frequency_hz[-1])), title="Frequency (Hz)")
-        if shown.coherence:
+        if content.coherence:
             y = Axis(shown=(0.0, 1.0), title="Coherence")
         else:
             y = Axis(
-                shown=(self._top_db - LEVEL_SPAN_DB, self._top_db), title=f"dB re {shown.unit}"
+                shown=(self._top_db - LEVEL_SPAN_DB, self._top_db), title=f"dB re {content.unit}"
             )
         metrics = QFontMetricsF(painter.font())
         head = QRectF(room.left(), room.top(), room.width(), metrics.height())
         inner = head.adjusted(UNIT_PX, 0, -UNIT_PX, 0)
-        draw_legend(painter, inner, shown.outputs, current_theme(), broken=True)
+        draw_legend(painter, inner, content.outputs, current_theme(), broken=True)
         self.axes = axes = fitted_axes(room.adjusted(0, head.height(), 0, 0), x, y, metrics)
         self._shade(painter, axes)
         axes.paint(painter, current_theme())
         painter.save()
         painter.setClipRect(axes.frame)
-        self._draw_bars(painter, axes, shown)
-        for rank in range(len(shown.outputs)):
-            self._draw_curve(painter, axes, shown, rank)
+        self._draw_bars(painter, axes, content)
+        for rank in range(len(content.outputs)):
+            self._draw_curve(painter, axes, content, rank)
         if self.cursor_at is not None:
             painter.setPen(QPen(QColor(current_theme().dim), 1, Qt.PenStyle.DashLine))
             at = self.cursor_at.x()
@@ -97,12 +97,12 @@ class TransferPicture(Figure):
 
     def read(self, at: QPointF) -> str:
         place = None if self.axes is None else self.axes.value_at(at)
-        if place is None or self.shown is None:
+        if place is None or self.content is None:
             return ""
-        transfer = self.shown.transfer
+        transfer = self.content.transfer
         k = int(np.argmin(np.abs(transfer.frequency_hz - place[0])))
         parts = [f"{transfer.frequency_hz[k]:.1f} Hz, dB and coherence"]
-        for rank, output in enumerate(self.shown.outputs):
+        for rank, output in enumerate(self.content.outputs):
             level = float(decibels(transfer.magnitude[rank, k]))
             parts.append(f"{output}: {level:z.1f}, {transfer.coherence[rank, k]:.2f}")
         return minus(" · ".join(parts))
@@ -112,9 +112,9 @@ class TransferPicture(Figure):
 
     def _shade(self, painter: QPainter, axes: Axes) -> None:
         """Shade the frequencies that were not measured, where that is known."""
-        if self.shown is None or self.shown.transfer.band_hz is None:
+        if self.content is None or self.content.transfer.band_hz is None:
             return
-        band_hz = np.array(self.shown.transfer.band_hz)
+        band_hz = np.array(self.content.transfer.band_hz)
         colour = QColor(current_theme().grid)
         colour.setAlpha(140)
         frame = axes.frame
@@ -123,21 +123,25 @@ class TransferPicture(Figure):
         if high < frame.right():
             painter.fillRect(QRectF(QPointF(high, frame.top()), frame.bottomRight()), colour)
 
-    def _draw_curve(self, painter: QPainter, axes: Axes, shown: TransferContent, rank: int) -> None:
-        transfer = shown.transfer
-        values = transfer.coherence[rank] if shown.coherence else decibels(transfer.magnitude[rank])
+    def _draw_curve(
+        self, painter: QPainter, axes: Axes, content: TransferContent, rank: int
+    ) -> None:
+        transfer = content.transfer
+        values = (
+            transfer.coherence[rank] if content.coherence else decibels(transfer.magnitude[rank])
+        )
         painter.setPen(current_theme().output_pen(rank, 1.4))
         painter.drawPolyline(axes.polygon(transfer.frequency_hz, values))
-        if not shown.coherence and transfer.noise[rank].any():
+        if not content.coherence and transfer.noise[rank].any():
             pen = QPen(current_theme().output_colour(rank), 1.0, Qt.PenStyle.DotLine)
             painter.setPen(pen)
             painter.drawPolyline(
                 axes.polygon(transfer.frequency_hz, decibels(transfer.noise[rank]))
             )
 
-    def _draw_bars(self, painter: QPainter, axes: Axes, shown: TransferContent) -> None:
+    def _draw_bars(self, painter: QPainter, axes: Axes, content: TransferContent) -> None:
         """Draw the bands that can be used, as bars at the foot."""
-        bands = shown.transfer.usable_hz
+        bands = content.transfer.usable_hz
         step, thick = bar_sizes(len(bands), axes.frame.height())
         foot = axes.frame.bottom() - UNIT_PX / 2
         for rank, (low, high) in enumerate(bands):
@@ -221,7 +225,7 @@ class TransferPanel(FigurePanel):
         self.coherence.setChecked(settings.coherence)
         self._has_inputs = bool(design.inputs)
         if not view.outputs or not design.inputs:
-            self._say_empty()
+            self._show_empty()
         elif self._results is None:
             self.await_results()
         elif redrawn:
@@ -229,7 +233,7 @@ class TransferPanel(FigurePanel):
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         if results["transfer"] is None:
-            self._say_empty()
+            self._show_empty()
             return
         self._results = dict(results)
         self._draw(results)
@@ -253,7 +257,7 @@ class TransferPanel(FigurePanel):
         lines += ["\t".join(map(copied, row)) for row in np.vstack(columns).T.tolist()]
         return "\n".join(lines) + "\n"
 
-    def _say_empty(self) -> None:
+    def _show_empty(self) -> None:
         self.say_instead(self.no_outputs if self._has_inputs else how_to_add(self.in_sight))
 
     def say_instead(self, message: str) -> None:

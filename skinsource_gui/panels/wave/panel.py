@@ -23,7 +23,7 @@ from skinsource_gui.qt.labels import SKIN
 from skinsource_gui.qt.theme import UNIT_PX, current_theme
 
 _DOT_PX, _REACH_PX = 4.0, 14.0
-_WAY = "Way along the line (mm)"
+_DISTANCE_TITLE = "Way along the line (mm)"
 
 
 class WavePicture(Figure):
@@ -31,29 +31,29 @@ class WavePicture(Figure):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("wave_picture", "Delay and level along the line", parent)
-        self.shown: LineWave | None = None
+        self.content: LineWave | None = None
         self._ranks: tuple[int, ...] = ()
         self._matched = ""
         self._diagrams: list[tuple[Axes, Floats]] = []
 
-    def show_wave(self, shown: LineWave, ranks: tuple[int, ...], matched: str) -> None:
+    def show_wave(self, content: LineWave, ranks: tuple[int, ...], matched: str) -> None:
         """Take over what to show; ``ranks`` are those of the outputs in the selection.
 
         ``matched``: by how much it is louder or softer than it was stored, or "".
         """
-        self.shown, self._ranks, self._matched = shown, ranks, matched
+        self.content, self._ranks, self._matched = content, ranks, matched
         self.say("")
         self.read_again()
 
     def draw(self, painter: QPainter, room: QRectF) -> None:
-        if self.shown is None:
+        if self.content is None:
             return
-        wave = self.shown.wave
+        wave = self.content.wave
         metrics = QFontMetricsF(painter.font())
         halves = _halves(room)
-        way = Axis(shown=_around(wave.distance_m), title=_WAY, factor=1e3)
+        distance = Axis(shown=_around(wave.distance_m), title=_DISTANCE_TITLE, factor=1e3)
         delay = Axis(shown=_around(wave.delay_s), title="Delay (ms)", factor=1e3)
-        title = ", ".join(filter(None, (f"Level {self.shown.axis} (dB)", self._matched)))
+        title = ", ".join(filter(None, (f"Level {self.content.axis} (dB)", self._matched)))
         level = Axis(shown=_around(wave.level_db), title=title)
         self._diagrams = []
         slowness = 1.0 / wave.speed_m_per_s
@@ -64,7 +64,7 @@ class WavePicture(Figure):
             painter.save()
             # Labels of y begin at the left edge of their half.
             painter.translate(area.left(), area.top())
-            axes = fitted_axes(QRectF(0, 0, area.width(), area.height()), way, axis, metrics)
+            axes = fitted_axes(QRectF(0, 0, area.width(), area.height()), distance, axis, metrics)
             axes.paint(painter, current_theme())
             painter.setClipRect(axes.frame.adjusted(-_DOT_PX, -_DOT_PX, _DOT_PX, _DOT_PX))
             self._draw_fit(painter, axes, values[used], wave.distance_m[used], slope)
@@ -73,13 +73,13 @@ class WavePicture(Figure):
             self._diagrams.append((axes, places + np.array([area.left(), area.top()])))
 
     def read(self, at: QPointF) -> str:
-        if self.shown is None:
+        if self.content is None:
             return ""
-        wave, outputs = self.shown.wave, self.shown.outputs
+        wave, outputs = self.content.wave, self.content.outputs
         for _, places in self._diagrams:
-            ways = np.hypot(*(places - (at.x(), at.y())).T)
-            if np.isfinite(ways).any() and np.nanmin(ways) <= _REACH_PX:
-                k = int(np.nanargmin(ways))
+            distances = np.hypot(*(places - (at.x(), at.y())).T)
+            if np.isfinite(distances).any() and np.nanmin(distances) <= _REACH_PX:
+                k = int(np.nanargmin(distances))
                 left_out = "" if wave.counted[k] else " · left out: silent or mostly noise"
                 if wave.counted[k] and not wave.timed[k]:
                     left_out = " · no delay: too unlike the first"
@@ -101,9 +101,9 @@ class WavePicture(Figure):
         painter.drawPolyline(axes.polygon(ends, middle + slope * (ends - x.mean())))
 
     def _draw_dots(self, painter: QPainter, axes: Axes, values: Floats, used: Booleans) -> Floats:
-        if self.shown is None:
+        if self.content is None:
             return np.zeros((0, 2))
-        wave = self.shown.wave
+        wave = self.content.wave
         places = axes.to_screen(wave.distance_m, values)
         for rank, place, counted in zip(self._ranks, places, used, strict=True):
             if not np.isfinite(place).all():
@@ -161,7 +161,7 @@ class WavePanel(FigurePanel):
         )
         self.choices.addWidget(self.about, 1)
         self.copy = self.add_copy(self.table)
-        self.say_instead(self._few())
+        self.say_instead(self._too_few())
 
     @property
     def needs(self) -> frozenset[str]:
@@ -169,14 +169,14 @@ class WavePanel(FigurePanel):
 
     def show_state(self, design: Design, view: View) -> None:
         if len(view.outputs) < 2:
-            self.say_instead(self._few())
-        elif self.figure.message == self._few():
+            self.say_instead(self._too_few())
+        elif self.figure.message == self._too_few():
             self.await_results()
 
     def show_results(self, results: Mapping[str, Any]) -> None:
         line: LineWave | None = results["line_wave"]
         if line is None:
-            self.say_instead(self._few())
+            self.say_instead(self._too_few())
             return
         if not line.wave.alike.any():
             self.say_instead(SILENT)
@@ -193,28 +193,28 @@ class WavePanel(FigurePanel):
         self.show_found(f"{wave_text(line.wave)}{several}{note}{synthetic}")
 
     def show_in_sight(self, names: frozenset[str]) -> None:
-        was_empty = self.figure.message == self._few()
+        was_empty = self.figure.message == self._too_few()
         super().show_in_sight(names)
         if was_empty:
-            self.figure.say(self._few())
+            self.figure.say(self._too_few())
 
     def table(self) -> str:
         """Return the numbers, with tabs between the columns."""
-        shown = self.picture.shown
-        if shown is None or self.picture.message:
+        content = self.picture.content
+        if content is None or self.picture.message:
             return ""
-        wave = shown.wave
-        header = ("output", "way_mm", "delay_ms", f"level_{shown.axis}_db", "alike")
+        wave = content.wave
+        header = ("output", "way_mm", "delay_ms", f"level_{content.axis}_db", "alike")
         lines = ["\t".join((*header, "counted", "timed"))]
-        ways = wave.distance_m * 1e3, wave.delay_s * 1e3
-        for k, output in enumerate(shown.outputs):
-            way, delay = (copied(values[k]) for values in ways)
-            numbers = way, delay, copied_level(wave.level_db[k]), copied(wave.alike[k])
+        distances = wave.distance_m * 1e3, wave.delay_s * 1e3
+        for k, output in enumerate(content.outputs):
+            distance, delay = (copied(values[k]) for values in distances)
+            numbers = distance, delay, copied_level(wave.level_db[k]), copied(wave.alike[k])
             used = ("yes" if flags[k] else "no" for flags in (wave.counted, wave.timed))
             lines.append("\t".join((str(output), *numbers, *used)))
         return "\n".join(lines) + "\n"
 
-    def _few(self) -> str:
+    def _too_few(self) -> str:
         if SKIN in self.in_sight:
             return (
                 "Select two or more outputs on the skin map, one after the other along a line: "
