@@ -270,26 +270,51 @@ class EditorToolbar(QWidget):
         return button
 
 
-def add_point(tool: EnvelopeTool, points: Points, end_s: float) -> None:
-    """Add a point on the curve, halfway from the chosen one to the next, or to ``end_s``.
-
-    It is chosen then, so that the arrow keys move it.
-    """
-    chosen = tool.chosen[-1] if tool.chosen else 0
-    added, number = with_point_after(points, chosen, end_s)
-    tool.chosen = (number,)
-    tool.changed.emit(added, None)
-
-
 _LEAP = 10
 _Key = Qt.Key
-_TIMES = {_Key.Key_Left: -0.001, _Key.Key_Right: 0.001}
-_VALUES = {_Key.Key_Up: 1.0, _Key.Key_Down: -1.0}
+#: One step of an arrow key to the side; with Shift ten.
+STEP_S = 0.001
+_ALONG = {_Key.Key_Left: -1.0, _Key.Key_Right: 1.0}
+_UP = {_Key.Key_Up: 1.0, _Key.Key_Down: -1.0}
 #: One step of an arrow key up; with Shift ten.
 STEPS: dict[Column, float] = {"frequency": 1.0, "amplitude": 0.01}
 
 
-class GlideEdits(ToolEdits):
+class PointEdits(ToolEdits):
+    """Turns what a tool and keys do to points of a curve into edits of the clip."""
+
+    def __init__(self, tool: EnvelopeTool | GlideTool, parent: QWidget) -> None:
+        super().__init__(tool, parent)
+        self._burst = Burst(self)
+
+    def _press(
+        self,
+        tool: EnvelopeTool,
+        command: str,
+        event: QKeyEvent,
+        points: Points,
+        end_s: float,
+        step: float,
+    ) -> None:
+        """Do what a command does to the points of a tool, which end at ``end_s``."""
+        if command == "remove":
+            tool.remove_chosen()
+        elif command == "add":
+            # Halfway from the chosen point to the next; arrow keys move the new one.
+            chosen = tool.chosen[-1] if tool.chosen else 0
+            added, number = with_point_after(points, chosen, end_s)
+            tool.chosen = (number,)
+            tool.changed.emit(added, None)
+        elif command in ("next_point", "point_before"):
+            tool.choose_next(1 if command == "next_point" else -1)
+        elif command == "nudge":
+            far = _LEAP if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
+            key = _Key(event.key())
+            by_s, by_value = STEP_S * _ALONG.get(key, 0.0), step * _UP.get(key, 0.0)
+            tool.nudge(far * by_s, far * by_value, self._burst.gesture())
+
+
+class GlideEdits(PointEdits):
     """Turns changes of the two curves into edits of the glide that a clip plays."""
 
     def __init__(self, parent: QWidget) -> None:
@@ -297,7 +322,6 @@ class GlideEdits(ToolEdits):
         super().__init__(self.tool, parent)
         # What was drawn: points that bend nothing yet are not part of a glide.
         self._drawn: dict[Column, Points] = {}
-        self._burst = Burst(self)
         self.tool.changed.connect(self._change)
 
     def show_state(self, design: Design, view: View, clip: Clip | None, rate_hz: float) -> None:
@@ -310,26 +334,15 @@ class GlideEdits(ToolEdits):
         """Return whether a clip plays a glide."""
         return clip is not None and isinstance(clip.waveform, Glide)
 
-    def press(self, command: str, event: QKeyEvent) -> bool:
-        """Do what a command does to the points; return whether it does anything."""
-        tool = self.tool.tools[self.tool.active]
-        if command == "remove":
-            tool.remove_chosen()
-        elif command == "add" and self._clip is not None:
-            end_s = self._clip.waveform.duration_s
-            add_point(tool, self._points(self.tool.active), end_s)
-        elif command == "flip":
+    def press(self, command: str, event: QKeyEvent) -> None:
+        """Do what a command does to the points."""
+        active = self.tool.active
+        if command == "flip":
             self.tool.flip()
-        elif command in ("next_point", "point_before"):
-            tool.choose_next(1 if command == "next_point" else -1)
-        elif command == "nudge":
-            far = _LEAP if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
-            key = _Key(event.key())
-            by_value = far * STEPS[self.tool.active] * _VALUES.get(key, 0.0)
-            tool.nudge(far * _TIMES.get(key, 0.0), by_value, self._burst.gesture())
-        else:
-            return False
-        return True
+        elif self._clip is not None:
+            end_s = self._clip.waveform.duration_s
+            tool, points = self.tool.tools[active], self._points(active)
+            self._press(tool, command, event, points, end_s, STEPS[active])
 
     def _points(self, column: Column) -> Points:
         waveform = None if self._clip is None else self._clip.waveform
@@ -365,25 +378,12 @@ def _curve(points: Points) -> Curve:
     return tuple((x, y) for x, y, _ in points)
 
 
-#: One step of an arrow key; with Shift ten.
-STEP_S, STEP = 0.001, 0.01
-
-
-_STEPS = {
-    _Key.Key_Left: (-STEP_S, 0.0),
-    _Key.Key_Right: (STEP_S, 0.0),
-    _Key.Key_Up: (0.0, STEP),
-    _Key.Key_Down: (0.0, -STEP),
-}
-
-
-class EnvelopeEdits(ToolEdits):
+class EnvelopeEdits(PointEdits):
     """Turns changes of the points into edits of the clip's envelope."""
 
     def __init__(self, parent: QWidget) -> None:
         self.tool = EnvelopeTool(self._points, parent)
         super().__init__(self.tool, parent)
-        self._burst = Burst(self)
         self.tool.changed.connect(self._change)
 
     def show_state(self, design: Design, view: View, clip: Clip | None, rate_hz: float) -> None:
@@ -391,21 +391,11 @@ class EnvelopeEdits(ToolEdits):
             self.tool.chosen = ()
         super().show_state(design, view, clip, rate_hz)
 
-    def press(self, command: str, event: QKeyEvent) -> bool:
-        """Do what a command does to the points; return whether it does anything."""
-        if command == "remove":
-            self.tool.remove_chosen()
-        elif command == "add" and self._clip is not None:
-            add_point(self.tool, self._points(), self._clip.duration_s)
-        elif command in ("next_point", "point_before"):
-            self.tool.choose_next(1 if command == "next_point" else -1)
-        elif command == "nudge":
-            by_s, by_value = _STEPS[_Key(event.key())]
-            leap = _LEAP if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
-            self.tool.nudge(by_s * leap, by_value * leap, self._burst.gesture())
-        else:
-            return False
-        return True
+    def press(self, command: str, event: QKeyEvent) -> None:
+        """Do what a command does to the points."""
+        if self._clip is not None:
+            end_s = self._clip.duration_s
+            self._press(self.tool, command, event, self._points(), end_s, STEPS["amplitude"])
 
     def _points(self) -> Points:
         effects = () if self._clip is None else self._clip.effects

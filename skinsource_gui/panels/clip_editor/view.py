@@ -599,7 +599,13 @@ def spectrum_db(samples: Floats, sample_rate_hz: float) -> tuple[Floats, Floats]
 
 
 class SpectrumStrip(QWidget):
-    """Magnitude over frequency, and how much of the energy lies outside the band."""
+    """Magnitude over frequency, and how much of the energy lies outside the band.
+
+    Attributes
+    ----------
+    outside
+        Share of the energy outside the measured band, from 0 to 1.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -612,15 +618,10 @@ class SpectrumStrip(QWidget):
         self._axes = CachedPicture()
         self._frequency_hz: Floats | None = None
         self._levels_db: Floats | None = None
-        self._outside = 0.0
+        self.outside = 0.0
         self._samples: Floats | None = None
         self._rate_hz = 0.0
         self._band_hz: Band | None = None
-
-    @property
-    def outside(self) -> float:
-        """Share of the energy outside the measured band, from 0 to 1."""
-        return self._outside
 
     def sizeHint(self) -> QSize:
         return QSize(200, 106)
@@ -635,13 +636,13 @@ class SpectrumStrip(QWidget):
         shown = sample_rate_hz, band_hz
         if samples is self._samples and shown == (self._rate_hz, self._band_hz):
             return
-        self._samples, self._rate_hz, self._outside = samples, sample_rate_hz, 0.0
+        self._samples, self._rate_hz, self.outside = samples, sample_rate_hz, 0.0
         self._band_hz = band_hz
         if samples is None or not samples.size:
             self._frequency_hz = self._levels_db = None
         else:
             if band_hz is not None:
-                self._outside = share_outside_band(samples, sample_rate_hz, band_hz)
+                self.outside = share_outside_band(samples, sample_rate_hz, band_hz)
             self._frequency_hz, self._levels_db = spectrum_db(samples, sample_rate_hz)
         show_tooltip(self, self.text)
         self.update()
@@ -652,7 +653,7 @@ class SpectrumStrip(QWidget):
         if self._band_hz is None:
             return "In which band this limb was measured is not known"
         low, high = self._band_hz
-        share = 100 * self._outside
+        share = 100 * self.outside
         number = "0" if share == 0 else "< 0.1" if share < 0.1 else f"{share:.3g}"
         return f"{number} % of the energy outside {low:g} to {high:g} Hz"
 
@@ -725,7 +726,7 @@ class SpectrumStrip(QWidget):
 
     def _write_text(self, painter: QPainter, area: QRectF) -> None:
         metrics = QFontMetricsF(painter.font())
-        noteworthy = self._outside > _NOTEWORTHY
+        noteworthy = self.outside > _NOTEWORTHY
         painter.setPen(QColor(current_theme().warning if noteworthy else current_theme().dim))
         flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         text = metrics.elidedText(self.text, Qt.TextElideMode.ElideRight, area.width())

@@ -74,16 +74,6 @@ class ClipStyle:
     ratio: float = 1.0
 
 
-@dataclass(frozen=True, slots=True)
-class _Key:
-    # The samples are stored with the picture, so that no other array gets their id.
-    samples: int
-    rate_hz: float
-    width: float
-    height: float
-    style: ClipStyle
-
-
 class ClipPictures:
     """Curves of clips, painted once for each size and style; the oldest are dropped first.
 
@@ -99,7 +89,7 @@ class ClipPictures:
     """
 
     def __init__(self, budget_bytes: int = _BUDGET_BYTES) -> None:
-        self._pictures: OrderedDict[_Key, tuple[Floats, QPixmap]] = OrderedDict()
+        self._pictures: OrderedDict[Hashable, tuple[Floats, QPixmap]] = OrderedDict()
         self._budget, self._bytes = budget_bytes, 0
         self.painted = self.waves = 0
         self.mark, self.columns = CachedPicture(), CachedColumns()
@@ -117,7 +107,8 @@ class ClipPictures:
     def picture(self, played: ClipSamples, size: QSizeF, style: ClipStyle) -> QPixmap:
         """Return the picture of what a clip plays; size in px."""
         samples = played.samples
-        key = _Key(id(samples), played.sample_rate_hz, size.width(), size.height(), style)
+        # The samples are stored with the picture, so that no other array gets their id.
+        key = (id(samples), played.sample_rate_hz, size.width(), size.height(), style)
         cached = self._pictures.get(key)
         if cached is not None and cached[0] is samples:
             self._pictures.move_to_end(key)
@@ -137,7 +128,7 @@ class ClipPictures:
         self._pictures.clear()
         self._bytes = 0
 
-    def _store(self, key: _Key, samples: Floats, made: QPixmap) -> None:
+    def _store(self, key: Hashable, samples: Floats, made: QPixmap) -> None:
         old = self._pictures.pop(key, None)
         self._bytes += _size(made) - (0 if old is None else _size(old[1]))
         self._pictures[key] = (samples, made)
@@ -183,25 +174,14 @@ _PALE = 0.45
 _HANDLE_PX = 5.0
 
 
-def clip_label(box: Box) -> str:
-    """Return the text on a clip: its label, or what it plays."""
-    clip = box.clip
-    return clip.label or clip.waveform.title
-
-
 def paint_clip(
     painter: QPainter,
     box: Box,
-    samples: Floats | None,
-    sample_rate_hz: float,
+    content: TimelineContent,
     pictures: ClipPictures,
-    theme: Theme,
     *,
     loudest: float,
-    selected: bool,
-    shown_elsewhere: bool,
     unplayable: bool,
-    awaited: bool,
     handles: bool,
     view: QRectF,
 ) -> None:
@@ -209,22 +189,18 @@ def paint_clip(
 
     Parameters
     ----------
-    samples, sample_rate_hz : (n_times,)
-        What the clip plays, or None while it is not known.
     loudest
         The largest gain of the track, which takes the full height.
-    shown_elsewhere
-        Whether the inspector shows the clip.
     unplayable
-        Whether the track cannot be played because of it.
-    awaited
-        Whether what it plays is being computed.
+        Whether the track cannot be played because of the clip.
     handles
         Whether to show that its ends can be dragged.
     view
         The visible rectangle: no more is painted.
     """
-    pale = box.clip.muted or bool(box.lane.silent)
+    theme, clip = current_theme(), box.clip
+    samples, selected = content.waveforms.get(clip.id), clip.id in content.selected
+    pale = clip.muted or bool(box.lane.silent)
     colour = QColor(theme.dim) if pale else theme.input_colour(box.lane.track.colour)
     shown = box.rect.intersected(view.adjusted(-2, 0, 2, 0))
     if shown.isEmpty():
@@ -233,19 +209,21 @@ def paint_clip(
     _paint_body(painter, box.rect, shown, colour, selected=selected, pale=pale)
     if samples is not None and shown.width() >= 1:
         painter.setOpacity(_PALE if pale else 1.0)
-        played = ClipSamples(samples, sample_rate_hz)
+        played = ClipSamples(samples, content.sample_rate_hz)
         _paint_samples(painter, box, shown, played, pictures, colour, loudest)
         painter.setOpacity(1.0)
     if any(box.fades_px):
         _paint_fades(painter, box, QColor(theme.text))
     # Over the lines of fades: the name is read first.
     if shown.width() >= _LABEL_FROM_PX:
-        text = clip_label(box)
-        _write(painter, f"{text} · updating…" if awaited else text, shown, theme, pale=pale)
+        text = clip.label or clip.waveform.title
+        text = f"{text} · updating…" if clip.id in content.awaited else text
+        _write(painter, text, shown, theme, pale=pale)
     _paint_frame(painter, box.rect, shown, theme, colour, selected=selected)
     if unplayable:
         _paint_frame(painter, box.rect, shown, theme, QColor(theme.error), selected=False)
-    if shown_elsewhere and not selected:
+    if clip.id in content.chosen and not selected:
+        # The inspector shows it.
         mark_clip(painter, box.rect, shown, pictures.mark, QColor(theme.accent))
     if handles:
         _paint_handles(painter, box, QColor(theme.text))
@@ -389,18 +367,9 @@ def frame_of(content: TimelineContent) -> Hashable:
     return content.scale, content.ruler_px, design.loop_s, design.markers, places
 
 
-def same_ground(lane: Lane, other: Lane) -> bool:
-    """Return whether a lane looks the same but for its clips."""
-    return (lane.selected, lane.silent, lane.problem) == (
-        other.selected,
-        other.silent,
-        other.problem,
-    )
-
-
-def same_chosen(before: TimelineContent, after: TimelineContent) -> bool:
-    """Return whether the same clips are selected, and shown by the inspector, in all lanes."""
-    return (before.selected, before.chosen) == (after.selected, after.chosen)
+def ground_of(lane: Lane) -> Hashable:
+    """Return what the look of a lane depends on, but for its clips."""
+    return lane.selected, lane.silent, lane.problem
 
 
 def same_clips(before: TimelineContent, then: Lane, after: TimelineContent, now: Lane) -> bool:
@@ -636,9 +605,9 @@ class LanesItem(LaneLayer):
 
     def _update_lanes(self, before: TimelineContent, after: TimelineContent) -> None:
         """Update the lanes that look different now."""
-        same_selection = same_chosen(before, after)
+        same_selection = (before.selected, before.chosen) == (after.selected, after.chosen)
         for then, now in zip(before.lanes, after.lanes, strict=True):
-            if not same_ground(then, now):
+            if ground_of(then) != ground_of(now):
                 self.update(self._strip(now))
             elif not same_clips(before, then, after, now) or not (
                 same_selection or same_choice(before, after, now)
@@ -702,15 +671,10 @@ class LanesItem(LaneLayer):
             paint_clip(
                 painter,
                 box,
-                content.waveforms.get(box.clip.id),
-                content.sample_rate_hz,
+                content,
                 self.pictures,
-                current_theme(),
                 loudest=loudest,
-                selected=box.clip.id in content.selected,
-                shown_elsewhere=box.clip.id in content.chosen,
                 unplayable=box.clip.id in unplayable,
-                awaited=box.clip.id in content.awaited,
                 handles=box.clip.id == self._hovered and box.rect.width() > 40,
                 view=lanes,
             )

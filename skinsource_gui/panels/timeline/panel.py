@@ -332,21 +332,16 @@ class LanesMenu(QObject):
 
     def _act(self, menu: QMenu, text: str, key: str, edit: AnyEdit, *more: object) -> None:
         """Add a line that edits the clips which are selected when it is chosen."""
-
-        def act() -> None:
-            content = self._content()
-            chosen = content.view.selected_clips
-            self.edited.emit(edit(content.design, content.view, chosen, *more), None)
-
-        self._line(menu, text, key, act)
+        self._line(
+            menu, text, key, lambda: self._edit(edit, self._content().view.selected_clips, *more)
+        )
 
     def _edit_line(self, menu: QMenu, text: str, edit: AnyEdit, *more: object) -> None:
-        def act() -> None:
-            content = self._content()
-            outcome: Edit | Refusal = edit(content.design, content.view, *more)
-            self.edited.emit(outcome, None)
+        self._line(menu, text, "", lambda: self._edit(edit, *more))
 
-        self._line(menu, text, "", act)
+    def _edit(self, edit: AnyEdit, *more: object) -> None:
+        content = self._content()
+        self.edited.emit(edit(content.design, content.view, *more), None)
 
     def _line(self, menu: QMenu, text: str, key: str, act: Callable[[], object]) -> None:
         # A tab puts the key at the right; the menu has no shortcuts, keys belong to the lanes.
@@ -354,13 +349,10 @@ class LanesMenu(QObject):
         menu.addAction(shown).triggered.connect(lambda _=False: act())
 
     def _rename(self, index: int) -> None:
-        content = self._content()
-        name, sure = QInputDialog.getText(
-            self._parent, "Rename marker", "Name", text=content.design.markers[index].name
-        )
+        before = self._content().design.markers[index].name
+        name, sure = QInputDialog.getText(self._parent, "Rename marker", "Name", text=before)
         if sure:
-            outcome = edits.rename_marker(content.design, content.view, index, name)
-            self.edited.emit(outcome, None)
+            self._edit(edits.rename_marker, index, name)
 
 
 def _ends_of_chosen(content: TimelineContent) -> tuple[float, float] | None:
@@ -712,11 +704,9 @@ class TimelinePanel(Panel):
 
     def show_drop(self, at: QPoint | None) -> None:
         place, lanes = (None if at is None else self.drop_place(at)), self._table.lanes
-        shown = (
-            GesturePreview()
-            if place is None
-            else GesturePreview(guide_s=place.onset_s, label="A clip here")
-        )
+        shown = GesturePreview()
+        if place is not None:
+            shown = GesturePreview(guide_s=place.onset_s, label="A clip here")
         lanes.overlay.show_preview(shown, QPointF(lanes.mapFrom(self, at or QPoint())))
 
     def _connect(self) -> None:
