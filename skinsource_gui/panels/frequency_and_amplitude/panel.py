@@ -197,7 +197,11 @@ class FrequencyAndAmplitudePanel(Panel):
         spec = None if clip is None else specs_of(clip.waveform).get(_FREQUENCY)
         if spec != self._spec:
             self._spec = spec
-            self._drop_frequency()
+            if self._frequency is not None:
+                for part in (self._frequency.label, self._frequency):
+                    part.hide()
+                    part.deleteLater()
+                self._frequency = None
             if spec is not None:
                 self._frequency = FieldCell(_FREQUENCY, spec)
                 self._frequency.edited.connect(self._change)
@@ -209,13 +213,6 @@ class FrequencyAndAmplitudePanel(Panel):
     def _choose_control(self, control: str, _gesture: int | None) -> None:
         settings = ControlSettings(control=control)
         self.view_changed.emit(with_settings(self._view, self.name, settings))
-
-    def _drop_frequency(self) -> None:
-        if self._frequency is not None:
-            for part in (self._frequency.label, self._frequency):
-                part.hide()
-                part.deleteLater()
-            self._frequency = None
 
     def _change(self, name: str, value: float, gesture: int | None) -> None:
         if self._design is not None:

@@ -137,16 +137,16 @@ def diagrams_of_proportion(
     """
     growth = _growth_in_bands if bands else _growth
     highest = float(result.frequency_hz[-1]) if result.frequency_hz.size else 1.0
-    title = "Adjusted R²" if all_outputs is None else "Adjusted R², all outputs"
+    title, straightness = "Adjusted R²", _straight(result, rows)
+    if all_outputs is not None:
+        title, straightness = f"{title}, all outputs", _worst_and_median(result, all_outputs)
     return (
         _overlay(result, rows, time_s, zoom, unit),
         growth(result, rows, unit),
         Diagram(
             x=Axis(shown=(0.0, 1.05 * highest), title="Frequency (Hz)"),
             y=Axis(shown=(0.0, 1.1), title=title, short="Adjusted R²"),
-            curves=_straight(result, rows)
-            if all_outputs is None
-            else _worst_and_median(result, all_outputs),
+            curves=straightness,
         ),
     )
 
@@ -299,9 +299,8 @@ def superposition_text(result: Superposition) -> str:
     """Return the result in a sentence."""
     known = result.correlation[np.isfinite(result.correlation)]
     correlation = f" · r {known.min():.6f} at least" if known.size else ""
-    return (
-        f"Sum of separate and joint, wide and thin: {_difference_text(result.apart)}{correlation}"
-    )
+    difference = _difference_text(result.apart)
+    return f"Sum of separate and joint, wide and thin: {difference}{correlation}"
 
 
 def _difference_text(difference: float) -> str:

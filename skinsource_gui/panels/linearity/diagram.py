@@ -57,13 +57,10 @@ def places_of_labels(
     line = QFontMetricsF(letters).height()
     step = _LINE_STEP * line
     ends = sorted(ends[: max(int(frame.height() / step + 1e-6), 1)], key=lambda end: end[0])
+    heights = _moved_apart([end[0] for end in ends], step, frame.top(), frame.bottom())
     return letters, [
         (QRectF(x + 2.0 * DOT_PX, y - line / 2, frame.right() - x - 2.0 * DOT_PX, line), curve)
-        for y, (_, x, curve) in zip(
-            _moved_apart([end[0] for end in ends], step, frame.top(), frame.bottom()),
-            ends,
-            strict=True,
-        )
+        for y, (_, x, curve) in zip(heights, ends, strict=True)
     ]
 
 

@@ -202,8 +202,8 @@ class LinearityPanel(FigurePanel):
         self.velocity = self._switch(VELOCITY, lambda on: self._change(velocity=on))
         self.bands = self._switch(BANDS, lambda on: self._change(bands=on))
         self.every_output = self._switch(EVERY_OUTPUT, lambda on: self._change(every_output=on))
-        switches = self.velocity, self.bands, self.every_output
-        self.choices.addWidget(ButtonRow(switches, self), 1)
+        self._switches = self.velocity, self.bands, self.every_output
+        self.choices.addWidget(ButtonRow(self._switches, self), 1)
         self.copy = self.add_copy(self.table)
         self.heads.addWidget(self.about)
         self.say_instead(_how_to_start())
@@ -260,7 +260,7 @@ class LinearityPanel(FigurePanel):
         self.show_stale(False)
         super().say_instead(message)
         self.about.say("")
-        for switch in (self.velocity, self.bands, self.every_output):
+        for switch in self._switches:
             switch.hide()
 
     def table(self) -> str:

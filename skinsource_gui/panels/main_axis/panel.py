@@ -82,7 +82,8 @@ class MainAxisPicture(Figure):
             row, column = divmod(rank, across)
             place = QRectF(column * cell[0], row * cell[1], *cell)
             self._cells.append((place, rank))
-            self._draw_output(painter, place.adjusted(UNIT_PX / 2, 2, -UNIT_PX / 2, -2), rank)
+            inner = place.adjusted(UNIT_PX / 2, 2, -UNIT_PX / 2, -2)
+            self._draw_output(painter, content, inner, rank)
         if n_drawn < count:
             row, column = divmod(n_drawn, across)
             place = QRectF(column * cell[0], row * cell[1], *cell)
@@ -99,10 +100,9 @@ class MainAxisPicture(Figure):
     def keys_area(self) -> QRectF:
         return QRectF() if self.message or not self._cells else QRectF(self.rect())
 
-    def _draw_output(self, painter: QPainter, place: QRectF, rank: int) -> None:
-        content = self.content
-        if content is None:
-            return
+    def _draw_output(
+        self, painter: QPainter, content: MainAxisContent, place: QRectF, rank: int
+    ) -> None:
         line = QFontMetricsF(painter.font()).height()
         main_axes, theme = content.main_axes, current_theme()
         head = QRectF(place.left(), place.top(), place.width(), line)
@@ -119,17 +119,19 @@ class MainAxisPicture(Figure):
         painter.drawText(head, Qt.AlignmentFlag.AlignRight, text)
         planes = tuple(combinations(range(len(content.axes)), 2))
         each = place.width() / len(planes)
-        largest = float(main_axes.deviation[rank, 0])
         for k, plane in enumerate(planes):
             area = QRectF(place.left() + k * each, place.top() + line, each, place.height() - line)
-            self._draw_plane(painter, area.adjusted(2, 1, -2, -1), rank, plane, largest)
+            self._draw_plane(painter, content, area.adjusted(2, 1, -2, -1), rank, plane)
 
     def _draw_plane(
-        self, painter: QPainter, area: QRectF, rank: int, plane: tuple[int, int], largest: float
+        self,
+        painter: QPainter,
+        content: MainAxisContent,
+        area: QRectF,
+        rank: int,
+        plane: tuple[int, int],
     ) -> None:
-        content, theme = self.content, current_theme()
-        if content is None:
-            return
+        theme, largest = current_theme(), float(content.main_axes.deviation[rank, 0])
         metrics = QFontMetricsF(painter.font())
         # Beside and above the ellipse there is room for the names of the axes.
         label_px = max(map(metrics.horizontalAdvance, content.axes)) + _GAP_PX

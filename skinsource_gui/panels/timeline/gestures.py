@@ -1,6 +1,6 @@
 """What is dragged on the lanes and on the ruler. All edits of one gesture are one undo step."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -91,6 +91,14 @@ class GestureContext:
             self.applied = outcome.design
         self.apply(outcome, self.number)
 
+    def rest(self, edges_s: Sequence[float], by_s: float, neighbours_s: Sequence[float]) -> Rest:
+        """Return how far edges move that are dragged ``by_s``: they snap, if that is on."""
+        content = self.content()
+        if not content.snaps:
+            return Rest(by_s=by_s)
+        grid_s, reach_s = content.grid_s, content.reach_s
+        return rest_of(edges_s, by_s, neighbours_s=neighbours_s, grid_s=grid_s, reach_s=reach_s)
+
     def undo(self) -> None:
         """Put the design back as if the gesture had not begun."""
         if self.applied is not None and not self.disturbed:
@@ -133,17 +141,8 @@ class _EndDrag(Gesture):
         self._neighbours = context.before.neighbours_s(frozenset({box.clip.id}))
 
     def _rest(self, at: QPointF, edge_s: float) -> Rest:
-        content = self._context.content()
-        by_s = (at.x() - self._at.x()) / content.scale.px_per_s
-        if not content.snaps:
-            return Rest(by_s=by_s)
-        return rest_of(
-            (edge_s,),
-            by_s,
-            neighbours_s=self._neighbours,
-            grid_s=content.grid_s,
-            reach_s=content.reach_s,
-        )
+        by_s = (at.x() - self._at.x()) / self._context.content().scale.px_per_s
+        return self._context.rest((edge_s,), by_s, self._neighbours)
 
 
 class MoveEnd(_EndDrag):
@@ -281,18 +280,11 @@ class MoveClips(Gesture):
         self._context.undo()
 
     def _rest(self, at: QPointF, *, copies: bool, free: bool) -> Rest:
-        content = self._context.content()
-        by_s = (at.x() - self._at.x()) / content.scale.px_per_s
+        by_s = (at.x() - self._at.x()) / self._context.content().scale.px_per_s
         by_s = max(round(by_s / self._sample_s) * self._sample_s, -self._first_s)
-        if free or not content.snaps:
+        if free:
             return Rest(by_s=by_s)
-        rest = rest_of(
-            self._edges,
-            by_s,
-            neighbours_s=self._snap_times_s[copies],
-            grid_s=content.grid_s,
-            reach_s=content.reach_s,
-        )
+        rest = self._context.rest(self._edges, by_s, self._snap_times_s[copies])
         return rest if self._first_s + rest.by_s >= 0.0 else Rest(by_s=-self._first_s)
 
     def _lanes_to(self, at: QPointF) -> int:
@@ -357,7 +349,8 @@ class MoveGain(Gesture):
         free = bool(held & Modifier.AltModifier)
         guide_s = None
         if by_s and not free:
-            by_s, guide_s = self._rest(time_s, by_s)
+            rest = self._context.rest((time_s,), by_s, self._context.before.neighbours_s())
+            by_s, guide_s = rest.by_s, rest.guide_s
         if not free and abs(strip.y(gain + by_gain) - strip.y(1.0)) <= _REACH_PX and by_gain:
             by_gain = 1.0 - gain
         after = moved(self._points, self._chosen, by_s, by_gain)
@@ -371,42 +364,19 @@ class MoveGain(Gesture):
         track = self._strip.lane.track.id
         self._context.edit(edits.set_gain_curve(before.design, view, track, curve_of(points)))
 
-    def _rest(self, time_s: float, by_s: float) -> tuple[float, float | None]:
-        content = self._context.content()
-        if not content.snaps:
-            return by_s, None
-        rest = rest_of(
-            (time_s,),
-            by_s,
-            neighbours_s=self._context.before.neighbours_s(),
-            grid_s=content.grid_s,
-            reach_s=content.reach_s,
-        )
-        return rest.by_s, rest.guide_s
-
 
 def snapped_time(
     context: GestureContext, at: QPointF, without: float | None = None
 ) -> tuple[float, float | None]:
     """Return the time at a place, from 0 on, and what it snapped to, never to ``without``."""
-    content = context.content()
-    time_s = max(content.scale.time(at.x()), 0.0)
-    if not content.snaps:
-        return time_s, None
-    candidates_s = [
-        neighbour_s for neighbour_s in context.before.neighbours_s() if neighbour_s != without
-    ]
-    rest = rest_of(
-        (0.0,), time_s, neighbours_s=candidates_s, grid_s=content.grid_s, reach_s=content.reach_s
-    )
+    time_s = max(context.content().scale.time(at.x()), 0.0)
+    others_s = [other_s for other_s in context.before.neighbours_s() if other_s != without]
+    rest = context.rest((0.0,), time_s, others_s)
     return max(rest.by_s, 0.0), rest.guide_s
 
 
 class MovePlayhead(Gesture):
     """Puts the playhead under the pointer."""
-
-    def __init__(self, context: GestureContext) -> None:
-        self._context = context
 
     def move(self, at: QPointF, held: Modifier) -> GesturePreview:
         time_s, guide_s = snapped_time(self._context, at, self._context.before.view.playhead_s)

@@ -65,17 +65,21 @@ _STEPS = {_Key.Key_Left: -1, _Key.Key_Right: 1, _Key.Key_Up: -1, _Key.Key_Down: 
 _ZOOM = 1.5
 
 
-class LaneKeys(QObject):
-    """Turns key presses into edits of the selected clips."""
+class LaneInput(QObject):
+    """What keys and mouse on the lanes have in common.
+
+    Parameters
+    ----------
+    content
+        Returns what the lanes show now.
+    gain
+        Handles the gain curves, which lie over the clips.
+    """
 
     edited = Signal(object, object)
     view_changed = Signal(object)
     playhead_wanted = Signal(float)
-    copied = Signal()
-    cut = Signal()
-    pasted = Signal()
-    zoomed = Signal(float)
-    everything_wanted = Signal()
+    #: Id of a clip to open; track and time of a new clip; time of a new marker.
     opened = Signal(int)
     clip_wanted = Signal(int, float)
     marker_wanted = Signal(float)
@@ -85,6 +89,25 @@ class LaneKeys(QObject):
     ) -> None:
         super().__init__(parent)
         self._content, self._gain = content, gain
+
+    def _select(self, *clips: int) -> None:
+        content = self._content()
+        self.view_changed.emit(edits.select_clips(content.design, content.view, clips).view)
+
+
+class LaneKeys(LaneInput):
+    """Turns key presses into edits of the selected clips."""
+
+    copied = Signal()
+    cut = Signal()
+    pasted = Signal()
+    zoomed = Signal(float)
+    everything_wanted = Signal()
+
+    def __init__(
+        self, content: Callable[[], TimelineContent], gain: GainPoints, parent: QObject
+    ) -> None:
+        super().__init__(content, gain, parent)
         self._burst = Burst(self)
         self._nudged: object = None
 
@@ -185,14 +208,12 @@ class LaneKeys(QObject):
             return
         chosen = view.selected_clips
         here = ids.index(chosen[-1]) if chosen and chosen[-1] in ids else (-1 if step > 0 else 0)
-        self.view_changed.emit(
-            edits.select_clips(design, view, (ids[(here + step) % len(ids)],)).view
-        )
+        self._select(ids[(here + step) % len(ids)])
 
     def _reach(self, step: int) -> None:
         """Select besides the nearest clip of the next track that has any."""
         content = self._content()
-        design, view = content.design, content.view
+        design = content.design
         for last in content.chosen[-1:]:
             here, onset_s = design.index_of(design.track_of(last).id), design.clip(last).onset_s
             ahead = design.inputs[here + 1 :] if step > 0 else design.inputs[:here][::-1]
@@ -200,7 +221,7 @@ class LaneKeys(QObject):
             nearest = min(clips, key=lambda clip: abs(clip.onset_s - onset_s), default=None)
             if nearest is not None:
                 others = (clip_id for clip_id in content.chosen if clip_id != nearest.id)
-                self.view_changed.emit(edits.select_clips(design, view, (*others, nearest.id)).view)
+                self._select(*others, nearest.id)
 
     def _go_below(self) -> None:
         """Select the next of the clips that overlap."""
@@ -208,8 +229,7 @@ class LaneKeys(QObject):
         for clip in content.chosen[-1:]:
             track = content.design.track_of(clip)
             following = next_id(overlapping(track, content.design.clip(clip)), clip)
-            chosen = (clip if following is None else following,)
-            self.view_changed.emit(edits.select_clips(content.design, content.view, chosen).view)
+            self._select(clip if following is None else following)
 
     def _nudge(self, command: str, steps: int) -> None:
         content = self._content()
@@ -230,15 +250,8 @@ _DRAG_PX = 4.0
 _CATCH_PX = 6.0
 
 
-class LaneMouse(QObject):
+class LaneMouse(LaneInput):
     """Turns what the mouse buttons do into gestures, and single clicks into selections.
-
-    Parameters
-    ----------
-    content
-        Returns what the lanes show now.
-    gain
-        Handles the gain curves, which lie over the clips.
 
     Attributes
     ----------
@@ -246,21 +259,13 @@ class LaneMouse(QObject):
         Returns where in another panel something would be dropped that is held over a place, px.
     """
 
-    edited = Signal(object, object)
-    view_changed = Signal(object)
-    playhead_wanted = Signal(float)
-    #: `Shown`: what is painted over the lanes.
+    #: `GesturePreview`: what is painted over the lanes.
     shown = Signal(object)
-    #: A double click on a clip, with its id; on an empty lane, with track and time; on the ruler.
-    opened = Signal(int)
-    clip_wanted = Signal(int, float)
-    marker_wanted = Signal(float)
 
     def __init__(
         self, content: Callable[[], TimelineContent], gain: GainPoints, parent: QObject
     ) -> None:
-        super().__init__(parent)
-        self._content, self._gain = content, gain
+        super().__init__(content, gain, parent)
         self.elsewhere: Callable[[QPointF | None], DropPlace | None] = lambda at: None
         self._gesture: Gesture | None = None
         self._click: Callable[[], None] | None = None
@@ -390,9 +395,7 @@ class LaneMouse(QObject):
             ids = [box.clip.id for box in content.boxes_at(at)]
             self._click = partial(self._select, next_id(ids, clip.id) or clip.id)
         elif not chosen:
-            self.view_changed.emit(
-                edits.select_clips(content.design, content.view, (clip.id,)).view
-            )
+            self._select(clip.id)
         else:
             self._click = partial(self._select, clip.id)
         context = self._context()
@@ -415,10 +418,6 @@ class LaneMouse(QObject):
         self._pressed = box.clip.id
         self._click = partial(self._select, box.clip.id)
         return EitherGesture(at, lambda: curve, clip)
-
-    def _select(self, clip: int) -> None:
-        content = self._content()
-        self.view_changed.emit(edits.select_clips(content.design, content.view, (clip,)).view)
 
     def _on_ruler(self, context: GestureContext, at: QPointF, held: Modifier) -> Gesture:
         content = context.before

@@ -376,27 +376,25 @@ class TimeBar(QScrollBar):
         self.setObjectName("time_bar")
         self.setAccessibleName("Time shown")
         self._shown_s: Range = (0.0, 1.0)
-        self._updating = False
         self.valueChanged.connect(self._emit)
         self.hide()
 
     def show_range(self, shown_s: Range, whole_s: Range) -> None:
         """Show a part of the whole."""
-        self._updating, self._shown_s = True, shown_s
+        self._shown_s = shown_s
         length = round((shown_s[1] - shown_s[0]) * _STEPS_PER_S)
         whole = round((whole_s[1] - whole_s[0]) * _STEPS_PER_S)
-        self.setRange(0, max(whole - length, 0))
-        self.setPageStep(max(length, 1))
-        self.setSingleStep(max(length // 10, 1))
-        self.setValue(round((shown_s[0] - whole_s[0]) * _STEPS_PER_S))
+        with QSignalBlocker(self):
+            self.setRange(0, max(whole - length, 0))
+            self.setPageStep(max(length, 1))
+            self.setSingleStep(max(length // 10, 1))
+            self.setValue(round((shown_s[0] - whole_s[0]) * _STEPS_PER_S))
         self.setVisible(whole > length)
-        self._updating = False
 
     def _emit(self, value: int) -> None:
-        if not self._updating:
-            length = self._shown_s[1] - self._shown_s[0]
-            start = value / _STEPS_PER_S
-            self.range_wanted.emit((start, start + length))
+        length = self._shown_s[1] - self._shown_s[0]
+        start = value / _STEPS_PER_S
+        self.range_wanted.emit((start, start + length))
 
 
 _ZOOM = 1.5

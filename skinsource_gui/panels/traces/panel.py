@@ -297,16 +297,13 @@ def _points_between(
     results: Mapping[str, Any], scale: Floats | None, first: int, end: int
 ) -> tuple[Floats, Floats]:
     """Return the traces from one sample to before another, with points between them."""
-    instants, waves = _wave_as_predicted(results, first, end)
-    return instants, waves if scale is None else waves / scale
-
-
-def _wave_as_predicted(results: Mapping[str, Any], first: int, end: int) -> tuple[Floats, Floats]:
     time_s, projection = results["response_time_s"], results["selected_projection"]
     if projection.directions is not None:
-        return finer(time_s, results["selected_traces"], first, end)
-    instants, axes = finer(time_s, results["axis_traces"], first, end)
-    return instants, projection.signals(axes)
+        instants, waves = finer(time_s, results["selected_traces"], first, end)
+    else:
+        instants, axes = finer(time_s, results["axis_traces"], first, end)
+        waves = projection.signals(axes)
+    return instants, waves if scale is None else waves / scale
 
 
 def _axis_notes(outputs: tuple[int, ...]) -> tuple[str, ...]:

@@ -74,15 +74,14 @@ class TransferPicture(Figure):
         if content.coherence:
             y = Axis(shown=(0.0, 1.0), title="Coherence")
         else:
-            y = Axis(
-                shown=(self._top_db - LEVEL_SPAN_DB, self._top_db), title=f"dB re {content.unit}"
-            )
+            shown = self._top_db - LEVEL_SPAN_DB, self._top_db
+            y = Axis(shown=shown, title=f"dB re {content.unit}")
         metrics = QFontMetricsF(painter.font())
         head = QRectF(room.left(), room.top(), room.width(), metrics.height())
         inner = head.adjusted(UNIT_PX, 0, -UNIT_PX, 0)
         draw_legend(painter, inner, content.outputs, current_theme(), broken=True)
         self.axes = axes = fitted_axes(room.adjusted(0, head.height(), 0, 0), x, y, metrics)
-        self._shade(painter, axes)
+        self._shade(painter, axes, content)
         axes.paint(painter, current_theme())
         painter.save()
         painter.setClipRect(axes.frame)
@@ -110,11 +109,11 @@ class TransferPicture(Figure):
     def keys_area(self) -> QRectF:
         return QRectF() if self.axes is None or self.message else self.axes.frame
 
-    def _shade(self, painter: QPainter, axes: Axes) -> None:
+    def _shade(self, painter: QPainter, axes: Axes, content: TransferContent) -> None:
         """Shade the frequencies that were not measured, where that is known."""
-        if self.content is None or self.content.transfer.band_hz is None:
+        if content.transfer.band_hz is None:
             return
-        band_hz = np.array(self.content.transfer.band_hz)
+        band_hz = np.array(content.transfer.band_hz)
         colour = QColor(current_theme().grid)
         colour.setAlpha(140)
         frame = axes.frame

@@ -68,7 +68,7 @@ class WavePicture(Figure):
             axes.paint(painter, current_theme())
             painter.setClipRect(axes.frame.adjusted(-_DOT_PX, -_DOT_PX, _DOT_PX, _DOT_PX))
             self._draw_fit(painter, axes, values[used], wave.distance_m[used], slope)
-            places = self._draw_dots(painter, axes, values, used)
+            places = self._draw_dots(painter, axes, wave.distance_m, values, used)
             painter.restore()
             self._diagrams.append((axes, places + np.array([area.left(), area.top()])))
 
@@ -100,11 +100,10 @@ class WavePicture(Figure):
         painter.setPen(QPen(QColor(current_theme().dim), 1.2, Qt.PenStyle.DashLine))
         painter.drawPolyline(axes.polygon(ends, middle + slope * (ends - x.mean())))
 
-    def _draw_dots(self, painter: QPainter, axes: Axes, values: Floats, used: Booleans) -> Floats:
-        if self.content is None:
-            return np.zeros((0, 2))
-        wave = self.content.wave
-        places = axes.to_screen(wave.distance_m, values)
+    def _draw_dots(
+        self, painter: QPainter, axes: Axes, x: Floats, values: Floats, used: Booleans
+    ) -> Floats:
+        places = axes.to_screen(x, values)
         for rank, place, counted in zip(self._ranks, places, used, strict=True):
             if not np.isfinite(place).all():
                 continue
