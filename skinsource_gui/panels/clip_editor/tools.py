@@ -102,6 +102,10 @@ def write_point(
     # Below the point where there is no room above it.
     top = at.y() - height - 10 if at.y() - height - 10 > area.top() else at.y() + 10
     room = QRectF(left, top, width, height)
+    _write_in_box(painter, room, text, theme)
+
+
+def _write_in_box(painter: QPainter, room: QRectF, text: str, theme: Theme) -> None:
     painter.setBrush(QColor(theme.raised))
     painter.setPen(QPen(QColor(theme.border), 1))
     painter.drawRect(room)
@@ -155,7 +159,7 @@ def scaled_by(
 ) -> Points:
     """Return the points after a handle was dragged; what is opposite to it stays.
 
-    Where all have the same value they are scaled about 0.
+    Points of the same value are scaled about 0.
     """
     times, values = _places(points, chosen)
     from_s, factor_s = _about(min(times), max(times), handle.along, by_s)
@@ -294,11 +298,7 @@ class ViewTool(Tool):
         width = metrics.horizontalAdvance(text) + 10
         left = min(here.x() + 6, area.right() - width)
         room = QRectF(left, area.top() + 2, width, metrics.height() + 2)
-        painter.setPen(QPen(QColor(theme.border), 1))
-        painter.setBrush(QColor(theme.raised))
-        painter.drawRect(room)
-        painter.setPen(QColor(theme.text))
-        painter.drawText(room, Qt.AlignmentFlag.AlignCenter, text)
+        _write_in_box(painter, room, text, theme)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(theme.accent))
         painter.drawEllipse(here, 3, 3)
@@ -398,11 +398,11 @@ _ENVELOPE = CurveStyle(how=_HOW)
 
 
 class EnvelopeTool(Tool):
-    """Click on the curve: a new point. Drag: points, a segment up and down, a box around points.
+    """Edits the points of a curve.
 
-    The handles of the box around several chosen points scale them.  Ctrl: finely.  Shift: up and
-    down or along alone.  Alt and click on a segment: its next kind.
-    Right button: what can be done to the point, or a new one.
+    A click on the curve adds a point; with Alt it changes the kind of the segment. A drag moves
+    points, or a segment up and down, or draws a box that chooses points; the handles around several
+    chosen points scale them. Ctrl: finely. Shift: only up and down, or only along the time.
 
     Parameters
     ----------

@@ -631,7 +631,7 @@ class SpectrumStrip(QWidget):
     ) -> None:
         """Show the spectrum of ``samples``, (n_times,), and the share of energy out of band.
 
-        Of a limb of which the band is not known neither is that.
+        Where the band of the limb is not known, ``band_hz`` is None and there is no share.
         """
         shown = sample_rate_hz, band_hz
         if samples is self._samples and shown == (self._rate_hz, self._band_hz):

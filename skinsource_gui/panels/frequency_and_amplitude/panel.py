@@ -116,7 +116,7 @@ class _LabelledField(QWidget):
 class FrequencyAndAmplitudePanel(Panel):
     """The two numbers that are changed while presenting, large.
 
-    They are the amplitude and, where the waveform has one, the frequency.
+    These are the amplitude and, where the waveform has one, the frequency.
     """
 
     title = "Frequency and amplitude"

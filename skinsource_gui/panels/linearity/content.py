@@ -131,9 +131,9 @@ def diagrams_of_proportion(
 ) -> tuple[Diagram, ...]:
     """Return divided responses over each other, output over input, and how straight that is.
 
-    ``rows`` are the channels that are drawn over time, one for each output; ``unit`` is that of
-    the strengths; ``bands``: outputs are those in some bands; ``every``: adjusted R² of all
-    outputs, (n_outputs, n_bins), which is drawn in place of that of ``rows``.
+    ``rows`` are the channels that are drawn over time, one for each output; ``unit`` is that of the
+    strengths. With ``bands`` outputs are those in some bands. ``all_outputs``, (n_outputs, n_bins),
+    is the adjusted R² of all outputs, which is drawn in place of that of ``rows``.
     """
     growth = _growth_in_bands if bands else _growth
     highest = float(result.frequency_hz[-1]) if result.frequency_hz.size else 1.0

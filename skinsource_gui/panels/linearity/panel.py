@@ -356,7 +356,8 @@ class LinearityPanel(FigurePanel):
     def _time_s(self, results: Mapping[str, Any], delay_s: float) -> Floats:
         """Return the times on the time axes of the window, (n_times,), s.
 
-        Those of snapshots do not: nothing else that is of them depends on it.
+        Results of the window are up to date with the delay that is removed; those of snapshots are
+        not, as nothing else of them depends on it.
         """
         time_s: Floats = results["response_time_s"]
         return time_s + delay_s * (int(results["delay_removed"]) - int(self._view.delay_removed))

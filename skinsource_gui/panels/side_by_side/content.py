@@ -593,8 +593,8 @@ _COMMON = frozenset({"limb_map", "limb_data", "surface"})
 class OfAxes(Kind):
     """The present design along each axis of the sensors, whatever axes are chosen in the window.
 
-    Levels alone: each sensor's x and y point their own way, so that neither a difference of axes
-    nor their mean says something of the skin.
+    Only levels are shown: x and y point another way at each sensor, so that a difference or a mean
+    of axes has no meaning.
     """
 
     needs: ClassVar[frozenset[str]] = _COMMON | frozenset(_PER_AXIS)
@@ -688,7 +688,7 @@ def snapshot_names(
 ) -> list[Names]:
     """Return the names of the snapshots, with their axes where these are not ``axes``.
 
-    ``with_limbs``: where they are on several limbs, they say on which.
+    ``with_limbs``: names of snapshots on several limbs include the limb.
     """
     names: list[Names] = []
     titles = [printable(scenes.title_of(side.snapshot.design)).strip() for side in compared]

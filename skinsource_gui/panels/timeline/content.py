@@ -40,7 +40,7 @@ from skinsource_gui.qt.tooltips import tooltip
 MARGIN_PX = 3.0
 #: No clip is painted narrower, so that it can be seen and clicked.
 NARROWEST_PX = 3.0
-#: How far outside a clip its ends can be caught, px.
+#: Distance outside a clip within which its ends can be dragged, px.
 REACH_PX = 4.0
 
 
@@ -110,9 +110,9 @@ def boxes_of(
 
 Curve = tuple[tuple[float, float], ...]
 
-#: How far away from a point, and from the line, the pointer catches it, px.
+#: Distance within which the pointer catches a point, and the line, px.
 POINT_PX, LINE_PX = 8.0, 5.0
-# Gains up to this have room at least; free space above and below, px.
+# A lane has room for gains up to this, and for a little more than the largest one.
 _LEAST_TOP, _ROOM = 2.0, 1.15
 _MARGIN_PX = 4.0
 
@@ -248,7 +248,7 @@ class ClipLengths:
 
 _MARK_PX = 4.0
 _ALPHA = 190
-# What is shorter is rounding of two clips that follow each other, s.
+# Shorter overlaps are rounding errors of clips that follow each other, s.
 _LEAST_S = 1e-9
 
 
@@ -420,7 +420,7 @@ class TimelineContent:
     def chosen(self) -> tuple[int, ...]:
         """Clips that edits change: the selected ones, or else the one that the inspector shows.
 
-        That is the first clip of the track that was selected last.
+        The inspector shows the first clip of the track that was selected last.
         """
         return chosen_clips(self.design, self.view)
 
@@ -568,7 +568,7 @@ CURSORS = {
 def part_at(rect: QRectF, at: QPointF, fades_px: tuple[float, float] = (0.0, 0.0)) -> Part:
     """Return the part of a clip painted in ``rect`` that lies at ``at``.
 
-    Its fades are caught where they end, ``fades_px`` from its ends.
+    Fades are dragged where they end, ``fades_px`` from the ends of the clip.
     """
     from_start, from_end = at.x() - rect.left(), rect.right() - at.x()
     if from_start < 0 or from_end < 0:

@@ -375,7 +375,7 @@ def ground_of(lane: Lane) -> Hashable:
 def same_clips(before: TimelineContent, then: Lane, after: TimelineContent, now: Lane) -> bool:
     """Return whether the clips of a lane are the very same ones, with the same samples.
 
-    Which of them are selected, or shown elsewhere, is another question.
+    It does not compare which of them are selected.
     """
     mine, theirs = now.track, then.track
     if before.awaited != after.awaited:
@@ -532,8 +532,8 @@ class LaneLayer(pyqtgraph.GraphicsObject):
 class LanesItem(LaneLayer):
     """Paints lanes, clips and ruler.
 
-    It is kept as a picture, over which the playhead moves and gestures show what they do.  Only
-    lanes that look different now are painted into it again.
+    It is cached as a picture, over which the playhead and the overlay move. Only lanes that look
+    different are painted into it again.
 
     Attributes
     ----------

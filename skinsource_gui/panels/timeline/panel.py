@@ -557,7 +557,7 @@ def lanes_of(
 ) -> tuple[Lane, ...]:
     """Return the lanes of a design, each as high as its head; the first begins at ``top_px``.
 
-    ``problems``: why inputs cannot be played, by their ids.
+    ``problems``: why tracks cannot be played, by their ids.
     """
     audible_ids = {track.id for track in audible_inputs(design.inputs)}
     lanes = []

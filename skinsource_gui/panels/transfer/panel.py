@@ -32,10 +32,8 @@ _BAR_PX, _BARS_PART = 3.0, 0.1
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class TransferContent:
-    """Transfer functions to ``outputs`` and their unit; ``coherence``: it is drawn in their place.
-
-    ``coherence`` says whether it is drawn in place of magnitudes.
-    """
+    """Transfer functions to ``outputs`` and their unit; ``coherence``: it is drawn in their
+    place."""
 
     transfer: Transfer
     outputs: tuple[int, ...]

@@ -39,7 +39,7 @@ class WavePicture(Figure):
     def show_wave(self, content: LineWave, ranks: tuple[int, ...], matched: str) -> None:
         """Take over what to show; ``ranks`` are those of the outputs in the selection.
 
-        ``matched``: by how much it is louder or softer than it was stored, or "".
+        ``matched``: text on how much louder or softer than stored it is, or "".
         """
         self.content, self._ranks, self._matched = content, ranks, matched
         self.say("")
