@@ -32,8 +32,7 @@ _BAR_PX, _BARS_PART = 3.0, 0.1
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class TransferContent:
-    """Transfer functions to ``outputs`` and their unit; ``coherence``: it is drawn in their
-    place."""
+    """Transfer functions to ``outputs``, in a unit; with ``coherence`` that is drawn instead."""
 
     transfer: Transfer
     outputs: tuple[int, ...]
