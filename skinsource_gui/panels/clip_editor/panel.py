@@ -132,7 +132,7 @@ class PenEdits(ToolEdits):
         # By identity: another design has clips of the same numbers.
         self._allowed: Waveform | None = None
         self.pen.drawn.connect(self._draw)
-        self.pen.refused.connect(self._refuse)
+        self.pen.refused.connect(self._show_refusal)
 
     def may_draw(self, clip: Clip) -> bool:
         """Return whether a clip can be drawn on without a question."""
@@ -167,7 +167,7 @@ class PenEdits(ToolEdits):
         outcome = edits.draw_clip(self._design, self._view, id, samples, self._rate_hz)
         self.edited.emit(outcome, stroke)
 
-    def _refuse(self, why: str) -> None:
+    def _show_refusal(self, why: str) -> None:
         self.edited.emit(Refusal(sentence=sentence(why)), None)
 
 

@@ -162,9 +162,9 @@ def scaled_by(
     Points of the same value are scaled about 0.
     """
     times, values = _places(points, chosen)
-    from_s, factor_s = _about(min(times), max(times), handle.along, by_s)
+    from_s, factor_s = _fixed_and_factor(min(times), max(times), handle.along, by_s)
     low, high = min(values), max(values)
-    from_value, factor = _about(0.0 if low == high else low, high, handle.up, by_value)
+    from_value, factor = _fixed_and_factor(0.0 if low == high else low, high, handle.up, by_value)
     return algebra.scaled(points, chosen, (from_s, from_value), factor_s, factor)
 
 
@@ -190,7 +190,7 @@ def paint_box(
         painter.drawRect(square)
 
 
-def _about(low: float, high: float, side: int, by: float) -> tuple[float, float]:
+def _fixed_and_factor(low: float, high: float, side: int, by: float) -> tuple[float, float]:
     """Return what stays, and the factor, when one side of a range is dragged."""
     if side == 0 or low == high:
         return low, 1.0

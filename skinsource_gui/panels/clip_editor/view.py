@@ -380,7 +380,7 @@ class VisibleClip(QObject):
         """Keep the visible part during a drag, however long or loud the clip becomes."""
         self._held = (content.scale.shown_s, content.reach)
 
-    def let_go(self) -> None:
+    def release(self) -> None:
         """End what `hold` began."""
         self._held = None
 
@@ -392,24 +392,24 @@ class VisibleClip(QObject):
         shown_s = panned(content.scale.shown_s, by_s, self._whole_s)
         if self._held is not None:
             self._held = (shown_s or self._whole_s, content.reach)
-        self._see(shown_s)
+        self._show_part(shown_s)
 
     def zoom(self, factor: float) -> None:
         """See so many times less, around the middle."""
         content = self._content()
         if content is not None:
             shown = content.scale.shown_s
-            self._see(zoomed(shown, sum(shown) / 2, factor, self._whole_s))
+            self._show_part(zoomed(shown, sum(shown) / 2, factor, self._whole_s))
 
     def follow_wheel(self, event: QWheelEvent) -> None:
         """Follow the wheel."""
         content = self._content()
         if content is not None:
-            self._see(range_by_wheel(event, content.scale, self._whole_s))
+            self._show_part(range_by_wheel(event, content.scale, self._whole_s))
 
     def show_everything(self) -> None:
         """See all of the clip."""
-        self._see(None)
+        self._show_part(None)
 
     def content_in(self, area: QRectF) -> EditorContent | None:
         """Return what the editor shows, with the curve in that area; None: there is no clip."""
@@ -439,7 +439,7 @@ class VisibleClip(QObject):
         length = max(max(counts, default=0) / self._rate_hz, _LEAST_S)
         return (0.0, length * (1 + _BEHIND))
 
-    def _see(self, shown_s: Range | None) -> None:
+    def _show_part(self, shown_s: Range | None) -> None:
         self._shown_s = shown_s
         self.changed.emit()
 
@@ -503,7 +503,7 @@ class EditorView(Canvas):
     def cancel(self) -> bool:
         """Cancel what the tool has begun; return whether anything had."""
         given_up = self.tool.cancel()
-        self.visible_clip.let_go()
+        self.visible_clip.release()
         self.lay_out()
         return given_up
 
@@ -528,7 +528,7 @@ class EditorView(Canvas):
         event.accept()
         if self.content is not None:
             self.tool.release(self.content)
-        self.visible_clip.let_go()
+        self.visible_clip.release()
         self.lay_out()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
@@ -551,7 +551,7 @@ class EditorView(Canvas):
             menu.deleteLater()
             return
         # The menu takes the release of the button.
-        self.visible_clip.let_go()
+        self.visible_clip.release()
         self.lay_out()
         menu.popup(event.globalPos())
 

@@ -69,7 +69,7 @@ def card_level_text(compared: Compared) -> str:
     return "silent" if level <= FLOOR_DB else minus(f"{level:z.1f} dB")
 
 
-def title(compared: Compared) -> str:
+def snapshot_title(compared: Compared) -> str:
     """Return the name of a snapshot in a sentence."""
     number = compared.snapshot.number
     return "edited" if number == EDITED else f"snapshot {number}"
@@ -83,7 +83,7 @@ def matching_text(compared: Sequence[Compared], *, matched: bool) -> str:
     if not matched:
         return "As loud as they were stored"
     if not have_matching_level(compared, matched=matched):
-        name = title(compared[0])
+        name = snapshot_title(compared[0])
         why = "cannot be predicted" if compared[0].problem else "is silent"
         return f"{name[:1].upper()}{name[1:]} {why}: levels cannot be matched to it"
     return f"Alike at the loudest output: {card_level_text(known[0])[:-3]} {_UNIT}"
@@ -91,8 +91,8 @@ def matching_text(compared: Sequence[Compared], *, matched: bool) -> str:
 
 def difference_captions(present: Compared, other: Compared, *, matched: bool) -> tuple[str, str]:
     """Return the texts above and below a map of their difference."""
-    name = title(present)
-    heading = f"{name[:1].upper()}{name[1:]} minus {title(other)}"
+    name = snapshot_title(present)
+    heading = f"{name[:1].upper()}{name[1:]} minus {snapshot_title(other)}"
     caption = "dB, as stored"
     if matched:
         caption = f"dB, {matched_text((other, present)) or LEVELS_MATCHED}"
@@ -104,8 +104,8 @@ def difference_captions(present: Compared, other: Compared, *, matched: bool) ->
 
 def equal_captions(present: Compared, other: Compared) -> tuple[str, str]:
     """Return the texts above and below the map of two designs with the same levels."""
-    name = title(present)
-    heading = f"{name[:1].upper()}{name[1:]} and {title(other)} are equal"
+    name = snapshot_title(present)
+    heading = f"{name[:1].upper()}{name[1:]} and {snapshot_title(other)} are equal"
     mine, theirs = present.snapshot, other.snapshot
     if mine.design == theirs.design:
         return heading, "dB, the same inputs, scaling and limb"
@@ -116,7 +116,7 @@ def equal_captions(present: Compared, other: Compared) -> tuple[str, str]:
 
 def card_text(compared: Compared, *, present: bool) -> str:
     """Return all that a card shows, as it is read aloud."""
-    name = title(compared)
+    name = snapshot_title(compared)
     gain = gain_text(compared.gain)
     parts = [
         f"{name[:1].upper()}{name[1:]}",

@@ -67,20 +67,20 @@ class StepsModel(QAbstractListModel):
         if role == _Role.DisplayRole:
             return step.label if step else history.start
         if role == TIME:
-            return self._right(row, step)
+            return self._time_text(row, step)
         if role == DONE:
             return row <= history.present
         if role == PRESENT:
             return row == history.present
         if role in (_Role.AccessibleTextRole, _Role.ToolTipRole):
-            return self._sentence(row, step)
+            return self._tooltip(row, step)
         return None
 
-    def _right(self, row: int, step: Step | None) -> str:
+    def _time_text(self, row: int, step: Step | None) -> str:
         when = _clock(step) if step else ""
         return f"saved {when}".strip() if row == self.history.saved else when
 
-    def _sentence(self, row: int, step: Step | None) -> str:
+    def _tooltip(self, row: int, step: Step | None) -> str:
         label = step.label if step else self.history.start
         when = f", {_clock(step)}" if step else ""
         where = ", present" if row == self.history.present else ""

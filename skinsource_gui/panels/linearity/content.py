@@ -137,7 +137,7 @@ def diagrams_of_proportion(
     """
     growth = _growth_in_bands if bands else _growth
     highest = float(result.frequency_hz[-1]) if result.frequency_hz.size else 1.0
-    title, straightness = "Adjusted R²", _straight(result, rows)
+    title, straightness = "Adjusted R²", _straightness_dots(result, rows)
     if all_outputs is not None:
         title, straightness = f"{title}, all outputs", _worst_and_median(result, all_outputs)
     return (
@@ -151,7 +151,7 @@ def diagrams_of_proportion(
     )
 
 
-def _straight(result: Proportion, rows: tuple[int, ...]) -> tuple[Curve, ...]:
+def _straightness_dots(result: Proportion, rows: tuple[int, ...]) -> tuple[Curve, ...]:
     return tuple(
         Curve(x=result.frequency_hz, y=result.adjusted_r2[row], rank=rank, width_px=0.0)
         for rank, row in enumerate(rows)
@@ -189,12 +189,14 @@ def _overlay(
     n = len(result.strengths)
     widths = np.linspace(_WIDEST_PX, _NARROWEST_PX, n)
     over = tuple(
-        Curve(x=x, y=y[k, rank], rank=rank, width_px=_over_time(x, widths[k]), pale=_pale(k, n))
+        Curve(
+            x=x, y=y[k, rank], rank=rank, width_px=_width_over_time(x, widths[k]), pale=_pale(k, n)
+        )
         for rank in range(len(rows))
         for k in range(n)
     )
-    axis = _around(y, f"Divided ({unit.divided_by})", unit.divided_by)
-    return Diagram(x=_time(x), y=axis, curves=over)
+    axis = _symmetric_axis(y, f"Divided ({unit.divided_by})", unit.divided_by)
+    return Diagram(x=_time_axis(x), y=axis, curves=over)
 
 
 def _growth(result: Proportion, rows: tuple[int, ...], unit: StrengthUnit) -> Diagram:
@@ -205,7 +207,7 @@ def _growth(result: Proportion, rows: tuple[int, ...], unit: StrengthUnit) -> Di
         lines.append(Curve(x=at, y=result.line[:, row], rank=rank, width_px=1.2, pale=_PALE))
         lines.append(Curve(x=at, y=level, rank=rank, width_px=0.0))
     return Diagram(
-        x=_strengths((0.0, 1.05 * float(at[-1])), unit),
+        x=_strength_axis((0.0, 1.05 * float(at[-1])), unit),
         y=Axis(shown=(0.0, _top(result.rms[:, rows])), title="RMS (m/s²)"),
         curves=tuple(lines),
     )
@@ -227,7 +229,7 @@ def _growth_in_bands(result: Proportion, rows: tuple[int, ...], unit: StrengthUn
             ends += [float(level.min()), float(level.max())]
     low, high = (min(ends), max(ends)) if ends else (0.1, 1.0)
     return Diagram(
-        x=_strengths((float(at[0]) / _EDGE, float(at[-1]) * _EDGE), unit, log=True),
+        x=_strength_axis((float(at[0]) / _EDGE, float(at[-1]) * _EDGE), unit, log=True),
         y=Axis(
             shown=(low / _EDGE, high * _EDGE), title="In the band (m/s²)", short="m/s²", log=True
         ),
@@ -235,7 +237,7 @@ def _growth_in_bands(result: Proportion, rows: tuple[int, ...], unit: StrengthUn
     )
 
 
-def _strengths(shown: tuple[float, float], unit: StrengthUnit, *, log: bool = False) -> Axis:
+def _strength_axis(shown: tuple[float, float], unit: StrengthUnit, *, log: bool = False) -> Axis:
     return Axis(shown=shown, title=unit.title, short=unit.symbol, log=log)
 
 
@@ -249,7 +251,7 @@ def diagrams_of_superposition(
     both = np.stack((result.separate, result.joint))[:, rows]
     part = part_of(time_s, both, zoom)
     x, (separate, joint) = finer(time_s, both, *part)
-    wide_px, narrow_px = (_over_time(x, width_px) for width_px in (_WIDEST_PX, _NARROWEST_PX))
+    wide_px, narrow_px = (_width_over_time(x, width_px) for width_px in (_WIDEST_PX, _NARROWEST_PX))
     over = tuple(
         curve
         for rank in range(len(rows))
@@ -263,9 +265,9 @@ def diagrams_of_superposition(
         Curve(x=visible[0, rank], y=visible[1, rank], rank=rank, width_px=0.0)
         for rank in range(len(rows))
     )
-    axis = _around(both, "Joint (m/s²)")
+    axis = _symmetric_axis(both, "Joint (m/s²)")
     return (
-        Diagram(x=_time(x), y=_around(joint, "Both (m/s²)"), curves=over),
+        Diagram(x=_time_axis(x), y=_symmetric_axis(joint, "Both (m/s²)"), curves=over),
         Diagram(x=Axis(shown=axis.shown, title="Sum of separate (m/s²)"), y=axis, curves=against),
     )
 
@@ -312,18 +314,18 @@ def _pale(k: int, n: int) -> float:
     return 0.75 * (1.0 - k / (n - 1))
 
 
-def _time(x: Floats) -> Axis:
+def _time_axis(x: Floats) -> Axis:
     margin_s = 0.0 if x.size > 1 else _MARGIN_OF_ONE_S
     shown = float(x[0]) - margin_s, float(x[-1]) + margin_s
     return Axis(shown=shown, title="Time (ms)", factor=1e3)
 
 
-def _over_time(x: Floats, width_px: float) -> float:
+def _width_over_time(x: Floats, width_px: float) -> float:
     """Return the width of a line; one sample is a dot, which has none."""
     return width_px if x.size > 1 else 0.0
 
 
-def _around(values: Floats, title: str, short: str = "") -> Axis:
+def _symmetric_axis(values: Floats, title: str, short: str = "") -> Axis:
     peak = float(np.abs(values).max()) or 1.0
     return Axis(shown=(-1.1 * peak, 1.1 * peak), title=title, short=short)
 

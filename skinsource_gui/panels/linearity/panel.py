@@ -117,7 +117,7 @@ def tab_separated(
     channels = [(output, axis) for output in outputs for axis in axes]
     lines: _Lines
     if isinstance(result, Proportion) and all_outputs is not None:
-        lines = _straight(all_outputs, axes)
+        lines = _straightness_table(all_outputs, axes)
     elif isinstance(result, Proportion):
         names = [f"{output}_{axis}" for output, axis in channels]
         lines = (_by_band if bands else _by_strength)(result, names, unit)
@@ -128,7 +128,7 @@ def tab_separated(
     return "".join("\t".join(line) + "\n" for line in lines)
 
 
-def _straight(all_outputs: Straightness, axes: tuple[str, ...]) -> _Lines:
+def _straightness_table(all_outputs: Straightness, axes: tuple[str, ...]) -> _Lines:
     numbers = range(1, len(all_outputs.adjusted_r2) + 1)
     lines: _Lines = [
         ("frequency_hz", *(f"adjusted_r2_{k}_{axis}" for k in numbers for axis in axes))
@@ -199,9 +199,9 @@ class LinearityPanel(FigurePanel):
             "Snapshots as they were stored. Over time the part is drawn to which Traces is zoomed, "
             "else the loudest one; all the rest counts whole."
         )
-        self.velocity = self._switch(VELOCITY, lambda on: self._change(velocity=on))
-        self.bands = self._switch(BANDS, lambda on: self._change(bands=on))
-        self.every_output = self._switch(EVERY_OUTPUT, lambda on: self._change(every_output=on))
+        self.velocity = self._new_switch(VELOCITY, lambda on: self._change(velocity=on))
+        self.bands = self._new_switch(BANDS, lambda on: self._change(bands=on))
+        self.every_output = self._new_switch(EVERY_OUTPUT, lambda on: self._change(every_output=on))
         self._switches = self.velocity, self.bands, self.every_output
         self.choices.addWidget(ButtonRow(self._switches, self), 1)
         self.copy = self.add_copy(self.table)
@@ -281,7 +281,7 @@ class LinearityPanel(FigurePanel):
             self._drawn = drawn
         return same
 
-    def _switch(self, spec: SwitchSpec, chosen: Callable[[bool], None]) -> QToolButton:
+    def _new_switch(self, spec: SwitchSpec, chosen: Callable[[bool], None]) -> QToolButton:
         """Return a switch above the diagrams, which is only about strengths."""
         name = f"linearity_{spec.label.split()[-1].replace('/', '_')}"
         switch = tool_button(None, name, spec.label, spec.hint, checkable=True)

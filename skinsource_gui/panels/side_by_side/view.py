@@ -416,9 +416,9 @@ class MapsView(QWidget):
         self.update()
 
     def event(self, event: QEvent) -> bool:
-        return claims_shortcut(event, self._wants) or super().event(event)
+        return claims_shortcut(event, self._claims) or super().event(event)
 
-    def _wants(self, event: QKeyEvent) -> bool:
+    def _claims(self, event: QKeyEvent) -> bool:
         return meaning_of("skin", event) in _KEYS and self.picker.claims(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:

@@ -170,7 +170,7 @@ class GainStrip:
         """Return whether the curve passes here."""
         return abs(self.y(self.gain_at(self.scale.time(at.x()))) - at.y()) <= LINE_PX
 
-    def around(self, time_s: float) -> tuple[int, ...]:
+    def points_around(self, time_s: float) -> tuple[int, ...]:
         """Return the numbers of the points around a time; beyond the ends of the last one."""
         points = self.points
         before = sum(x <= time_s for x, _, _ in points)
@@ -187,7 +187,7 @@ def curve_of(points: Points) -> Curve:
     return tuple((round(x, 9), round(y, 6)) for x, y, _ in points)
 
 
-def top_of(curve: Curve) -> float:
+def top_gain_of(curve: Curve) -> float:
     """Return the largest gain for which the lane has room."""
     return max(_LEAST_TOP, _ROOM * max((y for _, y in curve), default=0.0))
 
@@ -389,7 +389,7 @@ class TimelineContent:
             GainStrip(
                 lane=lane,
                 scale=self.scale,
-                top=self.gain_tops.get(lane.track.id) or top_of(lane.track.gain_curve),
+                top=self.gain_tops.get(lane.track.id) or top_gain_of(lane.track.gain_curve),
                 shown=lane.track.id in self.gain_shown,
             )
             for lane in self.lanes

@@ -183,7 +183,9 @@ class GainPoints(QObject):
             self.choose((track, number))
             return gesture
         points = strip.points or ((0.0, 1.0, "straight"),)
-        return MoveGain(context, strip, at, points, strip.around(time_s) or (0,), vertical=True)
+        return MoveGain(
+            context, strip, at, points, strip.points_around(time_s) or (0,), vertical=True
+        )
 
     def double_click(self, at: QPointF) -> bool:
         """Add a point where the curve is pressed twice; whether one is there."""

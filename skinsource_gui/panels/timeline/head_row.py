@@ -281,7 +281,7 @@ class InputRow(QWidget):
         self.mute.setChecked(track.muted)
         self.solo.setChecked(track.solo)
         if old is None or old.last != state.last:
-            self._let_keyboard_in(state.last)
+            self._set_focus_policies(state.last)
         place = input_name(track.location, state.limb)
         self.setAccessibleName(
             f"Input at {place.number}, {place.name}: {state.title}"
@@ -325,7 +325,7 @@ class InputRow(QWidget):
             painter = QPainter(self)
             paint_row(painter, self._state, self._places, current_theme())
 
-    def _let_keyboard_in(self, selected: bool) -> None:
+    def _set_focus_policies(self, selected: bool) -> None:
         # One row at a time: twenty rows of four stops each would be a long way.
         number = Qt.FocusPolicy.StrongFocus if selected else Qt.FocusPolicy.ClickFocus
         button = Qt.FocusPolicy.TabFocus if selected else Qt.FocusPolicy.NoFocus

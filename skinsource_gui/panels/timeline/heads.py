@@ -388,7 +388,7 @@ class InputList(QScrollArea):
         bar = self.verticalScrollBar()
         # Rows that came have no place before their layout is done, and the bar no room for them.
         bar.rangeChanged.connect(self._scroll)
-        bar.actionTriggered.connect(self._let_go)
+        bar.actionTriggered.connect(self._stop_following)
 
     def reveal_selected(self) -> None:
         """Scroll to the row that was selected last if it is another one, or has moved."""
@@ -404,10 +404,10 @@ class InputList(QScrollArea):
         self._scroll()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        self._let_go()
+        self._stop_following()
         super().wheelEvent(event)
 
-    def _let_go(self) -> None:
+    def _stop_following(self) -> None:
         # Who scrolls wants to see something else.
         self._follows_selection = False
 

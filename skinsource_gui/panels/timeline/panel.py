@@ -71,7 +71,7 @@ _MIME = "application/x-skinsource-clips"
 _SIGN, _BEGINNING = "skinsource clips", 2000
 
 
-def copy(fragment: Fragment) -> None:
+def copy_fragment(fragment: Fragment) -> None:
     """Put clips on the clipboard.
 
     Raises
@@ -86,7 +86,7 @@ def copy(fragment: Fragment) -> None:
     QApplication.clipboard().setMimeData(data)
 
 
-def pasted() -> Fragment | None:
+def pasted_fragment() -> Fragment | None:
     """Return the clips on the clipboard, also those that came as text; None: there are none.
 
     Raises
@@ -144,7 +144,7 @@ class TimelineEdits(QObject):
             self._emit(_NO_CLIPS)
             return False
         try:
-            copy(fragment)
+            copy_fragment(fragment)
         except SkinSourceError as error:
             self._emit(Refusal(sentence=sentence(str(error))))
             return False
@@ -159,7 +159,7 @@ class TimelineEdits(QObject):
     def paste(self) -> None:
         """Put the clips of the clipboard at the playhead."""
         try:
-            fragment = pasted()
+            fragment = pasted_fragment()
         except SkinSourceError as error:
             self._emit(Refusal(sentence=sentence(str(error))))
             return

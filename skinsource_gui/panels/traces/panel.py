@@ -173,7 +173,7 @@ class TracesPanel(SignalPanel):
         self._plot.show_curves(
             curves,
             synthetic=facts_of(results["limb"]).synthetic,
-            notes=_axis_notes(_sounding(results.get("selected_without_main_axis", ()), results)),
+            notes=_axis_notes(_not_silent(results.get("selected_without_main_axis", ()), results)),
         )
 
     def _show_delay(self, delay_s: float) -> None:
@@ -265,7 +265,7 @@ def _without_beginning(axis: XAxis, early_s: float, extent: tuple[float, float])
     return replace(axis, extent=extent, titles=(*titles, axis.titles[-1]))
 
 
-def _sounding(outputs: tuple[int, ...], results: Mapping[str, Any]) -> tuple[int, ...]:
+def _not_silent(outputs: tuple[int, ...], results: Mapping[str, Any]) -> tuple[int, ...]:
     # A silent output needs no main axis.
     if not outputs:
         return ()

@@ -51,10 +51,10 @@ class WavePicture(Figure):
         wave = self.content.wave
         metrics = QFontMetricsF(painter.font())
         halves = _halves(room)
-        distance = Axis(shown=_around(wave.distance_m), title=_DISTANCE_TITLE, factor=1e3)
-        delay = Axis(shown=_around(wave.delay_s), title="Delay (ms)", factor=1e3)
+        distance = Axis(shown=_range_around(wave.distance_m), title=_DISTANCE_TITLE, factor=1e3)
+        delay = Axis(shown=_range_around(wave.delay_s), title="Delay (ms)", factor=1e3)
         title = ", ".join(filter(None, (f"Level {self.content.axis} (dB)", self._matched)))
-        level = Axis(shown=_around(wave.level_db), title=title)
+        level = Axis(shown=_range_around(wave.level_db), title=title)
         self._diagrams = []
         slowness = 1.0 / wave.speed_m_per_s
         for area, axis, values, slope, used in (
@@ -126,7 +126,7 @@ def _halves(room: QRectF) -> tuple[QRectF, QRectF]:
     return top, top.translated(0, half)
 
 
-def _around(values: Floats) -> tuple[float, float]:
+def _range_around(values: Floats) -> tuple[float, float]:
     """Return a range with some room around values; any range where there are none."""
     known = values[np.isfinite(values)]
     if not known.size:
